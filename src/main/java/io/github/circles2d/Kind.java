@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.model.Limits;
 
 /**
  * A kind of circles of a world, such as players, bullets or grains. It decides which other circles they meet, and how they move. A world
@@ -40,9 +41,14 @@ import io.github.circles2d.world.circles.KindField;
  * <p><b>How circles move:</b> a kind scales gravity, damps velocities and limits the speed of its circles, unless they are static.
  * The initial values change no bit.
  *
+ * <p><b>How circles grip and turn:</b> a kind has friction, rolling resistance and the speed of a belt, and says how hard its circles are to
+ * turn; see <b>Surfaces</b> of {@link World}. Static circles have these too.
+ *
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
 public final class Kind {
+    private static final Inertia[] INERTIAS = Inertia.values();
+
     private final Kinds kinds;
     private final int number;
 
@@ -203,6 +209,106 @@ public final class Kind {
      */
     public float greatestSpeed() {
         return kinds.getFloat(KindField.GREATEST_SPEED, number);
+    }
+
+    /**
+     * Sets the friction of circles of the kind that have none of their own ({@link World#setFriction}).
+     *
+     * @param friction 0 (slides) to 1,000, or {@link Float#NaN} for the world's, as at first
+     * @return this
+     * @throws IllegalArgumentException if the value is out of range
+     */
+    public Kind setFriction(float friction) {
+        return set(KindField.FRICTION, friction + 0f);
+    }
+
+    /**
+     * The friction of circles of the kind that have none of their own.
+     *
+     * @return 0 to 1,000, or NaN if the world's counts, as at first
+     */
+    public float friction() {
+        return kinds.getFloat(KindField.FRICTION, number);
+    }
+
+    /**
+     * Sets the rolling resistance of circles of the kind that have none of their own ({@link World#setRollingResistance}).
+     *
+     * @param resistance 0 (rolls on) to 1,000, or {@link Float#NaN} for the world's, as at first
+     * @return this
+     * @throws IllegalArgumentException if the value is out of range
+     */
+    public Kind setRollingResistance(float resistance) {
+        return set(KindField.ROLLING_RESISTANCE, resistance + 0f);
+    }
+
+    /**
+     * The rolling resistance of circles of the kind that have none of their own.
+     *
+     * @return 0 to 1,000, or NaN if the world's counts, as at first
+     */
+    public float rollingResistance() {
+        return kinds.getFloat(KindField.ROLLING_RESISTANCE, number);
+    }
+
+    /**
+     * Sets the speed of the surface of circles of the kind, as that of a belt which runs around the circle: it carries what grips it, as the
+     * surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor.
+     *
+     * @param speed lengths per second to the left, anticlockwise where y points up, up to 1e9 in magnitude
+     * @return this
+     * @throws IllegalArgumentException if the value is out of range
+     */
+    public Kind setBeltSpeed(float speed) {
+        return set(KindField.BELT_SPEED, speed + 0f);
+    }
+
+    /**
+     * The speed of the surface of circles of the kind.
+     *
+     * @return lengths per second to the left; 0 at first
+     */
+    public float beltSpeed() {
+        return kinds.getFloat(KindField.BELT_SPEED, number);
+    }
+
+    /**
+     * Sets how the mass of circles of the kind lies in them.
+     *
+     * @param inertia how it lies
+     * @return this
+     */
+    public Kind setInertia(Inertia inertia) {
+        return set(KindField.INERTIA, Limits.notNull("inertia", inertia).ordinal());
+    }
+
+    /**
+     * How the mass of circles of the kind lies in them.
+     *
+     * @return {@link Inertia#DISC} at first
+     */
+    public Inertia inertia() {
+        return INERTIAS[kinds.get(KindField.INERTIA, number)];
+    }
+
+    /**
+     * Sets how fast circles of the kind lose their angular velocity, as {@link #setDamping} does for velocities.
+     *
+     * @param damping per second, 0 to 1e6
+     * @return this
+     * @throws IllegalArgumentException if the value is out of range
+     */
+    public Kind setAngularDamping(float damping) {
+        return set(KindField.ANGULAR_DAMPING, damping + 0f);
+    }
+
+    /**
+     * How fast circles of the kind lose their angular velocity.
+     *
+     * @return per second; 0 at first
+     */
+    public float angularDamping() {
+        return kinds.getFloat(KindField.ANGULAR_DAMPING, number);
     }
 
     private Kind set(KindField field, int value) {

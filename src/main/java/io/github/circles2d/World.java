@@ -14,9 +14,11 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.SurfaceSettings;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
+import java.util.Arrays;
 
 /**
  * The engine for games: rigid circles that fall, collide, bounce and pile up. A replay of the same calls gives the same bits.
@@ -46,7 +48,8 @@ import java.nio.LongBuffer;
  * before the next step or read.
  *
  * <p><b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}. Nothing pushes them, and they may overlap walls and each
- * other. They move only by the velocity set for them (none at first), and by {@link #setPosition} and {@link #teleport}.
+ * other. They move only by the velocity set for them (none at first), and by {@link #setPosition} and {@link #teleport}. They turn only by
+ * the angular velocity set for them, which drives what touches them, as a roller does.
  *
  * <p><b>Restitution</b> is the share of its speed that a bounce keeps. A pair has the greater of its two circles' values; at a wall the
  * circle's value counts. Slow impacts do not bounce, so that piles come to rest. An impact is slow if its speed along the normal is
@@ -67,6 +70,12 @@ import java.nio.LongBuffer;
  *
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
+ *
+ * <p><b>Surfaces:</b> circles grip others and walls by friction, roll and stop by rolling resistance, and turn. Nothing grips at first.
+ * {@link Builder#friction} makes all circles and walls grip, {@link Kind#setFriction} those of a kind, {@link #setFriction} one. A pair
+ * has the geometric mean of both frictions, sqrt(a b), so without friction on one side there is none; it has the greater rolling resistance of both,
+ * and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). Angles and angular velocities grow to the left, anticlockwise where y
+ * points up. A world in which nothing ever gripped or turned pays nothing for all this.
  *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
@@ -112,6 +121,8 @@ import java.nio.LongBuffer;
  *       along an axis that wraps;
  *   <li>masses: from 1e-9 to 1e9;
  *   <li>components of velocities and of gravity: up to 1e9 in magnitude;
+ *   <li>friction and rolling resistance: from 0 to 1,000; angles that are set: up to 1e6 radians in magnitude, and angular velocities
+ *       up to 1e9 radians a second;
  *   <li>steps: from 1e-6 to 1 second.
  * </ul>
  */
@@ -133,7 +144,9 @@ public final class World implements AutoCloseable {
         reason = choice.reason();
         simulation = new Simulation(
                 choice.pipeline(),
-                new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
+                new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
+                        .with(b.contacts)
+                        .with(b.surfaces()));
         queries = new Queries(simulation.searches());
     }
 
@@ -515,6 +528,91 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Gives a circle friction of its own, in place of that of its kind ({@link Kind#setFriction}) or of the world ({@link
+     * Builder#friction}). It acts from the next step on.
+     *
+     * @param handle the circle
+     * @param friction 0 (slides) to 1,000, or {@link Float#NaN} for none of its own; the class says what a pair has
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setFriction(long handle, float friction) {
+        simulation.circles().setFriction(handle, friction);
+    }
+
+    /**
+     * Gives a circle rolling resistance of its own, in place of that of its kind or of the world. It acts from the next step on. Where a circle
+     * rolls on another or on a wall, a torque of up to this times the load times the greater radius holds their turning against each other.
+     *
+     * @param handle the circle
+     * @param resistance 0 (rolls on) to 1,000, or {@link Float#NaN} for none of its own; a pair has the greater of its two
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setRollingResistance(long handle, float resistance) {
+        simulation.circles().setRollingResistance(handle, resistance);
+    }
+
+    /**
+     * Turns a circle to an angle; its angular velocity stays. The angle of a circle is a number for the caller, who draws the circle by it: no
+     * collision depends on it.
+     *
+     * @param handle the circle
+     * @param angle radians to the left, up to 1e6 in magnitude. Whole turns are dropped, and the rest is rounded to 2^-32 of a turn
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setAngle(long handle, float angle) {
+        simulation.circles().setAngle(handle, angle);
+    }
+
+    /**
+     * Gives a circle an angular velocity. A static circle keeps it until another call changes it, and drives the circles that grip it. Any
+     * other circle keeps it until friction, rolling resistance, a torque, an angular impulse or {@link Kind#setAngularDamping} changes it; {@link #setRadius}
+     * and {@link #setMass} do not.
+     *
+     * @param handle the circle
+     * @param velocity radians per second to the left, up to 1e9 in magnitude. Times the radius it counts as at most 1e9
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setAngularVelocity(long handle, float velocity) {
+        simulation.circles().setAngularVelocity(handle, velocity);
+    }
+
+    /**
+     * Turns a circle by a push: its angular velocity changes by the impulse over its inertia. That of a static circle stays, and so does that
+     * of a circle whose kind has {@link Inertia#NONE}.
+     *
+     * @param handle the circle
+     * @param impulse mass times length squared per second, to the left, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void applyAngularImpulse(long handle, float impulse) {
+        simulation.circles().applyAngularImpulse(handle, impulse);
+    }
+
+    /**
+     * Sets a torque on a circle, which acts in every step until it is changed: a motor, a wheel that steers. Each second it adds the torque
+     * over the inertia to the angular velocity. Static circles do not feel it, nor do those whose kind has {@link Inertia#NONE}.
+     *
+     * @param handle the circle
+     * @param torque mass times length squared per second squared, to the left, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setTorque(long handle, float torque) {
+        simulation.circles().setTorque(handle, torque);
+    }
+
+    /**
+     * Applies a torque to a circle in the next step alone (the first of several that one call makes), besides the torque that {@link
+     * #setTorque} has set. Several that are applied before a step add up.
+     *
+     * @param handle the circle
+     * @param torque as {@link #setTorque} takes it. The sum of several is cut to 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void applyTorque(long handle, float torque) {
+        simulation.circles().applyTorque(handle, torque);
+    }
+
+    /**
      * Puts many circles somewhere else, as {@link #setPosition} does, in the order of the array: all of them, or none if one is
      * refused.
      *
@@ -572,6 +670,23 @@ public final class World implements AutoCloseable {
      */
     public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
         return simulation.bulk().setForces(handles, count, forces, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Gives many circles angular velocities, as {@link #setAngularVelocity} does, in the order of the array: all of them, or none if one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param angularVelocities that of each, radians per second, up to 1e9 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale) {
+        return simulation
+                .bulk()
+                .setAngularVelocities(handles, count, angularVelocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -783,6 +898,72 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The friction of circles that have none of their own, nor by their kind, as {@link Builder#friction} has set it, or a restored snapshot.
+     *
+     * @return 0 to 1,000
+     */
+    public float defaultFriction() {
+        return simulation.surfaces().friction;
+    }
+
+    /**
+     * The rolling resistance of circles that have none of their own, nor by their kind, as {@link Builder#rollingResistance} has set it, or a
+     * restored snapshot.
+     *
+     * @return 0 to 1,000
+     */
+    public float defaultRollingResistance() {
+        return simulation.surfaces().rollingResistance;
+    }
+
+    /**
+     * Gives a wall a surface, from the next step on. Walls that are not there, since an axis is open or wraps, have surfaces too, which do
+     * nothing.
+     *
+     * @param wall which wall
+     * @param friction 0 to 1,000
+     * @param rollingResistance 0 to 1,000
+     * @param beltSpeed speed of the surface along the wall, as that of a conveyor belt: lengths per second towards greater coordinates, up to
+     *     1e9 in magnitude
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
+        simulation.setWallSurface(Limits.notNull("wall", wall).ordinal(), friction, rollingResistance, beltSpeed);
+    }
+
+    /**
+     * The friction of a wall.
+     *
+     * @param wall which wall
+     * @return 0 to 1,000
+     */
+    public float wallFriction(Wall wall) {
+        return simulation.surfaces().wallFriction(Limits.notNull("wall", wall).ordinal());
+    }
+
+    /**
+     * The rolling resistance of a wall.
+     *
+     * @param wall which wall
+     * @return 0 to 1,000
+     */
+    public float wallRollingResistance(Wall wall) {
+        return simulation
+                .surfaces()
+                .wallRollingResistance(Limits.notNull("wall", wall).ordinal());
+    }
+
+    /**
+     * The speed of the surface of a wall.
+     *
+     * @param wall which wall
+     * @return lengths per second towards greater coordinates
+     */
+    public float wallBeltSpeed(Wall wall) {
+        return simulation.surfaces().wallBelt(Limits.notNull("wall", wall).ordinal());
+    }
+
+    /**
      * The number of sub-steps a step.
      *
      * @return 1 to 16
@@ -910,6 +1091,34 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Reads the angle of every circle by id, as {@link #readById} does.
+     *
+     * @param angles takes an element an id, radians to the left from -pi to pi. All of it is written: elements without a circle become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public void readAnglesById(float[] angles, long[] living) {
+        simulation.readings().readAnglesById(angles, living);
+    }
+
+    /** Reads angles by id in units of a turn's 2^-32; 0 where there is no circle. */
+    void readAngleUnits(int[] units) {
+        simulation.readings().readUnitsById(units);
+    }
+
+    /**
+     * Reads the angular velocity of every circle by id, as {@link #readById} does.
+     *
+     * @param angularVelocities takes an element an id, radians per second to the left. All of it is written: elements without a circle
+     *     become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public void readAngularVelocitiesById(float[] angularVelocities, long[] living) {
+        simulation.readings().readAngularVelocitiesById(angularVelocities, living);
+    }
+
+    /**
      * Reads the radius of every circle by id. It is known without a read-back, and waits for nothing.
      *
      * @param radii takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
@@ -981,6 +1190,17 @@ public final class World implements AutoCloseable {
      */
     public FloatBuffer positions() {
         return simulation.readings().positions();
+    }
+
+    /**
+     * Reads the angle of every circle, in the order of the ids, into memory of the world's own: what a renderer needs beside {@link
+     * #positions}.
+     *
+     * @return an element a circle, radians to the left from -pi to pi, from position 0 to the limit, in direct memory. Read-only, and often the
+     *     same object: the next call of this method overwrites what it shows, no other does
+     */
+    public FloatBuffer angles() {
+        return simulation.readings().angles();
     }
 
     /**
@@ -1145,6 +1365,28 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Reads the angle of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return radians to the left, from -pi to pi; 0 at first
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float angle(long handle) {
+        return simulation.readings().angle(handle);
+    }
+
+    /**
+     * Reads the angular velocity of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return radians per second to the left; 0 at first
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float angularVelocity(long handle) {
+        return simulation.readings().angularVelocity(handle);
+    }
+
+    /**
      * The restitution of one circle. It is known without a read-back.
      *
      * @param handle the circle
@@ -1186,6 +1428,39 @@ public final class World implements AutoCloseable {
      */
     public float forceY(long handle) {
         return simulation.circles().force(CircleField.FORCE_Y, handle);
+    }
+
+    /**
+     * The torque that is set for a circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the torque; 0 at first
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float torque(long handle) {
+        return simulation.circles().force(CircleField.TORQUE, handle);
+    }
+
+    /**
+     * The friction of one circle: its own, else that of its kind, else the world's. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return 0 to 1,000
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float friction(long handle) {
+        return simulation.circles().friction(handle);
+    }
+
+    /**
+     * The rolling resistance of one circle: its own, else that of its kind, else the world's. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return 0 to 1,000
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float rollingResistance(long handle) {
+        return simulation.circles().rollingResistance(handle);
     }
 
     /**
@@ -1234,7 +1509,7 @@ public final class World implements AutoCloseable {
     /**
      * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, and of the kinds. Equal states
      * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
-     * contact settings of the builder that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
+     * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
      *
      * @return 64 bits
@@ -1391,7 +1666,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds, gravity,
-     * restitution, sub-steps and contact settings; and, if the world reports events, the pairs that touch. Equal states give equal bytes,
+     * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give equal bytes,
      * on every back end.
      *
      * <pre>{@code
@@ -1444,9 +1719,28 @@ public final class World implements AutoCloseable {
         private float restitution = 0.5f;
         private int subSteps = 4;
         private ContactSettings contacts = ContactSettings.DEFAULT;
+        private float friction;
+        private float rollingResistance;
+
+        /** Three floats for each wall, as {@link World#setWallSurface} takes them; NaN for those that follow the circles. */
+        private final float[] walls = new float[3 * Wall.values().length];
+
         private final BackendWish wish = new BackendWish();
 
-        private Builder() {}
+        private Builder() {
+            Arrays.fill(walls, Float.NaN);
+        }
+
+        private SurfaceSettings surfaces() {
+            SurfaceSettings settings = SurfaceSettings.NONE.ofCircles(friction, rollingResistance);
+            for (int wall = 0; 3 * wall < walls.length; wall++) {
+                int at = 3 * wall;
+                settings = Float.isNaN(walls[at])
+                        ? settings.withWall(wall, friction, rollingResistance, 0)
+                        : settings.withWall(wall, walls[at], walls[at + 1], walls[at + 2]);
+            }
+            return settings.any() ? settings : SurfaceSettings.NONE;
+        }
 
         private Bounds arena() {
             return bounds.with(edgeX, edgeY);
@@ -1526,6 +1820,53 @@ public final class World implements AutoCloseable {
          */
         public Builder restitution(float restitution) {
             this.restitution = Limits.restitution(restitution);
+            return this;
+        }
+
+        /**
+         * The friction of circles, and of the walls for which {@link #wallSurface} says nothing. By default 0. {@link Kind#setFriction} and
+         * {@link World#setFriction} give circles another. {@link World} says what a pair has.
+         *
+         * @param friction 0 (slides) to 1,000
+         * @return this
+         * @throws IllegalArgumentException if the value is out of range
+         */
+        public Builder friction(float friction) {
+            this.friction = Limits.friction(friction);
+            return this;
+        }
+
+        /**
+         * The rolling resistance of circles, and of the walls for which {@link #wallSurface} says nothing. By default 0. {@link
+         * Kind#setRollingResistance} and {@link World#setRollingResistance} give circles another.
+         *
+         * @param resistance 0 (rolls on) to 1,000
+         * @return this
+         * @throws IllegalArgumentException if the value is out of range
+         */
+        public Builder rollingResistance(float resistance) {
+            rollingResistance = Limits.rollingResistance(resistance);
+            return this;
+        }
+
+        /**
+         * The surface of a wall, in place of {@link #friction} and {@link #rollingResistance}; {@link World#setWallSurface} changes it later.
+         *
+         * @param wall which wall
+         * @param friction 0 to 1,000
+         * @param rollingResistance 0 to 1,000
+         * @param beltSpeed speed of the surface along the wall, lengths per second towards greater coordinates, up to 1e9 in magnitude; 0 by
+         *     default
+         * @return this
+         * @throws IllegalArgumentException if a value is out of range
+         */
+        public Builder wallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
+            int at = 3 * Limits.notNull("wall", wall).ordinal();
+            float itsFriction = Limits.friction(friction);
+            float itsResistance = Limits.rollingResistance(rollingResistance);
+            walls[at + 2] = Limits.beltSpeed(beltSpeed);
+            walls[at + 1] = itsResistance;
+            walls[at] = itsFriction;
             return this;
         }
 

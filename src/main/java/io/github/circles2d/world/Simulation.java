@@ -19,6 +19,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
@@ -33,6 +34,7 @@ import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
+import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Collections;
 
@@ -48,6 +50,7 @@ public final class Simulation implements AutoCloseable {
     private static final Guard.CircleChange<Simulation> SET_GRAVITY =
             (world, h, n, gx, gy) -> world.changeGravity(gx, gy);
     private static final Guard.FloatsChange<Simulation> SET_BOUNDS = Simulation::changeBounds;
+    private static final Guard.FloatsChange<Simulation> SET_WALL_SURFACE = Simulation::changeWallSurface;
     private static final Guard.CircleChange<Simulation> STEP = (world, h, n, length, none) -> world.make(length, n);
     private static final Guard.Change<PendingWork> FINISH = PendingWork::finish;
     private static final Guard.Numbers<Copies, Void> HASH = (all, none, m, n) -> all.hash();
@@ -61,6 +64,7 @@ public final class Simulation implements AutoCloseable {
     private final KindTable kindTable = new KindTable();
     private final WorldSettings settings;
     private final CallLog log;
+    private final TurningFlag turning;
     private final PendingWork pending;
     private final Copies copies;
     private final StepFigures figures = new StepFigures();
@@ -86,26 +90,28 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         settings = new WorldSettings(events, start);
         log = new CallLog(pipeline, guard, commands);
-        pending = new PendingWork(pipeline, guard, handles, commands, events, log);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings);
+        turning = new TurningFlag(pipeline, kindTable, settings);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log, turning);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, turning);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);
-        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures);
+        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, turning);
         PreparedChanges changes =
-                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels);
+                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels, turning);
         circles = new Circles(
-                guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes);
+                guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes,
+                turning);
         bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes);
         readings = new Readings(guard, handles, pipeline, pending, copies.last());
         loads = new Loads(guard, handles, copies, settings);
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
         snapshots = new Snapshots(
                 guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth);
+                growth, turning);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         try {
-            pipeline.prepare(settings.contacts(), !settings.bounds().isWalled(), false);
+            turning.prepare();
         } catch (RuntimeException | Error e) {
             pipeline.close();
             throw e;
@@ -217,6 +223,31 @@ public final class Simulation implements AutoCloseable {
         return settings.bounds();
     }
 
+    /** Gives a wall another surface; {@link WallMotion#of} numbers the walls. */
+    public void setWallSurface(int wall, float friction, float rollingResistance, float beltSpeed) {
+        guard.change(this, wall, friction, rollingResistance, beltSpeed, 0, 0, 0, SET_WALL_SURFACE);
+    }
+
+    private long changeWallSurface(int wall, float friction, float resistance, float belt, float d, float e, float f) {
+        Limits.within("the number of the wall", wall, 0, WallMotion.COUNT - 1);
+        SurfaceSettings next = settings.surfaces().withWall(wall, friction, resistance, belt);
+        copies.forgetSaved();
+        log.call(
+                LoggedCall.WALL_SURFACE,
+                wall,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(resistance),
+                Float.floatToRawIntBits(belt));
+        settings.setSurfaces(next);
+        return 0;
+    }
+
+    /** What new circles and the walls have of friction and rolling resistance. */
+    public SurfaceSettings surfaces() {
+        guard.check();
+        return settings.surfaces();
+    }
+
     /** The restitution that new circles get. */
     public float defaultRestitution() {
         guard.check();
@@ -289,6 +320,7 @@ public final class Simulation implements AutoCloseable {
 
     private void makeSteps(float timeStep, int steps) {
         pending.apply();
+        pending.prepareTurning();
         guard.changing = true;
         boolean hasCircles = handles.size() > 0;
         figures.stepped(hasCircles);
@@ -318,6 +350,10 @@ public final class Simulation implements AutoCloseable {
         constants.driving = kindTable.moves() || forces.drive();
         if (constants.driving) {
             input.motion.update(constants, kindTable, kindTable.version());
+        }
+        constants.turning = turning.isOn();
+        if (constants.turning) {
+            input.surfaces.update(constants, kindTable, kindTable.version());
         }
         events.prepare(kindTable, input.reports);
     }

@@ -44,6 +44,7 @@ public final class BulkChanges {
     private final Call<float[]> velocities;
     private final Call<float[]> impulses;
     private final Call<float[]> forces;
+    private final Call<float[]> angularVelocities;
     private final Call<int[]> kinds;
 
     public BulkChanges(
@@ -63,6 +64,11 @@ public final class BulkChanges {
         velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Commands.VELOCITY, id, x, y));
         impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Commands.IMPULSE, id, x, y));
         forces = ofTwo("forces", Commands.FIELD, changes::setForce);
+        angularVelocities = new Call<>(
+                "angularVelocities", 1, values -> values.length, Commands.ANGULAR_VELOCITY, (id, values, i) -> {
+                    changes.setAngularVelocity(id, values[i]);
+                    return true;
+                });
         kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
             changes.setKind(id, values[i]);
             return true;
@@ -97,6 +103,10 @@ public final class BulkChanges {
 
     public int setForces(long[] circles, int count, float[] values, boolean skipStale) {
         return change(forces, circles, count, values, skipStale);
+    }
+
+    public int setAngularVelocities(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(angularVelocities, circles, count, values, skipStale);
     }
 
     public int setKinds(long[] circles, int count, int[] values, boolean skipStale) {

@@ -3,13 +3,16 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /**
@@ -29,6 +32,20 @@ public final class Circles {
     private static final Guard.CircleChange<Circles> SET_FORCE = (circles, h, n, a, b) -> circles.setForceOn(h, a, b);
     private static final Guard.CircleChange<Circles> APPLY_FORCE =
             (circles, h, n, a, b) -> circles.applyForceTo(h, a, b);
+    private static final Guard.CircleChange<Circles> APPLY_TORQUE =
+            (circles, h, n, torque, none) -> circles.applyTorqueTo(h, torque);
+    private static final Guard.CircleChange<Circles> SET_ANGLE = (circles, h, units, a, b) -> circles.turn(h, units);
+    private static final Guard.CircleChange<Circles> SET_ANGULAR_VELOCITY =
+            (circles, h, n, velocity, none) -> circles.setAngularVelocityOf(h, velocity);
+    private static final Guard.CircleChange<Circles> APPLY_ANGULAR_IMPULSE =
+            (circles, h, n, impulse, inertia) -> circles.pushAround(h, impulse, inertia);
+    private static final Guard.Numbers<Circles, Void> FRICTION = (circles, none, h, n) ->
+            circles.surfaceBits(h, CircleField.FRICTION, KindField.FRICTION, circles.settings.surfaces().friction);
+    private static final Guard.Numbers<Circles, Void> ROLLING_RESISTANCE = (circles, none, h, n) -> circles.surfaceBits(
+            h,
+            CircleField.ROLLING_RESISTANCE,
+            KindField.ROLLING_RESISTANCE,
+            circles.settings.surfaces().rollingResistance);
     private static final Guard.Numbers<Circles, CircleField> GET =
             (circles, f, h, n) -> circles.handles.fields().get(f, circles.find(h));
     private static final Guard.Numbers<Circles, Void> RESTITUTION =
@@ -46,6 +63,7 @@ public final class Circles {
     private final Travels travels;
     private final Growth growth;
     private final PreparedChanges changes;
+    private final TurningFlag turning;
 
     /** The kinds of the circles that a call adds. */
     private int[] newKinds = new int[0];
@@ -62,7 +80,8 @@ public final class Circles {
             Forces forces,
             Travels travels,
             Growth growth,
-            PreparedChanges changes) {
+            PreparedChanges changes,
+            TurningFlag turning) {
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
@@ -75,6 +94,7 @@ public final class Circles {
         this.travels = travels;
         this.growth = growth;
         this.changes = changes;
+        this.turning = turning;
     }
 
     /** Adds a circle of kind 0 and returns its handle. */
@@ -358,9 +378,94 @@ public final class Circles {
             log.field(field, id, value);
         }
         guard.changing = true;
+        if (field.isOfTurning() && value != field.initial()) {
+            turning.ask();
+        }
         enter(field, id, value);
         guard.changing = false;
         return 0;
+    }
+
+    /** Gives a circle friction of its own, or takes it away. */
+    public void setFriction(long handle, float friction) {
+        set(CircleField.FRICTION, handle, Float.isNaN(friction) ? CircleField.NONE : bits(Limits.friction(friction)));
+    }
+
+    /** Gives a circle rolling resistance of its own, or takes it away. */
+    public void setRollingResistance(long handle, float resistance) {
+        set(
+                CircleField.ROLLING_RESISTANCE,
+                handle,
+                Float.isNaN(resistance) ? CircleField.NONE : bits(Limits.rollingResistance(resistance)));
+    }
+
+    /** There is one zero. */
+    private static int bits(float value) {
+        return Float.floatToRawIntBits(value + 0f);
+    }
+
+    /** The friction of a circle: its own, else that of its kind, else the world's. */
+    public float friction(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, FRICTION));
+    }
+
+    /** Likewise. */
+    public float rollingResistance(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ROLLING_RESISTANCE));
+    }
+
+    private int surfaceBits(long handle, CircleField field, KindField ofKind, float ofWorld) {
+        int id = find(handle);
+        float own = handles.fields().getFloat(field, id);
+        int kind = handles.fields().getInt(CircleField.KIND, id);
+        return Float.floatToRawIntBits(Float.isNaN(own) ? kinds.own(ofKind, kind, ofWorld) : own);
+    }
+
+    /** Turns a circle to an angle in radians. */
+    public void setAngle(long handle, float angle) {
+        Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
+        turnTo(handle, Surface.units(angle));
+    }
+
+    /** Turns a circle to an angle in units of a turn's 2^-32. */
+    public void turnTo(long handle, int units) {
+        guard.change(this, handle, units, 0, 0, SET_ANGLE);
+    }
+
+    private void turn(long handle, int units) {
+        int id = find(handle);
+        changes.begin(1);
+        changes.setAngle(id, units);
+        changes.make(Commands.ANGLE);
+    }
+
+    public void setAngularVelocity(long handle, float velocity) {
+        guard.change(this, handle, 0, velocity, 0, SET_ANGULAR_VELOCITY);
+    }
+
+    private void setAngularVelocityOf(long handle, float velocity) {
+        int id = find(handle);
+        changes.begin(1);
+        changes.setAngularVelocity(id, velocity);
+        changes.make(Commands.ANGULAR_VELOCITY);
+    }
+
+    /** Applies an angular impulse to a circle of its kind. */
+    public void applyAngularImpulse(long handle, float impulse) {
+        applyAngularImpulse(handle, impulse, Float.NaN);
+    }
+
+    /** Applies an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
+    public void applyAngularImpulse(long handle, float impulse, float inertia) {
+        guard.change(this, handle, 0, impulse, inertia, APPLY_ANGULAR_IMPULSE);
+    }
+
+    private void pushAround(long handle, float impulse, float inertia) {
+        int id = find(handle);
+        float ofKind = kinds.inertia(handles.fields().getInt(CircleField.KIND, id));
+        changes.begin(1);
+        changes.set(Commands.ANGULAR_IMPULSE, id, impulse, Float.isNaN(inertia) ? ofKind : inertia);
+        changes.make(Commands.ANGULAR_IMPULSE);
     }
 
     /** Gives a circle another kind, and the restitution of the kind if it has one. */
@@ -405,7 +510,30 @@ public final class Circles {
         guard.changing = false;
     }
 
-    /** A component of the force that is set for a circle: {@link CircleField#FORCE_X} or {@code FORCE_Y}. */
+    /** Sets the torque on a circle. */
+    public void setTorque(long handle, float torque) {
+        set(CircleField.TORQUE, handle, Forces.bits(torque));
+    }
+
+    /** Applies a torque to a circle in the next step. */
+    public void applyTorque(long handle, float torque) {
+        guard.change(this, handle, 0, torque, 0, APPLY_TORQUE);
+    }
+
+    private void applyTorqueTo(long handle, float torque) {
+        int id = find(handle);
+        Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
+        forces.ensure();
+        handles.fields().ensure(CircleField.APPLIED_TORQUE, id + 1);
+        log.torque(id, torque);
+        copies.forgetSaved();
+        guard.changing = true;
+        turning.ask();
+        forces.applyTorque(id, torque);
+        guard.changing = false;
+    }
+
+    /** What is set for a circle: {@link CircleField#FORCE_X}, {@code FORCE_Y} or {@code TORQUE}. */
     public float force(CircleField component, long handle) {
         return Float.intBitsToFloat((int) get(component, handle));
     }

@@ -11,6 +11,7 @@ import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
+import io.github.circles2d.world.shared.TurningFlag;
 
 /**
  * Removes all circles. The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for
@@ -29,6 +30,7 @@ public final class Clearing {
     private final PendingWork pending;
     private final Copies copies;
     private final StepFigures figures;
+    private final TurningFlag turning;
 
     /** A state without circles. */
     private final SavedState empty = new SavedState();
@@ -42,7 +44,8 @@ public final class Clearing {
             CallLog log,
             PendingWork pending,
             Copies copies,
-            StepFigures figures) {
+            StepFigures figures,
+            TurningFlag turning) {
         this.pipeline = pipeline;
         this.guard = guard;
         this.handles = handles;
@@ -52,6 +55,7 @@ public final class Clearing {
         this.pending = pending;
         this.copies = copies;
         this.figures = figures;
+        this.turning = turning;
     }
 
     /** Removes all circles. */
@@ -95,5 +99,6 @@ public final class Clearing {
         pending.drop();
         handles.removeAll();
         pipeline.load(empty);
+        turning.cleared();
     }
 }

@@ -86,8 +86,18 @@ public final class Kinds {
     }
 
     public float restitution(int kind, float otherwise) {
-        float own = Float.intBitsToFloat(table.get(KindField.RESTITUTION, kind));
+        return own(KindField.RESTITUTION, kind, otherwise);
+    }
+
+    /** What a kind has of a field, unless it has none. */
+    float own(KindField field, int kind, float otherwise) {
+        float own = Float.intBitsToFloat(table.get(field, kind));
         return Float.isNaN(own) ? otherwise : own;
+    }
+
+    /** The inverse inertia of the circles of a kind by their inverse mass. */
+    float inertia(int kind) {
+        return table.inertia(kind);
     }
 
     /** Whether some pair of circles may have to be filtered: a pair of kinds is not solid, or a circle has had a group. */

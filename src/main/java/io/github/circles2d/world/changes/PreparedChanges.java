@@ -10,6 +10,7 @@ import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Arrays;
 
@@ -28,6 +29,7 @@ public final class PreparedChanges {
     private final WorldSettings settings;
     private final Kinds kinds;
     private final Travels travelling;
+    private final TurningFlag turning;
     private int count;
 
     /** Positions of static circles, which travel there. */
@@ -45,7 +47,8 @@ public final class PreparedChanges {
             Copies copies,
             WorldSettings settings,
             Kinds kinds,
-            Travels travelling) {
+            Travels travelling,
+            TurningFlag turning) {
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
@@ -55,6 +58,7 @@ public final class PreparedChanges {
         this.settings = settings;
         this.kinds = kinds;
         this.travelling = travelling;
+        this.turning = turning;
     }
 
     void checkValues(int operation, float a, float b) {
@@ -65,6 +69,12 @@ public final class PreparedChanges {
             case Commands.MASS -> Limits.mass(a);
             case Commands.RESTITUTION -> Limits.restitution(a);
             case Commands.IMPULSE -> Limits.impulse(a, b);
+            case Commands.ANGULAR_VELOCITY ->
+                Limits.within("angular velocity", a, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
+            case Commands.ANGULAR_IMPULSE -> {
+                Limits.within("angular impulse", a, -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE);
+                Limits.within("the inverse inertia by inverse mass", b, 0, 2);
+            }
             default -> throw new IllegalArgumentException("operation " + operation + " changes no circle");
         }
     }
@@ -84,6 +94,16 @@ public final class PreparedChanges {
     /** Prepares an operation whose values are in range. */
     void setChecked(int operation, int id, float a, float b) {
         commands.prepareChange(count++, operation, id, a, b);
+    }
+
+    /** Prepares a new angle, in units of a turn's 2^-32. */
+    void setAngle(int id, int units) {
+        commands.prepareInt(count++, Commands.ANGLE, id, units);
+    }
+
+    /** Prepares a new angular velocity. There is one zero. */
+    void setAngularVelocity(int id, float velocity) {
+        set(Commands.ANGULAR_VELOCITY, id, velocity + 0f, 0);
     }
 
     /** Prepares a new position. A static circle travels there. */
@@ -151,8 +171,12 @@ public final class PreparedChanges {
         if (travels > 0) {
             recordTravels();
         }
-        boolean ofPipelines = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        boolean turns = Commands.turns(operation);
+        boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
         guard.changing = true;
+        if (turns && count > 0) {
+            turning.ask();
+        }
         commands.admitChanges(ofPipelines ? count : changeAll());
         guard.changing = false;
     }

@@ -175,6 +175,11 @@ public enum CircleField {
         return ofSteps;
     }
 
+    /** Whether the world turns once a circle has another value than the initial one. */
+    public boolean isOfTurning() {
+        return ordinal() >= FRICTION.ordinal();
+    }
+
     /** Ints that a value takes. */
     int words() {
         return least >= Integer.MIN_VALUE && greatest <= Integer.MAX_VALUE ? 1 : 2;

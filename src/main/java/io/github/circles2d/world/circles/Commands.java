@@ -260,6 +260,12 @@ public final class Commands {
         records[k + SECOND] = value;
     }
 
+    /** As {@link #prepareChange}, of an operation whose value is a whole number. */
+    public void prepareInt(int ahead, int operation, int id, int value) {
+        prepareChange(ahead, operation, id, 0, 0);
+        records[STRIDE * (count + ahead) + FIRST] = value;
+    }
+
     /** The operation of a change that is prepared, before which others are. */
     public int preparedOperation(int ahead) {
         return records[STRIDE * (count + ahead) + OPCODE];

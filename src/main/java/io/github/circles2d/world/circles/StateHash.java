@@ -2,19 +2,24 @@ package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
  * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, one per field of a
  * circle ({@link CircleField}) or of a kind ({@link KindField}) that has not its initial value, one per pair of kinds whose response
- * is set, one for the walls if the next step moves them, and one for {@link ContactSettings} if they are not the default. A sum of
+ * is set, one for the walls if the next step moves them, one for {@link ContactSettings} and one for {@link SurfaceSettings} if they are
+ * not the default, and one per circle and per impulse that has what circles turn by. A sum of
  * integers does not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
  * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
  * and the lower and the upper half of its value; a field of a kind with its number, the kind and its value; a pair of kinds with
  * the lesser one, the greater one and 1 for solid, 2 for ignored, 3 for sensed; walls with where they start: min x, min y, max x,
- * max y; edges, if not all are walls, with those of x and y ({@link AxisEdge}) and the bounds; settings with their numbers in order. All floats enter as their bits.
+ * max y; edges, if not all are walls, with those of x and y ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle
+ * that turns with its id, angle, angular velocity and the grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the
+ * higher id, friction and rolling resistance. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
@@ -25,6 +30,7 @@ public final class StateHash {
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long EDGES = 0x6564676573324432L;
+    private static final long SURFACES = 0x7375726661636573L;
     private static final long TURN = 0x7475726E696E6721L;
     private static final long GRIP = 0x6772697065332121L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
@@ -73,11 +79,20 @@ public final class StateHash {
         return absorb(absorb(h, s.damping()), s.pushOutSpeed());
     }
 
+    /** The number of surfaces that grip. */
+    static long surfaces(SurfaceSettings s) {
+        long h = SURFACES;
+        for (int k = 0; k < SurfaceSettings.VALUES; k++) {
+            h = absorb(h, s.value(k));
+        }
+        return h;
+    }
+
     /** The number of a circle that turns; 0 if it has not turned. */
     public static long turn(int id, int angle, float angularVelocity, float[] wallGrip, int from) {
         int any = angle | Float.floatToRawIntBits(angularVelocity);
         long h = absorb(absorb(absorb(TURN, id), angle), angularVelocity);
-        for (int k = from; k < from + 4; k++) {
+        for (int k = from; k < from + CircleRow.STRIDE; k++) {
             any |= Float.floatToRawIntBits(wallGrip[k]);
             h = absorb(h, wallGrip[k]);
         }

@@ -252,6 +252,16 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
+    public void readAngles(HandleTable handles, int[] to) {
+        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+    }
+
+    @Override
+    public void readAngularVelocities(HandleTable handles, float[] to) {
+        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+    }
+
+    @Override
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());

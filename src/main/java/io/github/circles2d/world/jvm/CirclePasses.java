@@ -103,9 +103,12 @@ final class CirclePasses {
             float sideY = Walls.wallSide(circle[s + Y], minY, maxY);
             if (turning != null) {
                 turning.start(slot, k);
-                walls.grips.start(slot, sideX, sideY, k);
-                nextX = m[s + VX];
-                nextY = m[s + VY];
+                // a wall that does not press holds nothing
+                if (wallX != 0f || wallY != 0f) {
+                    walls.grips.start(slot, sideX, sideY, k);
+                    nextX = m[s + VX];
+                    nextY = m[s + VY];
+                }
             }
             float gapX = Walls.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
             float gapY = Walls.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
@@ -115,7 +118,7 @@ final class CirclePasses {
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
                 walls.leave(slot, sideX, sideY);
-                if (turning != null) {
+                if (turning != null && (wallX != 0f || wallY != 0f)) {
                     turning.forget(slot);
                 }
             } else {

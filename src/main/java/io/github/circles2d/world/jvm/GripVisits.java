@@ -9,6 +9,7 @@ import static io.github.circles2d.world.jvm.GripRow.ROLLING_MASS;
 import static io.github.circles2d.world.jvm.GripRow.TANGENT_MASS;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
 
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.Surface;
 
 /** What surfaces do in the visit of a contact of two circles: friction and rolling resistance, by {@link Surface}. */
@@ -27,11 +28,11 @@ final class GripVisits {
         this.cross = cross;
     }
 
-    /** Whether friction or rolling resistance has acted, which a visit may have to take back. */
-    boolean holds(int c) {
+    /** Whether friction or rolling resistance has acted, which a visit may have to take back: all bits or none, as good as random. */
+    int holds(int c) {
         float[] g = contacts.grip;
         int o = GripRow.of(c);
-        return g[o + FRICTION_IMPULSE] != 0f || g[o + ROLLING_IMPULSE] != 0f;
+        return Branchless.isNotZero(g[o + FRICTION_IMPULSE]) | Branchless.isNotZero(g[o + ROLLING_IMPULSE]);
     }
 
     /** Adds what is accumulated to the sums of the circles. */

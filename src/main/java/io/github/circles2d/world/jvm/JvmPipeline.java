@@ -244,6 +244,26 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void readAngles(HandleTable handles, int[] to) {
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = state.turning.angle[state.slotOf[id]];
+            }
+        }
+    }
+
+    @Override
+    public void readAngularVelocities(HandleTable handles, float[] to) {
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = state.turning.angularVelocity[state.slotOf[id]];
+            }
+        }
+    }
+
+    @Override
     public void save(SavedState into) {
         into.impulses = 0;
         into.setTurns(state.turning != null);

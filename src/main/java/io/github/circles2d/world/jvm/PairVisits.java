@@ -278,7 +278,7 @@ final class PairVisits {
             int o = ContactRow.of(c);
             listed[open] = c;
             int idle = Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
-            open += 1 + (grips != null && grips.holds(c) ? 0 : idle);
+            open += 1 + (grips == null ? idle : idle & ~grips.holds(c));
         }
         return open;
     }

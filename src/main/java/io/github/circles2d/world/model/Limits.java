@@ -53,6 +53,9 @@ public final class Limits {
     /** In a snapshot: more than steps leave, and far from overflow. */
     public static final float CACHED_IMPULSE = 1e24f;
 
+    /** In a snapshot, of rolling resistance, by the lesser radius: likewise. */
+    public static final float CACHED_ROLLING = 1e33f;
+
     /** In a snapshot, a speed; steps leave less than 1e13. */
     public static final float WALL_IMPULSE = 1e15f;
 
@@ -200,6 +203,10 @@ public final class Limits {
 
     public static float friction(float friction) {
         return within("friction", friction, 0f, FRICTION);
+    }
+
+    public static float beltSpeed(float speed) {
+        return within("belt speed", speed, -SPEED, SPEED);
     }
 
     public static float rollingResistance(float resistance) {

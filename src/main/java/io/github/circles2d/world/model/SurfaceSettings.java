@@ -19,8 +19,8 @@ public final class SurfaceSettings {
     private final float[] walls;
 
     private SurfaceSettings(float friction, float rollingResistance, float[] walls) {
-        this.friction = Limits.friction(friction);
-        this.rollingResistance = Limits.rollingResistance(rollingResistance);
+        this.friction = Limits.friction(friction) + 0f; // one zero, since bits are compared
+        this.rollingResistance = Limits.rollingResistance(rollingResistance) + 0f;
         this.walls = walls;
     }
 
@@ -43,9 +43,9 @@ public final class SurfaceSettings {
 
     public SurfaceSettings withWall(int wall, float itsFriction, float itsRollingResistance, float belt) {
         float[] next = walls.clone();
-        next[3 * wall] = Limits.friction(itsFriction);
-        next[3 * wall + 1] = Limits.rollingResistance(itsRollingResistance);
-        next[3 * wall + 2] = Limits.within("the belt speed", belt, -Limits.SPEED, Limits.SPEED);
+        next[3 * wall] = Limits.friction(itsFriction) + 0f;
+        next[3 * wall + 1] = Limits.rollingResistance(itsRollingResistance) + 0f;
+        next[3 * wall + 2] = Limits.beltSpeed(belt) + 0f;
         return new SurfaceSettings(friction, rollingResistance, next);
     }
 

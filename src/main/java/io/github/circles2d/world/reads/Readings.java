@@ -6,11 +6,14 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.Buffer;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
@@ -22,6 +25,11 @@ public final class Readings {
     private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_BY_ID = Readings::copyCirclesById;
     private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_VELOCITIES_BY_ID =
             Readings::copyVelocitiesById;
+    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_ANGLES_BY_ID = Readings::copyAnglesById;
+    private static final Guard.ChangeWith<Readings, int[]> READ_UNITS_BY_ID = Readings::copyUnitsById;
+    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_ANGULAR_VELOCITIES_BY_ID =
+            Readings::copyAngularVelocitiesById;
+    private static final Guard.Read<Readings, FloatBuffer> ANGLES = Readings::currentAngles;
     private static final Guard.ChangeWithTwo<Readings, int[], long[]> READ_KINDS_BY_ID = Readings::copyKindsById;
     private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_RADII_BY_ID = Readings::copyRadiiById;
     private static final Guard.ChangeWithTwo<Readings, long[], long[]> READ_TAGS_BY_ID = Readings::copyTagsById;
@@ -41,6 +49,8 @@ public final class Readings {
     private static final Guard.ChangeWith<Readings, LongBuffer> READ_HANDLES_TO_BUFFER = Readings::putHandles;
     private static final Guard.Numbers<Readings, Void> CIRCLE = Readings::circleBits;
     private static final Guard.Numbers<Readings, Void> VELOCITY = Readings::velocityBits;
+    private static final Guard.Numbers<Readings, Void> ANGLE = Readings::angleUnits;
+    private static final Guard.Numbers<Readings, Void> ANGULAR_VELOCITY = Readings::angularVelocityBits;
 
     private final Guard guard;
     private final HandleTable handles;
@@ -50,6 +60,11 @@ public final class Readings {
 
     /** The ids of the circles of a read by id. */
     private final IdMask mask = new IdMask();
+
+    /** What {@link #angles} gives. */
+    private FloatBuffer angles = ByteBuffer.allocateDirect(0).asFloatBuffer();
+
+    private FloatBuffer viewOfAngles = angles.asReadOnlyBuffer();
 
     /** Whether positions have been requested since the last were taken. */
     private boolean positionsRequested;
@@ -110,6 +125,73 @@ public final class Readings {
         pending.settle();
         pipeline.readVelocities(handles, velocities);
         spread(velocities, 2, living);
+    }
+
+    /** An element an id, in radians; living as above. */
+    public void readAnglesById(float[] to, long[] living) {
+        guard.change(this, to, living, READ_ANGLES_BY_ID);
+    }
+
+    private void copyAnglesById(float[] to, long[] living) {
+        requireRoom("angles", to, handles.end());
+        requireRoom(living, handles.end());
+        int[] units = last.angles();
+        for (int k = 0; k < handles.size(); k++) {
+            to[k] = units == null ? 0f : Surface.radians(units[k]);
+        }
+        spread(to, 1, living);
+    }
+
+    /** An element an id, in units of a turn's 2^-32; 0 where there is no circle. */
+    public void readUnitsById(int[] to) {
+        guard.change(this, to, READ_UNITS_BY_ID);
+    }
+
+    private void copyUnitsById(int[] to) {
+        requireRoom("angles", to.length, handles.end());
+        int[] units = last.angles();
+        int k = 0;
+        for (int id = 0; id < to.length; id++) {
+            boolean turns = units != null && id < handles.end() && handles.lives(id);
+            to[id] = turns ? units[k++] : 0;
+        }
+    }
+
+    /** An element an id, in radians a second; living as above. */
+    public void readAngularVelocitiesById(float[] to, long[] living) {
+        guard.change(this, to, living, READ_ANGULAR_VELOCITIES_BY_ID);
+    }
+
+    private void copyAngularVelocitiesById(float[] to, long[] living) {
+        requireRoom("angularVelocities", to, handles.end());
+        requireRoom(living, handles.end());
+        float[] velocities = last.angularVelocities();
+        for (int k = 0; k < handles.size(); k++) {
+            to[k] = velocities == null ? 0f : velocities[k];
+        }
+        spread(to, 1, living);
+    }
+
+    /** Reads the angle of every circle, in the order of the ids, into memory of the world. */
+    public FloatBuffer angles() {
+        return guard.read(this, ANGLES);
+    }
+
+    private FloatBuffer currentAngles() {
+        int[] units = last.angles();
+        int circles = handles.size();
+        if (angles.capacity() < circles) {
+            FloatBuffer larger = ByteBuffer.allocateDirect(Float.BYTES * (circles + (circles >> 1)))
+                    .order(ByteOrder.nativeOrder())
+                    .asFloatBuffer();
+            viewOfAngles = larger.asReadOnlyBuffer();
+            angles = larger;
+        }
+        for (int k = 0; k < circles; k++) {
+            angles.put(k, units == null ? 0f : Surface.radians(units[k]));
+        }
+        ((Buffer) viewOfAngles).clear().limit(circles);
+        return viewOfAngles;
     }
 
     /** Reads kinds by id, and -1 where there is no circle; living takes a bit for each id, and may be null. */
@@ -340,6 +422,28 @@ public final class Readings {
     private long velocityBits(Void none, long handle, long component) {
         int place = handles.place(Circles.find(handles, handle));
         return Float.floatToRawIntBits(last.velocities()[2 * place + (int) component]);
+    }
+
+    /** The angle of one circle in radians, from the last bulk read if it still holds. */
+    public float angle(long handle) {
+        return Surface.radians((int) guard.read(this, null, handle, 0, ANGLE));
+    }
+
+    private long angleUnits(Void none, long handle, long n) {
+        int id = Circles.find(handles, handle);
+        int[] units = last.angles();
+        return units == null ? 0 : units[handles.place(id)];
+    }
+
+    /** The angular velocity of one circle, likewise. */
+    public float angularVelocity(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ANGULAR_VELOCITY));
+    }
+
+    private long angularVelocityBits(Void none, long handle, long n) {
+        int id = Circles.find(handles, handle);
+        float[] velocities = last.angularVelocities();
+        return velocities == null ? 0 : Float.floatToRawIntBits(velocities[handles.place(id)]);
     }
 
     static void requireRoom(long[] living, int ids) {

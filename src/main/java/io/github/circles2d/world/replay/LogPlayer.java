@@ -187,6 +187,12 @@ public final class LogPlayer {
             }
         } else if (operation == Commands.REMOVE) {
             circles.remove(calls.handle(id));
+        } else if (operation == Commands.ANGLE) {
+            circles.turnTo(calls.handle(id), words[1]);
+        } else if (operation == Commands.ANGULAR_VELOCITY) {
+            circles.setAngularVelocity(calls.handle(id), value(Commands.FIRST));
+        } else if (operation == Commands.ANGULAR_IMPULSE) {
+            circles.applyAngularImpulse(calls.handle(id), value(Commands.FIRST), value(Commands.SECOND));
         } else {
             circles.set(operation, calls.handle(id), value(Commands.FIRST), value(Commands.SECOND));
         }

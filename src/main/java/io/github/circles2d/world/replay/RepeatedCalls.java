@@ -34,6 +34,8 @@ final class RepeatedCalls {
             case PAIR_OF_KINDS -> simulation.kinds().setSetting(words[0], words[1], setting(words[2]));
             case GROW -> simulation.growth().grow(handle(words[0]), y, words[2]);
             case CLEAR -> simulation.clearing().clear();
+            case TORQUE -> simulation.circles().applyTorque(handle(words[0]), y);
+            case WALL_SURFACE -> simulation.setWallSurface(words[0], y, z, intBitsToFloat(words[3]));
             default -> throw new IllegalStateException("a log has no repetition of " + call);
         }
     }

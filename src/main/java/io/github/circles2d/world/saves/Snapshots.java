@@ -16,6 +16,7 @@ import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
+import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
@@ -45,6 +46,7 @@ public final class Snapshots {
     private final Forces forces;
     private final Travels travels;
     private final Growth growth;
+    private final TurningFlag turning;
 
     public Snapshots(
             Guard guard,
@@ -59,7 +61,8 @@ public final class Snapshots {
             StepFigures figures,
             Forces forces,
             Travels travels,
-            Growth growth) {
+            Growth growth,
+            TurningFlag turning) {
         this.guard = guard;
         this.pipeline = pipeline;
         this.handles = handles;
@@ -73,6 +76,7 @@ public final class Snapshots {
         this.forces = forces;
         this.travels = travels;
         this.growth = growth;
+        this.turning = turning;
     }
 
     /** The number of bytes that {@link #write} would write now. */
@@ -144,8 +148,7 @@ public final class Snapshots {
         travels.makeRoom(saved);
         growth.makeRoom(saved);
         pipeline.makeRoom(saved);
-        pipeline.prepare(
-                saved.parameters().contacts(), !saved.parameters().bounds().isWalled(), saved.turns);
+        turning.prepare(saved);
         events.makeRoom(saved.touches, saved.ids);
         copies.forget();
         log.restore(saved);
@@ -162,6 +165,7 @@ public final class Snapshots {
         growth.restored();
         pipeline.load(saved);
         settings.set(saved.parameters());
+        turning.restored(saved);
         figures.forget();
         events.load(saved.touches, handles);
         guard.changing = false;

@@ -122,6 +122,11 @@ public final class CallLog {
         call(LoggedCall.FORCE, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
     }
 
+    /** A torque is to act in the next step. */
+    public void torque(int id, float torque) {
+        call(LoggedCall.TORQUE, id, Float.floatToRawIntBits(torque));
+    }
+
     /** The commands that wait are not to be in the log: a replay makes them, too. */
     public void skipCommands() {
         logged = commands.count();

@@ -26,14 +26,15 @@ public final class Copies {
             HandleTable handles,
             KindTable kinds,
             ContactEvents events,
-            WorldSettings settings) {
+            WorldSettings settings,
+            TurningFlag turning) {
         this.pipeline = pipeline;
         this.pending = pending;
         this.handles = handles;
         this.kinds = kinds;
         this.events = events;
         this.settings = settings;
-        last = new LastReading(pipeline, handles, pending);
+        last = new LastReading(pipeline, handles, pending, turning);
     }
 
     public LastReading last() {
@@ -44,6 +45,7 @@ public final class Copies {
     public void forget() {
         last.forgetCircles();
         last.forgetVelocities();
+        last.forgetTurns();
         savedCurrent = false;
     }
 
@@ -56,6 +58,7 @@ public final class Copies {
     public void forgetBy(int operation) {
         switch (operation) {
             case Commands.VELOCITY, Commands.IMPULSE -> last.forgetVelocities();
+            case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> last.forgetTurns();
             case Commands.REMOVE -> forget();
             case Commands.RESTITUTION, Commands.FIELD -> {
                 // no read has them

@@ -8,10 +8,15 @@ public final class LastReading {
     private final Pipeline pipeline;
     private final HandleTable handles;
     private final PendingWork pending;
+    private final TurningFlag turning;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
+    private int[] angles = new int[0];
+    private float[] angularVelocities = new float[0];
     private boolean circlesCurrent;
     private boolean velocitiesCurrent;
+    private boolean anglesCurrent;
+    private boolean angularVelocitiesCurrent;
 
     /** How often circles have changed. */
     private long changes;
@@ -19,10 +24,11 @@ public final class LastReading {
     /** How often circles have been read. */
     private long number;
 
-    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending) {
+    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, TurningFlag turning) {
         this.pipeline = pipeline;
         this.handles = handles;
         this.pending = pending;
+        this.turning = turning;
     }
 
     /** Circles have come, gone or changed. */
@@ -33,6 +39,11 @@ public final class LastReading {
 
     void forgetVelocities() {
         velocitiesCurrent = false;
+    }
+
+    void forgetTurns() {
+        anglesCurrent = false;
+        angularVelocitiesCurrent = false;
     }
 
     /** Circles as of now: x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change. */
@@ -70,5 +81,40 @@ public final class LastReading {
             velocitiesCurrent = true;
         }
         return velocities;
+    }
+
+    /**
+     * Angles as of now, in units of a turn's 2^-32, in ascending order of ids; may be longer; valid until the next change. Null if no
+     * circle has turned.
+     */
+    public int[] angles() {
+        if (!anglesCurrent && settleTurns()) {
+            if (angles.length < handles.size()) {
+                angles = new int[handles.size()];
+            }
+            pipeline.readAngles(handles, angles);
+            anglesCurrent = true;
+        }
+        return turning.isOn() ? angles : null;
+    }
+
+    /** Angular velocities as of now, likewise. */
+    public float[] angularVelocities() {
+        if (!angularVelocitiesCurrent && settleTurns()) {
+            if (angularVelocities.length < handles.size()) {
+                angularVelocities = new float[handles.size()];
+            }
+            pipeline.readAngularVelocities(handles, angularVelocities);
+            angularVelocitiesCurrent = true;
+        }
+        return turning.isOn() ? angularVelocities : null;
+    }
+
+    /** Makes the state what calls have led to, and returns whether circles turn. Where they cannot, there is nothing to wait for. */
+    private boolean settleTurns() {
+        if (turning.isOn() || turning.begins()) {
+            pending.settle();
+        }
+        return turning.isOn();
     }
 }

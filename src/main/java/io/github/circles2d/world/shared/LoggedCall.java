@@ -36,7 +36,13 @@ public enum LoggedCall {
     GROW(73, 3),
 
     /** All circles go. */
-    CLEAR(74, 0);
+    CLEAR(74, 0),
+
+    /** A torque acts in the next step: the circle's id, the torque. */
+    TORQUE(75, 2),
+
+    /** The surface of a wall: its number, friction, rolling resistance, belt speed. */
+    WALL_SURFACE(76, 4);
 
     /** Numbers from here on are those of this table; lower ones are operations of commands. */
     public static final int FIRST = 64;

@@ -12,15 +12,23 @@ public final class PendingWork {
     private final Commands commands;
     private final ContactEvents events;
     private final CallLog log;
+    private final TurningFlag turning;
 
     public PendingWork(
-            Pipeline pipeline, Guard guard, HandleTable handles, Commands commands, ContactEvents events, CallLog log) {
+            Pipeline pipeline,
+            Guard guard,
+            HandleTable handles,
+            Commands commands,
+            ContactEvents events,
+            CallLog log,
+            TurningFlag turning) {
         this.pipeline = pipeline;
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
         this.events = events;
         this.log = log;
+        this.turning = turning;
     }
 
     /** Makes room for changes to come, so that none fails half-way. */
@@ -36,6 +44,7 @@ public final class PendingWork {
         if (commands.count() > 0) {
             log.writeCommands();
             finish();
+            prepareTurning();
             pipeline.makeRoom(commands);
             if (events.isOn()) {
                 events.makeRoom(commands);
@@ -47,6 +56,14 @@ public final class PendingWork {
             pipeline.apply(commands);
             drop();
             guard.changing = false;
+        }
+    }
+
+    /** Makes the pipeline ready for circles that turn if the world has begun to turn. */
+    public void prepareTurning() {
+        if (turning.begins()) {
+            finish();
+            turning.begin();
         }
     }
 

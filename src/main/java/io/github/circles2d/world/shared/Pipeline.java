@@ -25,7 +25,10 @@ public interface Pipeline extends AutoCloseable {
     /** In call order. Room has been made; the object is not kept. */
     void apply(Commands commands);
 
-    /** Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. */
+    /**
+     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands
+     * and steps that turn circles come after this.
+     */
     default void prepare(ContactSettings contacts, boolean edged, boolean turning) {}
 
     /** At least 1. */
@@ -80,7 +83,13 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids. */
     void readVelocities(HandleTable handles, float[] to);
 
-    /** Saves circle, motion, traits and the impulses that the next step would start from. The ids are there already. */
+    /** In the order of ids, in units of a turn's 2^-32; of circles that turn. */
+    void readAngles(HandleTable handles, int[] to);
+
+    /** In the order of ids; of circles that turn. */
+    void readAngularVelocities(HandleTable handles, float[] to);
+
+    /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step would start from. The ids are there already. */
     void save(SavedState into);
 
     /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */

@@ -5,8 +5,9 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.SurfaceSettings;
 
-/** What a world has besides circles and kinds: bounds, gravity, how contacts are, and the length of the last step. */
+/** What a world has besides circles and kinds: bounds, gravity, how contacts and surfaces are, and the length of the last step. */
 public final class WorldSettings {
     private final ContactEvents events;
     private Bounds bounds;
@@ -19,6 +20,7 @@ public final class WorldSettings {
     private float defaultRestitution;
     private int subSteps;
     private ContactSettings contacts;
+    private SurfaceSettings surfaces;
 
     /** The length of the last step; 0 before the first. */
     private float timeStep;
@@ -42,6 +44,7 @@ public final class WorldSettings {
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
         contacts = p.contacts();
+        surfaces = p.surfaces();
         timeStep = p.previousTimeStep();
         parameters = p;
     }
@@ -60,6 +63,10 @@ public final class WorldSettings {
     /** The next step moves no wall. */
     public void stopWalls() {
         wallStart = bounds;
+    }
+
+    public void setSurfaces(SurfaceSettings next) {
+        surfaces = next;
     }
 
     public void setTimeStep(float length) {
@@ -99,6 +106,10 @@ public final class WorldSettings {
         return contacts;
     }
 
+    public SurfaceSettings surfaces() {
+        return surfaces;
+    }
+
     /** The length of a sub-step of the last step; 0 before the first. */
     public float lastSubStep() {
         return timeStep / subSteps;
@@ -107,18 +118,20 @@ public final class WorldSettings {
     public void computeConstants(StepConstants constants, float length) {
         float before = timeStep == 0 ? length : timeStep;
         constants.set(length, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+        constants.surfaces = surfaces;
     }
 
     /** All of it. */
     public WorldParameters parameters() {
-        if (!parameters.has(bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart)) {
+        if (!parameters.has(
+                bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart, surfaces)) {
             parameters = new WorldParameters(
-                    bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart);
+                    bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart, surfaces);
         }
         return parameters;
     }
 
     public long hash() {
-        return WorldParameters.hash(bounds, wallStart, contacts);
+        return WorldParameters.hash(bounds, wallStart, contacts, surfaces);
     }
 }

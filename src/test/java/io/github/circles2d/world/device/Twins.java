@@ -396,7 +396,8 @@ final class Twins implements AutoCloseable {
                     p.subSteps(),
                     p.previousTimeStep(),
                     p.contacts(),
-                    bounds);
+                    bounds,
+                    p.surfaces());
         });
     }
 
