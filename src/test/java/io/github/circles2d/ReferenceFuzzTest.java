@@ -106,7 +106,13 @@ class ReferenceFuzzTest {
             int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
             World built = WorldScenes.onThreads(
                     threads[(int) (seed % threads.length)],
-                    with(surfaces, with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)))
+                    with(
+                                    surfaces,
+                                    with(
+                                            settings,
+                                            WorldScenes.jvm()
+                                                    .restitution(restitution)
+                                                    .subSteps(subSteps)))
                             .bounds(0, 0, size, size)
                             .edges(edgeX, edgeY));
             reports.forEach(report -> report.accept(WorldCalls.of(built)));
@@ -120,7 +126,7 @@ class ReferenceFuzzTest {
         }
 
         private static World.Builder with(Surfaces surfaces, World.Builder builder) {
-            for (Events.Side wall : Events.Side.values()) {
+            for (Wall wall : Wall.values()) {
                 float[] its = surfaces.walls()[wall.ordinal()];
                 builder.wallSurface(wall, its[0], its[1], its[2]);
             }
@@ -135,7 +141,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(turns ? 48 : 38)) {
+            switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -174,6 +180,7 @@ class ReferenceFuzzTest {
                 case 44 -> setSurface();
                 case 45 -> setTurning();
                 case 46 -> setAngularVelocities();
+                case 47 -> setWallSurface();
                 default -> step();
             }
         }
@@ -467,9 +474,7 @@ class ReferenceFuzzTest {
                 some[k] = stale ? random.nextInt(4) : live[random.nextInt(live.length)];
                 all[k] = angularVelocity();
             }
-            bothGive(
-                    "setAngularVelocities",
-                    c -> c.setAngularVelocities(some, some.length, all, StaleHandles.SKIP));
+            bothGive("setAngularVelocities", c -> c.setAngularVelocities(some, some.length, all, StaleHandles.SKIP));
         }
 
         private void setTorque(long handle) {
@@ -493,6 +498,14 @@ class ReferenceFuzzTest {
             float resistance = random.nextInt(3) == 0 ? Float.NaN : resistance();
             float belt = random.nextBoolean() ? 0f : value(-size, size);
             both("setSurface", c -> c.setSurface(kind, friction, resistance, belt));
+        }
+
+        private void setWallSurface() {
+            Wall wall = Wall.values()[random.nextInt(4)];
+            float friction = random.nextInt(4) == 0 ? 0f : value(0f, 1.5f);
+            float resistance = resistance();
+            float belt = random.nextBoolean() ? 0f : value(-size, size);
+            both("setWallSurface", c -> c.setWallSurface(wall, friction, resistance, belt));
         }
 
         private void setTurning() {

@@ -28,7 +28,7 @@ final class SurfaceBall implements AutoCloseable {
                 .restitution((float) restitution)
                 .friction((float) friction)
                 .rollingResistance((float) rollingResistance);
-        for (Events.Side wall : Events.Side.values()) {
+        for (Wall wall : Wall.values()) {
             builder.wallSurface(wall, (float) friction, (float) rollingResistance, 0);
         }
         return builder;

@@ -89,8 +89,8 @@ final class SurfaceCrowds {
             world.step((float) DT, 1200);
             SurfaceCrowds heap = new SurfaceCrowds(world);
             String scene = String.format("heap of %d, mu %.1f, c %.1f: ", discs, friction, resistance);
-            SurfaceFigure slope = SurfaceFigure.between(
-                    "A14", scene + "slope, degrees", box2d, box2d - 5, box2d + 5, heap.slope());
+            SurfaceFigure slope =
+                    SurfaceFigure.between("A14", scene + "slope, degrees", box2d, box2d - 5, box2d + 5, heap.slope());
             if (resistance == 0) {
                 return List.of(slope);
             }
@@ -144,8 +144,7 @@ final class SurfaceCrowds {
         try (World world = builder.build()) {
             for (int i = 0; i < 300; i++) {
                 double angle = random.next() * 2 * Math.PI;
-                world.add(
-                        1 + i % 18, 1 + i / 18, 0.4f, 1, 8 * (float) Math.cos(angle), 8 * (float) Math.sin(angle));
+                world.add(1 + i % 18, 1 + i / 18, 0.4f, 1, 8 * (float) Math.cos(angle), 8 * (float) Math.sin(angle));
             }
             double first = new SurfaceCrowds(world).energy();
             double least = first;
@@ -159,9 +158,19 @@ final class SurfaceCrowds {
             double speed = new SurfaceCrowds(world).meanSpeed();
             return List.of(
                     SurfaceFigure.within(
-                            "A18", "300 discs in a box, e 0.5: greatest rise of energy, %", 0, 0.00335635, 0.1, 100 * rise / first),
+                            "A18",
+                            "300 discs in a box, e 0.5: greatest rise of energy, %",
+                            0,
+                            0.00335635,
+                            0.1,
+                            100 * rise / first),
                     SurfaceFigure.within(
-                            "A18", "300 discs in a box, e 0.5: mean speed after 20 s, m/s", 0, 6.30625e-5, 1e-3, speed));
+                            "A18",
+                            "300 discs in a box, e 0.5: mean speed after 20 s, m/s",
+                            0,
+                            6.30625e-5,
+                            1e-3,
+                            speed));
         }
     }
 

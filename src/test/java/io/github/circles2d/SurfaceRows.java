@@ -109,8 +109,8 @@ final class SurfaceRows {
             double y = ball.y();
             ball.step(600);
             double creep = Math.hypot(ball.x() - x, ball.y() - y);
-            return List.of(SurfaceFigure.within(
-                    "A4", "slope of 0.9 mu, does not turn: way in 10 s, m", 0, 0, 1e-4, creep));
+            return List.of(
+                    SurfaceFigure.within("A4", "slope of 0.9 mu, does not turn: way in 10 s, m", 0, 0, 1e-4, creep));
         }
     }
 
@@ -126,8 +126,7 @@ final class SurfaceRows {
         double[] a = accelerations(slope(0.2, 0.6, 0.1), 0);
         return List.of(
                 SurfaceFigure.within("A11", "slope of 0.9 c, c 0.1: acceleration, m/s2", 0, 0, 1e-4, held),
-                SurfaceFigure.share(
-                        "A11", "slope of 2 c: acceleration, m/s2", rolling(0.2, 0.1), 0.656221, 0.01, a[0]),
+                SurfaceFigure.share("A11", "slope of 2 c: acceleration, m/s2", rolling(0.2, 0.1), 0.656221, 0.01, a[0]),
                 SurfaceFigure.share(
                         "A11", "slope of 2 c: that of the surface, m/s2", rolling(0.2, 0.1), 0.652394, 0.01, a[1]));
     }
@@ -169,8 +168,7 @@ final class SurfaceRows {
             }
             return List.of(
                     SurfaceFigure.share("A9", "rolls at 4 m/s for 60 s: speed, m/s", 4, 3.99683, 0.001, ball.vx()),
-                    SurfaceFigure.within(
-                            "A9", "rolls at 4 m/s for 60 s: height off, m", 0, 2.29132e-3, 2e-4, off));
+                    SurfaceFigure.within("A9", "rolls at 4 m/s for 60 s: height off, m", 0, 2.29132e-3, 2e-4, off));
         }
     }
 
@@ -192,7 +190,12 @@ final class SurfaceRows {
                     SurfaceFigure.share(
                             "A10", "rolls at 4 m/s, c 0.05: way, m", 3 * 16 / (4 * c * G), 23.9679, 0.005, way),
                     SurfaceFigure.share(
-                            "A10", "rolls at 4 m/s, c 0.05: time until it stops, s", 12 / (2 * c * G), 12, 0.005, stops),
+                            "A10",
+                            "rolls at 4 m/s, c 0.05: time until it stops, s",
+                            12 / (2 * c * G),
+                            12,
+                            0.005,
+                            stops),
                     SurfaceFigure.within("A10", "rolls at 4 m/s, c 0.05: speed then, m/s", 0, 0, 1e-6, ball.speed()));
         }
     }
@@ -213,8 +216,8 @@ final class SurfaceRows {
 
     /** Speed after so many steps on a belt, and the time after which it was almost reached. */
     private static double[] belt(double resistance, int kind, double goal, int steps) {
-        World.Builder builder = SurfaceBall.builder(0.5, resistance, 0)
-                .wallSurface(Events.Side.LOWER, 0.5f, (float) resistance, 3);
+        World.Builder builder =
+                SurfaceBall.builder(0.5, resistance, 0).wallSurface(Wall.MIN_Y, 0.5f, (float) resistance, 3);
         double reached = -1;
         try (SurfaceBall ball = SurfaceBall.at(builder, R, kind)) {
             for (int step = 1; step <= steps; step++) {
@@ -249,8 +252,7 @@ final class SurfaceRows {
 
     /** Speed along the floor, of the surface forwards, and upwards, after the bounce of a disc without gravity. */
     private static double[] bounce(double mu, double e, double vx, double vy, double spin) {
-        try (SurfaceBall ball =
-                SurfaceBall.at(SurfaceBall.builder(mu, 0, e).gravity(0, 0), R + 0.5f, 0)) {
+        try (SurfaceBall ball = SurfaceBall.at(SurfaceBall.builder(mu, 0, e).gravity(0, 0), R + 0.5f, 0)) {
             ball.throwWith(vx, vy, -spin);
             ball.step(60);
             return new double[] {ball.vx(), -ball.surfaceSpeed(), ball.vy()};
@@ -262,7 +264,12 @@ final class SurfaceRows {
         double[] slips = billiard(0.05);
         return List.of(
                 SurfaceFigure.share(
-                        "A13", "4 m/s, spin 2, e 1, mu 0.2, into one at rest: throw, m/s", 2 / 6.0, 0.333333, 0.01, grips[0]),
+                        "A13",
+                        "4 m/s, spin 2, e 1, mu 0.2, into one at rest: throw, m/s",
+                        2 / 6.0,
+                        0.333333,
+                        0.01,
+                        grips[0]),
                 SurfaceFigure.share("A13", "the same: speed along the line, m/s", 4, 4, 0.01, grips[1]),
                 SurfaceFigure.share("A13b", "the same, mu 0.05, slips: throw, m/s", 0.2, 0.1, 0.02, slips[0]));
     }
@@ -284,7 +291,12 @@ final class SurfaceRows {
     private static List<SurfaceFigure> platform() {
         return List.of(
                 SurfaceFigure.share(
-                        "A16", "platform of 3 m/s, does not turn: speed, m/s", 3, 3, 0.005, platform(SurfaceBall.LOCKED, 60)),
+                        "A16",
+                        "platform of 3 m/s, does not turn: speed, m/s",
+                        3,
+                        3,
+                        0.005,
+                        platform(SurfaceBall.LOCKED, 60)),
                 SurfaceFigure.share("A16", "platform, turns: speed, m/s", 1, 1.0006, 0.005, platform(0, 20)));
     }
 

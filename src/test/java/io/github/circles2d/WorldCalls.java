@@ -71,6 +71,8 @@ public interface WorldCalls {
         kind(kind).setInertia(inertia).setAngularDamping(angularDamping);
     }
 
+    void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed);
+
     void setFriction(long handle, float friction);
 
     void setRollingResistance(long handle, float resistance);

@@ -13,7 +13,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Discs roll, slide, turn, bounce and lie as theory says, or, where it says nothing, at least as well as Box2D's. */
 class WorldSurfaceTest {
     static List<Row> quick() {
-        return Stream.concat(SurfaceRows.all().stream(), SurfaceCrowds.quick().stream()).toList();
+        return Stream.concat(SurfaceRows.all().stream(), SurfaceCrowds.quick().stream())
+                .toList();
     }
 
     static List<Row> slow() {

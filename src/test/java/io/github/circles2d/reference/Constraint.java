@@ -200,8 +200,7 @@ abstract class Constraint {
 
     /** The visit without bias, which takes the speed of the push-out away again. Returns whether the constraint carries. */
     final boolean relax() {
-        boolean idle =
-                separation > 0f && normalImpulse == 0f && bounceSpeed == 0f && friction == 0f && rolling == 0f;
+        boolean idle = separation > 0f && normalImpulse == 0f && bounceSpeed == 0f && friction == 0f && rolling == 0f;
         float old = normalImpulse;
         boolean carries = !idle && visit(false);
         if (bounceSpeed > 0f) {

@@ -5,6 +5,7 @@ import io.github.circles2d.Inertia;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
+import io.github.circles2d.Wall;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -403,13 +404,18 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
+        surfaces = surfaces.withWall(wall.ordinal(), friction, rollingResistance, beltSpeed);
+    }
+
+    @Override
     public void setFriction(long handle, float friction) {
-        find(handle).friction = friction;
+        find(handle).friction = friction + 0f;
     }
 
     @Override
     public void setRollingResistance(long handle, float resistance) {
-        find(handle).rollingResistance = resistance;
+        find(handle).rollingResistance = resistance + 0f;
     }
 
     @Override
@@ -419,7 +425,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setAngularVelocity(long handle, float angularVelocity) {
-        find(handle).angularVelocity = angularVelocity;
+        find(handle).angularVelocity = angularVelocity + 0f;
     }
 
     @Override
@@ -436,8 +442,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void applyAngularImpulse(long handle, float impulse) {
         Circle c = find(handle);
         float inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
-        c.angularVelocity =
-                Numbers.limitSpeed(c.angularVelocity + impulse / c.radius * inverseInertia / c.radius);
+        c.angularVelocity = Numbers.limitSpeed(c.angularVelocity + impulse / c.radius * inverseInertia / c.radius);
     }
 
     @Override
@@ -650,7 +655,8 @@ public final class ReferenceWorld implements WorldCalls {
     private static long hashOfTurning(Circle c) {
         long sum = hashOfField(TORQUE_FIELD, c.id, Float.floatToRawIntBits(c.torque));
         sum += hashOfField(APPLIED_TORQUE_FIELD, c.id, Float.floatToRawIntBits(c.appliedTorque));
-        sum += hashOfOwn(FRICTION_FIELD, c.id, c.friction) + hashOfOwn(ROLLING_RESISTANCE_FIELD, c.id, c.rollingResistance);
+        sum += hashOfOwn(FRICTION_FIELD, c.id, c.friction)
+                + hashOfOwn(ROLLING_RESISTANCE_FIELD, c.id, c.rollingResistance);
         float[] grips = {c.wallFriction[0], c.wallFriction[1], c.wallRolling[0], c.wallRolling[1]};
         if (c.angle != 0 || !areZeros(c.angularVelocity) || !areZeros(grips)) {
             sum += absorb(absorb(absorb(absorb(TURN, c.id), c.angle), c.angularVelocity), grips);

@@ -295,8 +295,7 @@ final class Step {
         impulseCache.clear();
         for (Contact contact : contacts()) {
             if (contact.normalImpulse > 0f) {
-                impulseCache.put(
-                        contact.pair, new Impulses(contact.normalImpulse, contact.friction, contact.rolling));
+                impulseCache.put(contact.pair, new Impulses(contact.normalImpulse, contact.friction, contact.rolling));
             }
         }
     }

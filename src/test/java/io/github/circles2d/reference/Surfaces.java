@@ -24,6 +24,12 @@ public record Surfaces(float friction, float rollingResistance, float[][] walls)
         return sum == 0f ? 0 : h;
     }
 
+    Surfaces withWall(int wall, float itsFriction, float itsRollingResistance, float belt) {
+        float[][] next = walls.clone();
+        next[wall] = new float[] {itsFriction, itsRollingResistance, belt};
+        return new Surfaces(friction, rollingResistance, next);
+    }
+
     float wallFriction(int wall) {
         return walls[wall][0];
     }

@@ -51,8 +51,7 @@ final class Wall extends Constraint {
         float inverseInertia = c.turn.inverseInertia / c.inverseMass();
         frictionCoefficient = Numbers.sqrt(c.turn.friction * step.surfaces().wallFriction(number(normal)));
         tangentMass = 1f / (1f + inverseInertia);
-        float resistance = Numbers.max(
-                c.turn.rollingResistance, step.surfaces().wallRollingResistance(number(normal)));
+        float resistance = Numbers.max(c.turn.rollingResistance, step.surfaces().wallRollingResistance(number(normal)));
         rollingCoefficient = inverseInertia > 0f ? resistance : 0f;
         rollingMass = 1f / inverseInertia;
         friction = c.wallFriction[axis];
