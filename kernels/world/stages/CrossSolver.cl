@@ -72,14 +72,11 @@ void fillCrossGrip(const World *w, int c, const Cross *x) {
     fillGrip(w, c, skin, crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
 }
 
-// As gatherGrip.
-void gatherCrossGrip(const World *w, int c, const Cross *x, float2 n) {
+// As gatherSpin.
+void gatherCrossSpin(const World *w, int c, const Cross *x) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
-    float4 g = w->grip[c];
-    float2 t = tangentOf(n);
-    gatherCrossLoad(w, x, loadAlong(t.x, t.y, g.FRICTION_IMPULSE), false);
-    float2 of = spinImpulses(w, w->pair[c], skin, g);
+    float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
     ((global float *) (w->spin + x->light))[SPIN_IMPULSE_AT] += x->isLightLower ? of.x : of.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addFixed((global long *) (w->heavySpin + x->heavy) + 1,
@@ -116,11 +113,11 @@ void fillCrossContact(const World *w, int c, int light) {
     bool carrying;
     float4 n = fillContact(w, c, &carrying);
     if (w->k.tiled) w->ordered[c] = w->pair[c];
-    gatherCrossLoad(w, &x, loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
 #ifdef TURNING
     fillCrossGrip(w, c, &x);
-    gatherCrossGrip(w, c, &x, n.NORMAL);
+    gatherCrossSpin(w, c, &x);
 #endif
+    gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
 }
 
 void fillCrossOf(const World *w, int slot) {
@@ -192,9 +189,9 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
     } else if (carriesOn(&visit_, vn, &visited)) {
-        gatherCrossLoad(w, &x, loadAlong(p.nx, p.ny, next), true);
+        gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
 #ifdef TURNING
-        gatherCrossGrip(w, c, &x, (float2)(p.nx, p.ny));
+        gatherCrossSpin(w, c, &x);
 #endif
     }
     keepRelaxed(w, c, &p, &visit_, &visited);

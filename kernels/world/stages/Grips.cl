@@ -160,3 +160,12 @@ void storeGrip(const World *w, int c) {
     w->cachedGrip[c] = cached;
 }
 #endif
+
+// What a contact adds to the sums of its circles, see loadAlong. n: normal.
+float2 loadOf(const World *w, int c, float2 n, float normalImpulse) {
+    float2 g = loadAlong(n.x, n.y, normalImpulse);
+#ifdef TURNING
+    if (doesGrip(w->pairSkin[c])) g += loadAlong(-n.y, n.x, w->grip[c].FRICTION_IMPULSE);
+#endif
+    return g;
+}
