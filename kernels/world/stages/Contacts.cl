@@ -54,7 +54,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
         bool carrying;
         float4 n = fillContact(&w, c, &carrying);
 #ifdef TURNING
-        fillLikeGrip(&w, c, w.pair[c]);
+        fillLikeGrip(&w, c, w.pair[c], (int) w.key[c]);
         gatherSpin(&w, c, w.pair[c]);
 #endif
         gatherLoad(&w, w.pair[c], loadOf(&w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);

@@ -58,9 +58,8 @@ void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
 }
 
 #ifdef TURNING
-// Others may write another element of either.
-float surfaceSpeedOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[SURFACE_SPEED_AT]; }
-float inverseInertiaOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[INVERSE_INERTIA_AT]; }
+// By tiles, tiles leave it apart, as the circles' motion.
+global float *crossSpeedAt(const World *w, uint slot) { return w->k.tiled ? w->solvedSpin + slot : surfaceSpeedAt(w, slot); }
 
 void fillCrossGrip(const World *w, int c, const Cross *x) {
     float share = crossShare(w->crossLoad[x->heavy]);
@@ -69,7 +68,8 @@ void fillCrossGrip(const World *w, int c, const Cross *x) {
     float4 skin = skinOfPair(w, x->light, x->heavy);
     skin.TANGENT_MASS =
         crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
-    fillGrip(w, c, skin, crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
+    fillGrip(w, c, w->pair[c], (int) w->key[c], skin,
+             crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
 }
 
 // As gatherSpin.
@@ -77,7 +77,7 @@ void gatherCrossSpin(const World *w, int c, const Cross *x) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
     float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
-    ((global float *) (w->spin + x->light))[SPIN_IMPULSE_AT] += x->isLightLower ? of.x : of.y;
+    *spinImpulseAt(w, x->light) += x->isLightLower ? of.x : of.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addFixed((global long *) (w->heavySpin + x->heavy) + 1,
                  toFixed(x->isLightLower ? of.y : of.x, scaleOf(impulseRangeOf(w, x->heavy))));
@@ -93,7 +93,7 @@ void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpu
     uint2 pr = w->pair[c];
     bool lower = x->isLightLower;
     float2 vHeavy = w->motion[x->heavy].VELOCITY;
-    float sHeavy = surfaceSpeedOf(w, x->heavy);
+    float sHeavy = *crossSpeedAt(w, x->heavy);
     bool moves = w->traits[x->heavy].INVERSE_MASS != 0.0f;
     Bodies b = {.va = lower ? *v : vHeavy, .vb = lower ? vHeavy : *v, .sa = lower ? *s : sHeavy, .sb = lower ? sHeavy : *s,
                 .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = inverseInertiaOf(w, pr.LOWER),
@@ -207,7 +207,7 @@ void leaveLight(const World *w, int slot, float2 v AND_TURNING(float s)) {
     } else {
         w->motion[slot].VELOCITY = v;
 #ifdef TURNING
-        ((global float *) (w->spin + slot))[SURFACE_SPEED_AT] = s;
+        *crossSpeedAt(w, (uint) slot) = s;
 #endif
     }
 }
@@ -219,7 +219,7 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     if (from == to) return;
     float2 v = w->motion[slot].VELOCITY;
 #ifdef TURNING
-    float s = surfaceSpeedOf(w, (uint) slot);
+    float s = *crossSpeedAt(w, (uint) slot);
 #endif
     for (int c = from; c < to; c++) {
         if (relaxing) {
@@ -280,14 +280,12 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
 #ifdef TURNING
 // As takeSums.
 void takeSpinSums(const World *w, int slot, bool speeds, bool impulses) {
-    float4 spin = w->spin[slot];
     long2 sum = w->heavySpin[slot];
     if (speeds) {
-        float s = isLight(w, slot) ? w->lightSpin[slot] : spin.SURFACE_SPEED;
-        spin.SURFACE_SPEED = s + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
+        global float *s = crossSpeedAt(w, (uint) slot);
+        *s = (isLight(w, slot) ? w->lightSpin[slot] : *s) + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
     }
-    if (impulses) spin.SPIN_IMPULSE += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
-    w->spin[slot] = spin;
+    if (impulses) *spinImpulseAt(w, (uint) slot) += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
     w->heavySpin[slot] = (long2)(0);
 }
 #endif
