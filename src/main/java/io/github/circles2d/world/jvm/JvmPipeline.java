@@ -81,8 +81,8 @@ public final class JvmPipeline implements Pipeline {
     }
 
     private void startTurning() {
+        contacts.impulseCache().ensureGrips();
         state.startTurning();
-        contacts.impulseCache().makeRoomToTurn();
     }
 
     @Override
@@ -282,8 +282,11 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void makeRoom(SavedState from) {
-        state.makeRoom(from);
         contacts.impulseCache().ensure(from.impulses);
+        if (from.turns) {
+            contacts.impulseCache().ensureGrips();
+        }
+        state.makeRoom(from);
     }
 
     @Override
