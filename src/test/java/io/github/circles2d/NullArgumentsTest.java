@@ -88,6 +88,22 @@ class NullArgumentsTest {
                         "forces", () -> world.setForces(handles, 0, null, stale),
                         "stale", () -> world.setForces(handles, 0, values, null)));
         calls.put(
+                "World.setAngularVelocities",
+                Map.of(
+                        "handles", () -> world.setAngularVelocities(null, 0, values, stale),
+                        "angularVelocities", () -> world.setAngularVelocities(handles, 0, null, stale),
+                        "stale", () -> world.setAngularVelocities(handles, 0, values, null)));
+        calls.put("World.setWallSurface", Map.of("wall", () -> world.setWallSurface(null, 0, 0, 0)));
+        calls.put("World.wallFriction", Map.of("wall", () -> world.wallFriction(null)));
+        calls.put("World.wallRollingResistance", Map.of("wall", () -> world.wallRollingResistance(null)));
+        calls.put("World.wallBeltSpeed", Map.of("wall", () -> world.wallBeltSpeed(null)));
+        calls.put("Builder.wallSurface", Map.of("wall", () -> World.builder().wallSurface(null, 0, 0, 0)));
+        calls.put("Kind.setInertia", Map.of("inertia", () -> world.kind(0).setInertia(null)));
+        calls.put("World.readAnglesById", Map.of("angles", () -> world.readAnglesById(null, null)));
+        calls.put(
+                "World.readAngularVelocitiesById",
+                Map.of("angularVelocities", () -> world.readAngularVelocitiesById(null, null)));
+        calls.put(
                 "World.setKinds",
                 Map.of(
                         "handles", () -> world.setKinds(null, 0, new int[0], stale),

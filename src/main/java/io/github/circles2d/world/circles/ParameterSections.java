@@ -4,18 +4,23 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.SurfaceSettings;
+import io.github.circles2d.world.model.WallMotion;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 
 /**
- * The parameters of a world in a snapshot that have no place in its header: a section for each that is not what most worlds have. They
- * come behind those of fields ({@link FieldSections}), whose numbers are lower.
+ * The parameters of a world in a snapshot that have no place in its header, and what its circles turn by: a section for each that is not
+ * what most worlds have. They come behind those of fields ({@link FieldSections}), whose numbers are lower.
  *
  * <pre>
  * section    int number
  *            1,000: int 4; floats: where walls that the next step moves start: min x, min y, max x, max y
  *            1,001: int 4; floats: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
  *            1,002: kinds, as {@link KindSection} has them
+ *            1,003: int 14; floats: surfaces that grip: friction and rolling resistance of circles; friction, rolling resistance and
+ *            belt speed of each wall, by {@link WallMotion#of}
+ *            1,004, 1,005: what circles turn by, as {@link TurnSections} has it
  * </pre>
  */
 final class ParameterSections {
@@ -25,14 +30,22 @@ final class ParameterSections {
     private static final int WALL_START = FIRST;
     private static final int CONTACTS = FIRST + 1;
     private static final int KINDS = FIRST + 2;
+    private static final int SURFACES = FIRST + 3;
+    private static final int TURNS = FIRST + 4;
+    private static final int GRIPS = FIRST + 5;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
+    private static final int SURFACE_BYTES = (2 + SurfaceSettings.VALUES) * Integer.BYTES;
 
     private ParameterSections() {}
 
     static int count(SavedState s) {
-        return ofFloats(s) + (KindSection.isNeeded(s.kinds) ? 1 : 0);
+        return ofFloats(s)
+                + (KindSection.isNeeded(s.kinds) ? 1 : 0)
+                + (hasSurfaces(s) ? 1 : 0)
+                + (TurnSections.circles(s) > 0 ? 1 : 0)
+                + (TurnSections.impulses(s) > 0 ? 1 : 0);
     }
 
     private static int ofFloats(SavedState s) {
@@ -43,9 +56,16 @@ final class ParameterSections {
         return !s.parameters().contacts().isDefault();
     }
 
-    static int bytes(SavedState s) {
+    private static boolean hasSurfaces(SavedState s) {
+        return s.parameters().surfaces().any();
+    }
+
+    static long bytes(SavedState s) {
         int kinds = KindSection.isNeeded(s.kinds) ? Integer.BYTES + KindSection.bytes(s.kinds) : 0;
-        return ofFloats(s) * BYTES + kinds;
+        int surfaces = hasSurfaces(s) ? SURFACE_BYTES : 0;
+        int ofTurns =
+                (TurnSections.circles(s) > 0 ? Integer.BYTES : 0) + (TurnSections.impulses(s) > 0 ? Integer.BYTES : 0);
+        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s);
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -61,6 +81,22 @@ final class ParameterSections {
             out.putInt(KINDS);
             KindSection.write(s.kinds, out);
         }
+        if (hasSurfaces(s)) {
+            out.putInt(SURFACES).putInt(SurfaceSettings.VALUES);
+            for (int k = 0; k < SurfaceSettings.VALUES; k++) {
+                out.putFloat(s.parameters().surfaces().value(k));
+            }
+        }
+        int circles = TurnSections.circles(s);
+        if (circles > 0) {
+            out.putInt(TURNS);
+            TurnSections.writeCircles(s, circles, out);
+        }
+        int impulses = TurnSections.impulses(s);
+        if (impulses > 0) {
+            out.putInt(GRIPS);
+            TurnSections.writeImpulses(s, impulses, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -69,11 +105,28 @@ final class ParameterSections {
 
     /** Reads a section behind its number, and checks it. */
     static void read(ByteBuffer in, SavedState s, int number) {
-        if (number == KINDS) {
-            KindSection.read(in, s.kinds);
-        } else {
-            readFloats(in, s, number);
+        switch (number) {
+            case KINDS -> KindSection.read(in, s.kinds);
+            case SURFACES -> readSurfaces(in, s);
+            case TURNS -> TurnSections.readCircles(in, s);
+            case GRIPS -> TurnSections.readImpulses(in, s);
+            default -> readFloats(in, s, number);
         }
+    }
+
+    private static void readSurfaces(ByteBuffer in, SavedState s) {
+        SnapshotCodec.require(in.remaining() >= SURFACE_BYTES - Integer.BYTES, "it ends early");
+        SnapshotCodec.require(in.getInt() == SurfaceSettings.VALUES, "a section of parameters has not its length");
+        if (hasSurfaces(s)) {
+            ((Buffer) in).position(in.position() + SurfaceSettings.VALUES * Float.BYTES); // as in readFloats
+            return;
+        }
+        SurfaceSettings surfaces = SurfaceSettings.NONE.ofCircles(in.getFloat(), in.getFloat());
+        for (int wall = 0; wall < WallMotion.COUNT; wall++) {
+            surfaces = surfaces.withWall(wall, in.getFloat(), in.getFloat(), in.getFloat());
+        }
+        s.setParameters(s.parameters().with(surfaces));
+        SnapshotCodec.require(hasSurfaces(s), "its surfaces do not grip");
     }
 
     private static void readFloats(ByteBuffer in, SavedState s, int number) {

@@ -228,6 +228,7 @@ public final class SnapshotCodec {
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
         decode(in, s, null);
         checkPairs(s);
+        TurnSections.checkRolling(s);
         checkTargets(s);
         checkGrowth(s);
         return length;
@@ -252,6 +253,7 @@ public final class SnapshotCodec {
         int sections = in.getInt(SECTIONS_AT);
         s.setIds(ids);
         s.setCircles(circles);
+        TurnSections.clear(s);
         s.ensureImpulses(impulses);
         s.impulses = 0;
         ((Buffer) in).position(HEADER);
@@ -424,7 +426,7 @@ public final class SnapshotCodec {
         return generation;
     }
 
-    private static int getByte(ByteBuffer in) {
+    static int getByte(ByteBuffer in) {
         require(in.hasRemaining(), "it ends early");
         return Byte.toUnsignedInt(in.get());
     }

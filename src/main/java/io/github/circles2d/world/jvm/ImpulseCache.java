@@ -56,11 +56,6 @@ final class ImpulseCache {
             impulseBefore = Arrays.copyOf(impulseBefore, contacts);
             next = Arrays.copyOf(next, contacts);
         }
-        makeRoomToTurn();
-    }
-
-    /** Makes room for the grips of all contacts, if circles turn: also of those that there are. */
-    void makeRoomToTurn() {
         if (state.turning != null && grips.length < 2 * next.length) {
             gripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
             grips = Arrays.copyOf(grips, 2 * next.length);

@@ -76,19 +76,14 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(ContactSettings settings, boolean edged, boolean turning) {
         if (turning) {
-            startTurning();
+            state.startTurning();
+            contacts.impulseCache().ensure(0); // for the grips of the impulses that are there
         }
-    }
-
-    private void startTurning() {
-        state.startTurning();
-        contacts.impulseCache().makeRoomToTurn();
     }
 
     @Override
     public void makeRoom(Commands commands) {
         state.makeRoom(commands);
-        contacts.impulseCache().makeRoomToTurn();
     }
 
     @Override
@@ -109,7 +104,7 @@ public final class JvmPipeline implements Pipeline {
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         if (constants.turning) {
-            startTurning();
+            state.startTurning();
             state.turning.kinds = input.surfaces.rows;
         }
         Touches touches = recorder == null ? null : recorder.touches(reports);
