@@ -88,7 +88,6 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void makeRoom(Commands commands) {
         state.makeRoom(commands);
-        contacts.impulseCache().makeRoomToTurn();
     }
 
     @Override
@@ -109,7 +108,6 @@ public final class JvmPipeline implements Pipeline {
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         if (constants.turning) {
-            startTurning();
             state.turning.kinds = input.surfaces.rows;
         }
         Touches touches = recorder == null ? null : recorder.touches(reports);
