@@ -27,6 +27,11 @@ float torqueGain(float torque, float inverseInertia, float r, float h) {
     return torque == 0.0f ? 0.0f : limitSpeed(torque / r * inverseInertia * h);
 }
 
+// The Java class world.jvm.Turning has it. inverseInertia: of the circle.
+float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
+    return limitSpeed(omega + impulse / r * inverseInertia / r);
+}
+
 // Whole turns are lost, as in Java.
 int turn(int angle, float turned, float h, float r) {
     float units = turned * h / r * UNITS_PER_RADIAN;

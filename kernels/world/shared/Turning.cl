@@ -35,11 +35,6 @@ void startTurning(const World *w, int slot, float r, Turning *t) {
                                         t->skin.ANGULAR_FACTOR);
 }
 
-// inverseInertia: of the circle.
-float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
-    return limitSpeed(omega + impulse / r * inverseInertia / r);
-}
-
 // The warm start of walls that press. stored: their impulses; v: velocity.
 void startWallGrips(const World *w, float4 c, const float *stored, float *v, Turning *t) {
     float x[2] = {c.x, c.y};

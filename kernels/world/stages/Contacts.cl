@@ -1,4 +1,4 @@
-// uses: world/shared/Visit.cl world/stages/Grips.cl world/stages/Neighbours.cl
+// uses: world/shared/Visit.cl world/stages/Neighbours.cl world/stages/Grips.cl
 // Stage Contacts by colours: orders the contacts of a group, measures them, and starts them warm.
 
 // g: see loadAlong.

@@ -530,7 +530,7 @@ final class Twins implements AutoCloseable {
             simulation.kinds().set(KindField.INERTIA, kind, inertia);
             simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, damping);
         }
-        for (int k = 0; k < 20; k++) {
+        for (int k = 0; k < 20 && ids > 0; k++) {
             int id = random.nextInt(ids);
             float a = surface(random);
             float b = between(random, -1, 1);
