@@ -158,6 +158,7 @@ class WorldAllocationTest {
         int[] now = new int[1];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             Rewind rewind = new Rewind(world, 20);
+            world.setWallSurface(Wall.MIN_Y, 0.5f, 0.1f, 0);
             rewind.save(now[0]);
             Runnable frame = () -> {
                 world.readHandles(handles);
@@ -182,6 +183,8 @@ class WorldAllocationTest {
         long[] handles = new long[scene.size()];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             world.report(0, 1, Events.BEGIN | Events.HIT | Events.END);
+            world.kind(0).setFriction(0.5f).setRollingResistance(0.1f);
+            world.setWallSurface(Wall.MIN_Y, 0.5f, 0.1f, 0);
             world.readHandles(handles);
             for (int k = 0; k < 5; k++) {
                 world.setKind(
