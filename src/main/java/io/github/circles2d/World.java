@@ -77,9 +77,9 @@ import java.util.Arrays;
  * and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). A circle and a wall are a pair, too. Angles and angular velocities grow to
  * the left, anticlockwise where y points up. A world in which nothing ever gripped or turned pays nothing for all this.
  *
- * <p>Friction changes the speed along the surfaces by at most itself times the impulse that presses them together, that of a bounce included. So
- * balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth: let {@link
- * Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
+ * <p>The impulse of friction is at most the friction of the pair times the impulse that presses its surfaces together, that of a bounce
+ * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth: let
+ * {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
  *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
