@@ -579,6 +579,14 @@ class WorldTurningTest {
                 turned.step(STEP);
                 assertThat(turned.hash()).isEqualTo(straight.hash());
             }
+            straight.kind(0).setFriction(0.5f);
+            turned.kind(0).setFriction(0.5f);
+            for (int step = 0; step < 20; step++) {
+                straight.step(STEP);
+                turned.step(STEP);
+                assertThat(turned.hash()).isEqualTo(straight.hash());
+            }
+            straight.kind(0).setFriction(Float.NaN);
             for (int k = 0; k < 100; k++) {
                 turn(cleared, cleared.handle(k));
             }

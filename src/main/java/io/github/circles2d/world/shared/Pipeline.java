@@ -89,7 +89,7 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
-    /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step would start from. The ids are there already. */
+    /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
     void save(SavedState into);
 
     /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */
