@@ -21,7 +21,7 @@ import java.nio.LongBuffer;
 import java.util.Arrays;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up. A replay of the same calls gives the same bits.
+ * The engine for games: rigid circles that fall, collide, bounce, roll and pile up. A replay of the same calls gives the same bits.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {

@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * A table of billiards, seen from above, as a new user writes it: metres, kilograms, seconds.
  *
- * <p>The world has the balls, the cushions, and the spin about the upright axis (english), which is the angular velocity of a circle. Nothing
- * presses a ball onto a wall or another ball, so neither friction nor rolling resistance of the world is the cloth. The game makes the
- * cloth: it keeps the speed of each ball's lowest point against its centre, by which a ball rolls (follow) or spins backwards (draw), and
- * pushes the balls by forces. English dies on the cloth by the angular damping of the kind.
+ * <p>The world has the balls, the cushions, and the spin about the upright axis (english), which is the angular velocity of a circle.
+ * Nothing in the world presses a ball onto the table, so neither friction nor rolling resistance of the world is the cloth. The game makes
+ * the cloth: it keeps the speed that the spin about lying axes would roll each ball with (follow, or draw if it is backwards), and pushes
+ * the balls by forces. English dies on the cloth by the angular damping of the kind.
  */
 final class BilliardsGame implements AutoCloseable {
     static final float LENGTH = 2.54f;
@@ -61,7 +61,7 @@ final class BilliardsGame implements AutoCloseable {
         }
     }
 
-    /** Strikes the cue ball; its lowest point goes backwards at a speed of (vx, vy) less (rollX, rollY). */
+    /** Strikes the cue ball. It rolls if (rollX, rollY) is its velocity, slides if it is 0, and draws if it points backwards. */
     void strike(float vx, float vy, float rollX, float rollY, float english) {
         ensure();
         world.setVelocity(cue, vx, vy);
