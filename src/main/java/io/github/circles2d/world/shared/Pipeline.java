@@ -26,8 +26,8 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
-     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands
-     * and steps that turn circles come after this.
+     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands,
+     * steps and saved states of such worlds come after this. What a pipeline is ready for once, it stays ready for.
      */
     default void prepare(ContactSettings contacts, boolean edged, boolean turning) {}
 
