@@ -84,6 +84,9 @@ typedef struct {
     float mass;      // effective
     float normalImpulse;
     bool loaded; // whether one of its circles is
+#ifdef TURNING
+    bool held; // whether friction or rolling resistance has acted, which the relaxing pass may have to take back
+#endif
     // In the biased pass:
     float pushSpeed;
     float before;       // normal speed before any impulse
@@ -110,6 +113,10 @@ typedef struct {
     float normalImpulse; // accumulated
     bool leaves;
     bool solved;         // neither left alone nor bounced freely
+#ifdef TURNING
+    float whole; // accumulated, with a bounce
+    bool still;  // left alone at any speed
+#endif
 } Visited;
 
 INLINE void makeReadyToSolve(const StepConstants *k, Softness softness, const Found *f, Ready *c) {
@@ -152,6 +159,9 @@ INLINE void makeReadyToRelax(const StepConstants *k, const Found *f, float bounc
     c->bounce = bounce;
     c->restingLimit = restingLimit(f->separation, f->threshold);
     c->still = idle && f->separation > 0.0f;
+#ifdef TURNING
+    c->still = c->still && !f->held;
+#endif
 }
 
 // relaxing: the impulse of a bounce is not kept.
@@ -163,6 +173,10 @@ INLINE void visit(const Ready *c, float vn, bool relaxing, Visited *v) {
     if (!relaxing) bounces = bounces && c->meeting + vn < 0.0f;
     bool solved = !(leaves || bounces);
     float next = maxf((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, 0.0f);
+#ifdef TURNING
+    v->whole = next;
+    v->still = c->still;
+#endif
     v->impulse = bounces ? c->gain * (vn - c->halfFall) * c->bounceMass : next - c->normalImpulse;
     if (relaxing) next = c->bounce > 0.0f ? 0.0f : next;
     v->normalImpulse = solved ? next : c->normalImpulse;

@@ -1,4 +1,4 @@
-// uses: world/shared/Wall.cl world/shared/Drive.cl
+// uses: world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
 // The motion of a circle through a sub-step, with its walls. m: motion; t: traits.
 
 INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
@@ -8,7 +8,7 @@ INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) 
 
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls. l: load.
 void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
-                         bool *loaded) {
+                         bool *loaded AND_TURNING(Turning *turning)) {
     const StepConstants *k = &w->k;
     if (t->INVERSE_MASS == 0.0f) {
         *before = (float2)(m->VX, m->VY);
@@ -24,14 +24,24 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     float v[2] = {before->x, before->y};
     float next[2] = {afterImpulse(v[0], t->INVERSE_MASS, l.IMPULSES.x), afterImpulse(v[1], t->INVERSE_MASS, l.IMPULSES.y)};
     float wall[2] = {t->WALL_X, t->WALL_Y};
+#ifdef TURNING
+    startTurning(w, slot, c.RADIUS, turning);
+    startWallGrips(w, c, wall, next, turning);
+#endif
     float target[2];
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
+#ifdef TURNING
+        turning->from[axis] = next[axis];
+#endif
         next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.RADIUS, t->RESTITUTION, *loaded, low[axis], high[axis],
-                               rate[axis], &wall[axis], &target[axis]);
+                               rate[axis], &wall[axis], &target[axis] AND_TURNING(turning) AND_TURNING(next + (1 - axis)));
+#ifdef TURNING
+        turning->to[axis] = next[axis];
+#endif
     }
     *bounce = (float2)(target[0], target[1]);
     *m = (float4)(dx[0], dx[1], next[0], next[1]);
@@ -118,7 +128,7 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
     return (float4)(dx, dy, vx, vy);
 }
 
-void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded AND_TURNING(Turning *turning)) {
     const StepConstants *k = &w->k;
     float x[2] = {c.x, c.y};
     float dx[2] = {m->DX, m->DY};
@@ -130,8 +140,14 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
+#ifdef TURNING
+        turning->from[axis] = v[axis];
+#endif
         v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.RADIUS, t->RESTITUTION, loaded, target[axis], low[axis], high[axis],
-                            rate[axis], &wall[axis]);
+                            rate[axis], &wall[axis] AND_TURNING(turning) AND_TURNING(v + (1 - axis)));
+#ifdef TURNING
+        turning->to[axis] = v[axis];
+#endif
     }
     m->VX = v[0];
     m->VY = v[1];
@@ -173,4 +189,7 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
     w->homeTraits[slot] = t;
     w->homeId[slot] = id;
     w->slotOf[id] = slot;
+#ifdef TURNING
+    finalizeTurning(w, slot, c.RADIUS);
+#endif
 }

@@ -11,6 +11,9 @@ typedef struct {
     float normalImpulse;
     float bounce; // in the relaxing pass: target speed from the biased pass
     bool loaded;  // whether one of its circles is
+#ifdef TURNING
+    bool held; // see Found
+#endif
 } Pair;
 
 // Contacts wait for each other only in visitPair: all else comes before.
@@ -29,6 +32,9 @@ INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     f.mass = p->mass;
     f.normalImpulse = p->normalImpulse;
     f.loaded = p->loaded;
+#ifdef TURNING
+    f.held = p->held;
+#endif
     return f;
 }
 

@@ -1,4 +1,4 @@
-// uses: world/shared/CircleMath.cl world/shared/OneBody.cl
+// uses: world/shared/CircleMath.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
 
 float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
@@ -10,6 +10,10 @@ float wallGap(float base, float displacement, float r, float side, float min, fl
 float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
 }
+
+#if defined(RECORDING) || defined(TURNING)
+int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
+#endif
 
 float wallImpulse(float sign, float side) { return maxf(side * sign, 0.0f); }
 
@@ -30,7 +34,8 @@ Found foundWall(const World *w, int axis, float x, float dx, float r, float e, b
 // before: velocity along the axis before any impulse; v: after those of the contacts; returns the new one. A wall that moves is visited in
 // its frame, by where it is now, unless it stays clear.
 float solveWall(const World *w, int axis, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
-                float max, float thresholdRate, float *stored, float *bounce) {
+                float max, float thresholdRate, float *stored, float *bounce AND_TURNING(Turning *turning)
+                AND_TURNING(float *along)) {
     const StepConstants *k = &w->k;
     float side;
     int wall;
@@ -45,19 +50,32 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     *bounce = solveOneBody(k, &f, vn, &visited);
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
+#ifdef TURNING
+    bool bounces = !visited.solved && !visited.leaves;
+    if (bounces) gripWall(w, turning, axis, side, wall, along, visited.impulse, false);
+#endif
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
 // Returns the new velocity along the axis.
 float relaxWall(const World *w, int axis, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
-                float max, float thresholdRate, float *stored) {
+                float max, float thresholdRate, float *stored AND_TURNING(Turning *turning) AND_TURNING(float *along)) {
     float side;
     int wall;
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     Visited visited;
+#ifdef TURNING
+    f.held = isHeld(turning, axis);
+#endif
     relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
     // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
+#ifdef TURNING
+    if (!visited.still) {
+        float normal = visited.solved ? visited.whole : visited.leaves ? 0.0f : visited.impulse;
+        gripWall(w, turning, axis, side, wall, along, normal, visited.solved && !(bounce > 0.0f));
+    }
+#endif
     return visited.leaves ? v : v + side * visited.impulse;
 }
 

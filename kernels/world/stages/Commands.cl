@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl
+// uses: world/stages/World.cl world/shared/Surface.cl
 // Applies the records of the Java class Commands. The host links those of one circle in call order; circles are independent.
 
 // Index space: a record. Cost: the records of its circle. links: the next record of the circle or -1; twice the slot of a new circle, plus
@@ -26,6 +26,11 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.slotOf[circleId] = slot;
             w.fields[circleId] = initial;
+#ifdef TURNING
+            w.homeTurn[slot] = (int2)(0);
+            w.homeWallGrip[slot] = (float4)(0.0f);
+            w.homeOwn[slot] = INITIAL_OWN;
+#endif
             break;
         case COMMAND_REMOVE:
             w.homeId[slot] = NONE;
@@ -42,6 +47,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeCircle[slot].RADIUS = a;
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
+#ifdef TURNING
+            w.homeWallGrip[slot] = (float4)(0.0f);
+#endif
             break;
         case COMMAND_GROW:
             w.homeCircle[slot].RADIUS = a;
@@ -51,6 +59,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].INVERSE_MASS = inverseMass(a);
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
+#ifdef TURNING
+            w.homeWallGrip[slot] = (float4)(0.0f);
+#endif
             break;
         case COMMAND_RESTITUTION:
             w.homeTraits[slot].RESTITUTION = a;
@@ -71,7 +82,26 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeMotion[slot] = (float4)((float2)(0.0f), w.homeTraits[slot].KEPT_VELOCITY);
             w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
+#ifdef TURNING
+        case COMMAND_ANGLE:
+            w.homeTurn[slot].ANGLE = record[COMMAND_FIRST];
+            break;
+        case COMMAND_ANGULAR_VELOCITY:
+            w.homeTurn[slot].ANGULAR_VELOCITY = record[COMMAND_FIRST];
+            break;
+        case COMMAND_ANGULAR_IMPULSE:
+            w.homeTurn[slot].ANGULAR_VELOCITY =
+                as_int(afterAngularImpulse(as_float(w.homeTurn[slot].ANGULAR_VELOCITY), a, w.homeCircle[slot].RADIUS,
+                                           w.homeTraits[slot].INVERSE_MASS * b));
+            break;
+#endif
         case COMMAND_FIELD:
+#ifdef TURNING
+            if (record[COMMAND_FIRST] >= TURNING_FIELDS) {
+                ((global int *) (w.homeOwn + slot))[record[COMMAND_FIRST] - TURNING_FIELDS] = record[COMMAND_SECOND];
+                break;
+            }
+#endif
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }

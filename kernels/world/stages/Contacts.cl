@@ -1,4 +1,4 @@
-// uses: world/shared/Visit.cl world/stages/Neighbours.cl
+// uses: world/shared/Visit.cl world/stages/Neighbours.cl world/stages/Grips.cl
 // Stage Contacts by colours: orders the contacts of a group, measures them, and starts them warm.
 
 // g: see loadAlong.
@@ -11,6 +11,17 @@ void gatherLoad(const World *w, uint2 p, float2 g, bool carrying) {
     w->load[p.LOWER] = la;
     w->load[p.HIGHER] = lb;
 }
+
+#ifdef TURNING
+// Adds what is accumulated to the sums of impulses on surface speeds.
+void gatherSpin(const World *w, int c, uint2 p) {
+    float4 skin = w->pairSkin[c];
+    if (!doesGrip(skin)) return;
+    float2 of = spinImpulses(w, p, skin, w->grip[c]);
+    w->spin[p.LOWER].SPIN_IMPULSE += of.x;
+    w->spin[p.HIGHER].SPIN_IMPULSE += of.y;
+}
+#endif
 
 // Measures a contact for the first sub-step; returns it.
 float4 fillContact(const World *w, int c, bool *carrying) {
@@ -42,7 +53,11 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     for (int c = contacts.x; c < contacts.y; c++) {
         bool carrying;
         float4 n = fillContact(&w, c, &carrying);
-        gatherLoad(&w, w.pair[c], loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
+#ifdef TURNING
+        fillLikeGrip(&w, c, w.pair[c], (int) w.key[c]);
+        gatherSpin(&w, c, w.pair[c]);
+#endif
+        gatherLoad(&w, w.pair[c], loadOf(&w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
         if (w.k.thinning == 0) most = maxf(most, countCandidate(&w, w.pair[c]));
     }
     if (most > (float) CROWD) status[CROWDED] = 1;

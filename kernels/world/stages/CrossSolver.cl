@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Solver.cl
+// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Grips.cl world/stages/Solver.cl
 // Cross contacts, behind the like contacts of each pass, in two launches. Light circles visit theirs and see heavy ones as before; then
 // heavy circles take the sums. The Java class world.jvm.CrossBodies does the same.
 
@@ -57,12 +57,67 @@ void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
     }
 }
 
+#ifdef TURNING
+// By tiles, tiles leave it apart, as the circles' motion.
+global float *crossSpeedAt(const World *w, uint slot) { return w->k.tiled ? w->solvedSpin + slot : surfaceSpeedAt(w, slot); }
+
+void fillCrossGrip(const World *w, int c, const Cross *x) {
+    float share = crossShare(w->crossLoad[x->heavy]);
+    float iLight = inverseInertiaOf(w, x->light);
+    float iHeavy = inverseInertiaOf(w, x->heavy);
+    float4 skin = skinOfPair(w, x->light, x->heavy);
+    skin.TANGENT_MASS =
+        crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
+    fillGrip(w, c, w->pair[c], (int) w->key[c], skin,
+             crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
+}
+
+// As gatherSpin.
+void gatherCrossSpin(const World *w, int c, const Cross *x) {
+    float4 skin = w->pairSkin[c];
+    if (!doesGrip(skin)) return;
+    float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
+    *spinImpulseAt(w, x->light) += x->isLightLower ? of.x : of.y;
+    if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
+        addFixed((global long *) (w->heavySpin + x->heavy) + 1,
+                 toFixed(x->isLightLower ? of.y : of.x, scaleOf(impulseRangeOf(w, x->heavy))));
+    }
+}
+
+// As gripContact. v, s: velocity and surface speed of the light circle.
+void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpulse, bool keep, float2 *v, float *s) {
+    float4 skin = w->pairSkin[c];
+    if (!doesGrip(skin)) return;
+    float4 g = w->grip[c];
+    float4 q = w->masses[c];
+    uint2 pr = w->pair[c];
+    bool lower = x->isLightLower;
+    float2 vHeavy = w->motion[x->heavy].VELOCITY;
+    float sHeavy = *crossSpeedAt(w, x->heavy);
+    bool moves = w->traits[x->heavy].INVERSE_MASS != 0.0f;
+    Bodies b = {.va = lower ? *v : vHeavy, .vb = lower ? vHeavy : *v, .sa = lower ? *s : sHeavy, .sb = lower ? sHeavy : *s,
+                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = inverseInertiaOf(w, pr.LOWER),
+                .ib = inverseInertiaOf(w, pr.HIGHER), .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS,
+                .isHeavyA = !lower, .isHeavyB = lower, .scale = scaleOf(velocityRangeOf(w, x->heavy)),
+                .velocitySums = moves ? sumsOf(w, x->heavy) : 0,
+                .spinSum = moves ? (global long *) (w->heavySpin + x->heavy) : 0};
+    gripPair(&b, skin, &g, n, normalImpulse, keep);
+    *v = lower ? b.va : b.vb;
+    *s = lower ? b.sa : b.sb;
+    w->grip[c] = g;
+}
+#endif
+
 void fillCrossContact(const World *w, int c, int light) {
     Cross x = crossOf(w, c, light);
     bool carrying;
     float4 n = fillContact(w, c, &carrying);
     if (w->k.tiled) w->ordered[c] = w->pair[c];
-    gatherCrossLoad(w, &x, loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
+#ifdef TURNING
+    fillCrossGrip(w, c, &x);
+    gatherCrossSpin(w, c, &x);
+#endif
+    gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
 }
 
 void fillCrossOf(const World *w, int slot) {
@@ -105,16 +160,19 @@ float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, b
     return vn;
 }
 
-void solveCrossContact(const World *w, int c, int light, float2 *v) {
+void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(float *s)) {
     Cross x = crossOf(w, c, light);
     Visit visit_;
     Visited visited;
     Pair p = takeToSolve(w, c, w->pair[c], &visit_);
     visitCross(w, &x, &p, &visit_, false, v, &visited);
+#ifdef TURNING
+    if (bouncesFreely(&visited)) gripCross(w, c, &x, (float2)(p.nx, p.ny), visited.impulse, false, v, s);
+#endif
     keepSolved(w, c, &visit_, &visited);
 }
 
-void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
+void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AND_TURNING(float *s)) {
     Cross x = crossOf(w, c, light);
     uint2 pr = w->pair[c];
     Visit visit_;
@@ -122,20 +180,35 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
     Pair p = takeToRelax(w, c, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &visit_);
     float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
     float next = visited.normalImpulse;
+#ifdef TURNING
+    if (!visited.still) {
+        gripCross(w, c, &x, (float2)(p.nx, p.ny), gripImpulse(&visited), keepsGrip(&visit_, &visited), v, s);
+    }
+    if (last) storeGrip(w, c);
+#endif
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
     } else if (carriesOn(&visit_, vn, &visited)) {
-        gatherCrossLoad(w, &x, loadAlong(p.nx, p.ny, next), true);
+        gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
+#ifdef TURNING
+        gatherCrossSpin(w, c, &x);
+#endif
     }
     keepRelaxed(w, c, &p, &visit_, &visited);
 }
 
 // Others still look at the velocity of one that is heavy for them.
-void leaveLight(const World *w, int slot, float2 v) {
+void leaveLight(const World *w, int slot, float2 v AND_TURNING(float s)) {
     if (w->crossLoad[slot] > 0) {
         w->lightVelocity[slot] = v;
+#ifdef TURNING
+        w->lightSpin[slot] = s;
+#endif
     } else {
         w->motion[slot].VELOCITY = v;
+#ifdef TURNING
+        *crossSpeedAt(w, (uint) slot) = s;
+#endif
     }
 }
 
@@ -145,14 +218,17 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
     float2 v = w->motion[slot].VELOCITY;
+#ifdef TURNING
+    float s = *crossSpeedAt(w, (uint) slot);
+#endif
     for (int c = from; c < to; c++) {
         if (relaxing) {
-            relaxCrossContact(w, c, slot, last, &v);
+            relaxCrossContact(w, c, slot, last, &v AND_TURNING(&s));
         } else {
-            solveCrossContact(w, c, slot, &v);
+            solveCrossContact(w, c, slot, &v AND_TURNING(&s));
         }
     }
-    leaveLight(w, slot, v);
+    leaveLight(w, slot, v AND_TURNING(s));
 }
 
 void solveCrossOf(const World *w, int slot) { passCrossOf(w, slot, false, false); }
@@ -201,6 +277,19 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
     return (float2)(impulses.x + fromFixed(sum.z, unit), impulses.y + fromFixed(sum.w, unit));
 }
 
+#ifdef TURNING
+// As takeSums.
+void takeSpinSums(const World *w, int slot, bool speeds, bool impulses) {
+    long2 sum = w->heavySpin[slot];
+    if (speeds) {
+        global float *s = crossSpeedAt(w, (uint) slot);
+        *s = (isLight(w, slot) ? w->lightSpin[slot] : *s) + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
+    }
+    if (impulses) *spinImpulseAt(w, (uint) slot) += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
+    w->heavySpin[slot] = (long2)(0);
+}
+#endif
+
 // Gives a heavy circle what a pass has for it; its sums are empty afterwards. m: motion; l: load.
 void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *m, float4 *l) {
     if (!isHeavy(w, slot)) return;
@@ -210,6 +299,9 @@ void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
+#ifdef TURNING
+    takeSpinSums(w, slot, velocities, impulses);
+#endif
 }
 
 // Index space: slots.

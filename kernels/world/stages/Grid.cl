@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
+// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
 // Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
 // place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
@@ -151,6 +151,10 @@ bool gatherCircle(const World *w, int i) {
     w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
+#ifdef TURNING
+    gatherTurning(w, slot, from, listed.LISTED_ID, c, t.INVERSE_MASS);
+    w->heavySpin[slot] = (long2)(0);
+#endif
     if (!hasOneLevel(w)) {
         w->crossLoad[slot] = 0;
         w->claim[slot] = 0;

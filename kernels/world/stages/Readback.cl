@@ -21,6 +21,16 @@ kernel void readback_request(global const int *homeId, global const float4 *home
     if (slot < slots && homeId[slot] >= 0) byId[1 + homeId[slot]] = homeCircle[slot].xy;
 }
 
+#ifdef TURNING
+// velocities: angular velocities, not angles.
+kernel void readback_turns(global const int *homeId, global const int2 *homeTurn, int slots, global int *byId,
+                           int velocities) {
+    int slot = (int) get_global_id(0);
+    if (slot >= slots || homeId[slot] < 0) return;
+    byId[homeId[slot]] = velocities ? homeTurn[slot].ANGULAR_VELOCITY : homeTurn[slot].ANGLE;
+}
+#endif
+
 kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
                                 global float2 *byId) {
     int slot = (int) get_global_id(0);

@@ -1,4 +1,4 @@
-// uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/stages/Touches.cl
+// uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/stages/Grips.cl world/stages/Touches.cl
 // Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.Solver does the same.
 
 // m: motion; l: load.
@@ -8,14 +8,20 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     float4 old = m;
     float2 before, bounce;
     bool loaded;
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded);
+#ifdef TURNING
+    Turning turning = turningOf(w, slot, t);
+#endif
+    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded AND_TURNING(&turning));
+#ifdef TURNING
+    keepTurning(w, slot, &turning);
+#endif
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->wallBounce[slot] = bounce;
     w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
 #ifdef RECORDING
     if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m);
+        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));
     }
 #endif
 }
@@ -25,14 +31,21 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     float4 c = w->circle[slot];
     float4 t = w->traits[slot];
     bool isStatic = t.INVERSE_MASS == 0.0f;
+#ifdef TURNING
+    Turning turning = turningOf(w, slot, t);
+    moveTurning(&turning);
+#endif
     m = integratePositions(w, slot, c, m, isStatic);
     float2 moving = m.VELOCITY;
-    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f);
+    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f AND_TURNING(&turning));
+#ifdef TURNING
+    keepTurning(w, slot, &turning);
+#endif
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
+    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
 #endif
 }
 
@@ -43,6 +56,10 @@ Pair pairAt(const World *w, int c, float4 n, float loads) {
     Pair p = {.nx = n.NORMAL_X, .ny = n.NORMAL_Y, .separation = n.SEPARATION, .normalImpulse = n.NORMAL_IMPULSE,
               .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
               .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
+#ifdef TURNING
+    float4 g = w->grip[c];
+    p.held = g.FRICTION_IMPULSE != 0.0f || g.ROLLING_IMPULSE != 0.0f;
+#endif
     return p;
 }
 
@@ -101,6 +118,9 @@ void solveContact(const World *w, int c) {
     Visited visited;
     takeToSolve(w, c, pr, &v);
     visitAt(w, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &v, false, &visited);
+#ifdef TURNING
+    if (bouncesFreely(&visited)) gripContact(w, c, pr, (float2)(v.nx, v.ny), visited.impulse, false);
+#endif
     keepSolved(w, c, &v, &visited);
 }
 
@@ -113,10 +133,17 @@ void relaxContact(const World *w, int c, bool last) {
     Pair p = takeToRelax(w, c, pr, ma, mb, &v);
     float vn = visitAt(w, pr, ma, mb, &v, true, &visited);
     float next = visited.normalImpulse;
+#ifdef TURNING
+    if (!visited.still) gripContact(w, c, pr, (float2)(v.nx, v.ny), gripImpulse(&visited), keepsGrip(&v, &visited));
+    if (last) storeGrip(w, c);
+#endif
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
     } else if (carriesOn(&v, vn, &visited)) {
-        gatherLoad(w, pr, loadAlong(p.nx, p.ny, next), true);
+        gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
+#ifdef TURNING
+        gatherSpin(w, c, pr);
+#endif
     }
     keepRelaxed(w, c, &p, &v, &visited);
 }

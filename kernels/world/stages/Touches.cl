@@ -59,8 +59,6 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     }
 }
 
-int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
-
 // A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
 // visit; solving: the wall is where it is before the sub-step.
 void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float d, float r, float speed, float from, float to,
@@ -85,17 +83,27 @@ void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float 
 
 // sum: of contact impulses; old, m: motion before and after.
 void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
-                     float4 m) {
+                     float4 m AND_TURNING(const Turning *turning)) {
     if (inverseMass == 0.0f) return;
     float fromX = afterImpulse(before.x, inverseMass, sum.x);
     float fromY = afterImpulse(before.y, inverseMass, sum.y);
+#ifdef TURNING
+    fromX = turning->from[0];
+    fromY = turning->from[1];
+    m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
+#endif
     noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
     noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);
 }
 
 // v: before the visits; m: motion after them.
-void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
+void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v,
+                      float4 m AND_TURNING(const Turning *turning)) {
     if (inverseMass == 0.0f) return;
+#ifdef TURNING
+    v = (float2)(turning->from[0], turning->from[1]);
+    m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
+#endif
     noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, false);
     noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, false);
 }

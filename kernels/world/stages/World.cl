@@ -21,6 +21,13 @@
 #define OR_FIXED(k, threshold) (threshold)
 #endif
 
+// A parameter, or an argument, of worlds that turn.
+#ifdef TURNING
+#define AND_TURNING(parameter) , parameter
+#else
+#define AND_TURNING(parameter)
+#endif
+
 // next: of the same lower id, or NONE.
 int4 cacheEntry(int higherId, float normalImpulse, int next) {
     int4 entry = (int4)(0);

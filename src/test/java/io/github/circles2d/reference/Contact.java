@@ -129,10 +129,12 @@ final class Contact extends Constraint {
     /** Adds the normal impulse to those that the two circles begin their next sub-step with, and marks them as loaded then. */
     void warmStart(boolean carries) {
         for (int a = 0; a < 2; a++) {
-            add(lower, lower.impulses, lower.heavyImpulse, a, -(normal[a] * normalImpulse));
-            add(higher, higher.impulses, higher.heavyImpulse, a, normal[a] * normalImpulse);
-            add(lower, lower.impulses, lower.heavyImpulse, a, -(tangent(a) * friction));
-            add(higher, higher.impulses, higher.heavyImpulse, a, tangent(a) * friction);
+            float impulse = normal[a] * normalImpulse;
+            if (frictionCoefficient > 0f || rollingCoefficient > 0f) {
+                impulse += tangent(a) * friction;
+            }
+            add(lower, lower.impulses, lower.heavyImpulse, a, -impulse);
+            add(higher, higher.impulses, higher.heavyImpulse, a, impulse);
         }
         turnNext(lower, -friction - rolling / lower.radius);
         turnNext(higher, -friction + rolling / higher.radius);

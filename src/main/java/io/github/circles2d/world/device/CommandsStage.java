@@ -28,8 +28,8 @@ final class CommandsStage {
 
     private final Session session;
     private final DeviceArrays arrays;
-    private final StageKernels kernels;
-    private final Kernel apply;
+    private StageKernels kernels;
+    private Kernel apply;
     private final Kernel confine;
     private DeviceBuffer records;
     private DeviceBuffer links;
@@ -55,11 +55,16 @@ final class CommandsStage {
     CommandsStage(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
         this.arrays = arrays;
-        this.kernels = kernels;
-        apply = kernels.staged("commands_apply");
+        use(kernels);
         confine = kernels.plain("commands_confine");
         records = session.allocate("commands", RECORD_BYTES * LEAST_CAPACITY);
         links = session.allocate("command links", LINK_BYTES * LEAST_CAPACITY);
+    }
+
+    /** Applies commands by kernels that know whether circles turn. */
+    void use(StageKernels withAll) {
+        kernels = withAll;
+        apply = withAll.staged("commands_apply");
     }
 
     /** Makes room for commands, of which {@link #apply} says what they need. */

@@ -5,6 +5,7 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -84,14 +85,14 @@ public final class DevicePipeline implements Pipeline {
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
-            kernels = compile(false, false, false, false);
+            kernels = compile(false, false, false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> home.slots, () -> home.circles);
             queue = new StepQueue(arrays, home, plans, commands, requested, stats);
-            load(false, false, null);
+            load(false, false, false, null);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -103,19 +104,27 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    /** Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others. */
-    private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
+    /**
+     * Lets the plans use kernels for contacts of any settings, for axes without walls, for circles that turn, and for steps that report, or
+     * others.
+     */
+    private void load(boolean anySettings, boolean edges, boolean turning, ReportReader ofReports) {
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
         String variant = (anySettings ? "tuned " : "")
                 + (edges ? "edges " : "")
+                + (turning ? "turning " : "")
                 + (recording ? "recording" : reporting ? "reporting" : "");
         StageKernels loaded =
-                variants.computeIfAbsent(variant, key -> compile(anySettings, edges, reporting, recording));
+                variants.computeIfAbsent(variant, key -> compile(anySettings, edges, turning, reporting, recording));
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
         queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
+        commands.use(loaded);
+        if (turning) {
+            readback.useTurning(loaded);
+        }
         plans.forEach(each -> each.load(stages));
         loaded.bind(
                 arrays,
@@ -129,28 +138,47 @@ public final class DevicePipeline implements Pipeline {
         EventArrays wanted = active ? reader.deciding() : null;
         boolean recordingNow = stages.touches() != null;
         if (stages.reporting() != wanted || (active && reader.isRecording() != recordingNow)) {
-            load(tuned, isEdged, reader);
+            load(tuned, isEdged, arrays.turning(), reader);
         }
     }
 
-    private StageKernels compile(boolean anySettings, boolean edges, boolean reporting, boolean recording) {
+    private StageKernels compile(
+            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
         KernelSource source = Plans.source(plans, session.device());
         source = anySettings ? source.define("TUNED", 1) : source;
         source = edges ? source.define("EDGES", 1) : source;
+        source = turning ? source.define("TURNING", 1) : source;
         return new StageKernels(session, source, workGroupSize, reporting, recording);
     }
 
-    /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
+    /** Compiles the plans anew if contacts, the edges, or circles that turn, need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, boolean edges, boolean turning) {
         boolean tunes = tuned || contacts.areTuned();
         boolean edged = isEdged || edges;
-        if (tunes != tuned || edged != isEdged) {
+        boolean turns = turning && !arrays.turning();
+        if (tunes != tuned || edged != isEdged || turns) {
             settle();
-            load(tunes, edged, reader);
+            if (turns) {
+                makeRoomToTurn();
+            }
+            load(tunes, edged, arrays.turning(), reader);
             tuned = tunes;
             isEdged = edged;
         }
+    }
+
+    private void startTurning() {
+        if (!arrays.turning()) {
+            makeRoomToTurn();
+            load(tuned, isEdged, true, reader);
+        }
+    }
+
+    /** The figures of the last step are worked out from arrays that give way. */
+    private void makeRoomToTurn() {
+        stats.keep();
+        arrays.ensureTurning();
     }
 
     @Override
@@ -159,7 +187,22 @@ public final class DevicePipeline implements Pipeline {
         if (home.slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
+        if (needTurning(changes)) {
+            startTurning();
+        }
         commands.makeRoom(changes, home.slots);
+    }
+
+    private static boolean needTurning(Commands changes) {
+        for (int r = 0; r < changes.count(); r++) {
+            int operation = changes.operation(r);
+            if (Commands.turns(operation)
+                    || (operation == Commands.FIELD
+                            && CircleField.OF_STEPS.get(changes.first(r)).isOfTurning())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override
@@ -253,12 +296,14 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public void readAngles(HandleTable handles, int[] to) {
-        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+        settle();
+        readback.angles(handles, home.slots, to);
     }
 
     @Override
     public void readAngularVelocities(HandleTable handles, float[] to) {
-        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+        settle();
+        readback.angularVelocities(handles, home.slots, to);
     }
 
     @Override
@@ -266,7 +311,7 @@ public final class DevicePipeline implements Pipeline {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
         if (stages.reporting() != null) {
-            load(tuned, isEdged, null);
+            load(tuned, isEdged, arrays.turning(), null);
         }
         if (reader != null) {
             reader.close();
@@ -328,6 +373,9 @@ public final class DevicePipeline implements Pipeline {
         settle();
         if (from.circles > arrays.slotCapacity() || from.impulses > arrays.contactCapacity()) {
             stats.keep();
+        }
+        if (from.turns) {
+            startTurning();
         }
         arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);

@@ -27,6 +27,10 @@ final class Readback {
     private final Kernel circles;
     private final Kernel velocities;
     private final Kernel positions;
+
+    /** Null unless circles turn. */
+    private Kernel turns;
+
     private DeviceBuffer byId;
     private HostBuffer host;
 
@@ -62,6 +66,42 @@ final class Readback {
         byId.read(0, host, 0, POINT_BYTES * handles.end());
         FloatBuffer read = host.floats();
         compact(handles::lives, handles.end(), 2, (at, written, length) -> read.get(at, to, written, length));
+    }
+
+    /** Reads back how circles turn, too, by kernels of worlds that turn. */
+    void useTurning(StageKernels kernels) {
+        turns = kernels.plain("readback_turns");
+    }
+
+    /** Angles, of circles that turn. */
+    void angles(HandleTable handles, int slots, int[] to) {
+        layOutTurns(handles, slots, false);
+        IntBuffer read = host.ints();
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = read.get(id);
+            }
+        }
+    }
+
+    void angularVelocities(HandleTable handles, int slots, float[] to) {
+        layOutTurns(handles, slots, true);
+        FloatBuffer read = host.floats();
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = read.get(id);
+            }
+        }
+    }
+
+    private void layOutTurns(HandleTable handles, int slots, boolean areVelocities) {
+        long bytes = (long) Integer.BYTES * handles.end();
+        ensureHost(bytes);
+        turns.arg(4, areVelocities ? 1 : 0);
+        layOut(turns, DeviceArray.HOME_TURN, slots);
+        byId.read(0, host, 0, bytes);
     }
 
     FloatBuffer positions(HandleTable handles, boolean lieById, int slots) {

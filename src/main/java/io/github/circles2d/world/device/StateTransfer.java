@@ -15,6 +15,12 @@ final class StateTransfer {
     /** Floats of a circle in each of circle, motion and traits. */
     private static final int FLOATS = 4;
 
+    /** Ints of a circle's turn: its angle, the bits of its angular velocity. */
+    private static final int TURN_INTS = 2;
+
+    /** Floats of a grip: friction, rolling resistance. */
+    private static final int GRIP_FLOATS = 2;
+
     /** Where traits hold what does not follow from the circle. */
     private static final int AT_RESTITUTION = 1;
 
@@ -25,11 +31,25 @@ final class StateTransfer {
         private final int[] entries;
         private final int[] fields;
 
+        /** Empty, as the next three, unless circles turn. */
+        private final int[] turn;
+
+        private final int[] own;
+        private final float[] cachedGrip;
+
+        /** Of walls, where the state has none. */
+        private final float[] noGrips;
+
         Links(SavedState from, DeviceArrays arrays) {
             slotOf = new int[arrays.idCapacity()];
             firstCached = new int[from.circles];
             entries = new int[CachedImpulse.STRIDE * from.impulses];
             fields = FieldsStruct.room(from.ids);
+            boolean turning = arrays.turning();
+            turn = new int[turning ? TURN_INTS * from.circles : 0];
+            own = new int[turning ? FieldsStruct.TURNING_STRIDE * from.circles : 0];
+            cachedGrip = new float[turning ? GRIP_FLOATS * from.impulses : 0];
+            noGrips = new float[turning && !from.turns ? FLOATS * from.circles : 0];
         }
     }
 
@@ -44,6 +64,14 @@ final class StateTransfer {
     /** Entries of the impulse cache, as {@link CachedImpulse} says. */
     private final int[] entries;
 
+    private final boolean turning;
+
+    /** Empty, as the next two, unless circles turn. */
+    private int[] turn = new int[0];
+
+    private float[] wallGrip = new float[0];
+    private float[] cachedGrip = new float[0];
+
     StateTransfer(DeviceArrays arrays, int slots, int cachedContacts) {
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
@@ -53,6 +81,12 @@ final class StateTransfer {
         firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedContacts);
+        turning = arrays.turning();
+        if (turning) {
+            turn = Readback.ints(arrays.get(DeviceArray.HOME_TURN), TURN_INTS * slots);
+            wallGrip = Readback.floats(arrays.get(DeviceArray.HOME_WALL_GRIP), FLOATS * slots);
+            cachedGrip = Readback.floats(arrays.get(DeviceArray.CACHED_GRIP), GRIP_FLOATS * cachedContacts);
+        }
     }
 
     long hash() {
@@ -60,6 +94,9 @@ final class StateTransfer {
         for (int slot = 0; slot < slots; slot++) {
             if (id[slot] >= 0) {
                 sum += hashOfCircle(slot) + hashOfMemory(slot);
+                sum += turning
+                        ? StateHash.turn(id[slot], angle(slot), angularVelocity(slot), wallGrip, FLOATS * slot)
+                        : 0;
             }
         }
         return sum;
@@ -80,6 +117,22 @@ final class StateTransfer {
         return h;
     }
 
+    private int angle(int slot) {
+        return turn[TURN_INTS * slot];
+    }
+
+    private float angularVelocity(int slot) {
+        return Float.intBitsToFloat(turn[TURN_INTS * slot + 1]);
+    }
+
+    private float friction(int c) {
+        return turning ? cachedGrip[GRIP_FLOATS * c] : 0f;
+    }
+
+    private float rolling(int c) {
+        return turning ? cachedGrip[GRIP_FLOATS * c + 1] : 0f;
+    }
+
     private long hashOfMemory(int slot) {
         long sum = 0;
         for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
@@ -87,6 +140,7 @@ final class StateTransfer {
                 long h = StateHash.absorb(
                         StateHash.absorb(StateHash.impulse(), id[slot]), entries[at(c, CachedImpulse.AT_HIGHER_ID)]);
                 sum += StateHash.absorb(h, Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]));
+                sum += StateHash.grip(id[slot], entries[at(c, CachedImpulse.AT_HIGHER_ID)], friction(c), rolling(c));
             }
         }
         return sum;
@@ -105,17 +159,25 @@ final class StateTransfer {
     /** Saves the circles whose ids are given, and the impulses. */
     void save(SavedState into) {
         into.impulses = 0;
+        into.setTurns(turning);
         for (int k = 0; k < into.circles; k++) {
             int slot = slotOf[into.id[k]];
             System.arraycopy(circle, FLOATS * slot, into.circle, FLOATS * k, FLOATS);
             System.arraycopy(motion, FLOATS * slot, into.motion, FLOATS * k, FLOATS);
             System.arraycopy(traits, FLOATS * slot, into.traits, FLOATS * k, FLOATS);
+            if (turning) {
+                into.angle[k] = angle(slot);
+                into.angularVelocity[k] = angularVelocity(slot);
+                System.arraycopy(wallGrip, FLOATS * slot, into.wallGrip, FLOATS * k, FLOATS);
+            }
             for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
                 if (isFound(c)) {
                     into.addImpulse(
                             id[slot],
                             entries[at(c, CachedImpulse.AT_HIGHER_ID)],
-                            Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]));
+                            Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]),
+                            friction(c),
+                            rolling(c));
                 }
             }
         }
@@ -148,5 +210,26 @@ final class StateTransfer {
         arrays.get(DeviceArray.IMPULSE_CACHE).write(0, IntBuffer.wrap(entries));
         FieldsStruct.pack(from.fields, links.fields);
         arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields));
+        if (arrays.turning()) {
+            loadTurning(from, arrays, links);
+        }
+    }
+
+    private static void loadTurning(SavedState from, DeviceArrays arrays, Links links) {
+        int n = from.circles;
+        for (int slot = 0; slot < n; slot++) {
+            links.turn[TURN_INTS * slot] = from.turns ? from.angle[slot] : 0;
+            links.turn[TURN_INTS * slot + 1] = from.turns ? Float.floatToRawIntBits(from.angularVelocity[slot]) : 0;
+        }
+        for (int c = 0; c < from.impulses; c++) {
+            links.cachedGrip[GRIP_FLOATS * c] = from.turns ? from.friction[c] : 0f;
+            links.cachedGrip[GRIP_FLOATS * c + 1] = from.turns ? from.rolling[c] : 0f;
+        }
+        FieldsStruct.packTurning(from.fields, from.id, n, links.own);
+        arrays.get(DeviceArray.HOME_TURN).write(0, IntBuffer.wrap(links.turn));
+        arrays.get(DeviceArray.HOME_OWN).write(0, IntBuffer.wrap(links.own));
+        arrays.get(DeviceArray.CACHED_GRIP).write(FloatBuffer.wrap(links.cachedGrip));
+        float[] wallGrip = from.turns ? from.wallGrip : links.noGrips;
+        arrays.get(DeviceArray.HOME_WALL_GRIP).write(FloatBuffer.wrap(wallGrip, 0, FLOATS * n));
     }
 }

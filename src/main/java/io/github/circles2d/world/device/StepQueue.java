@@ -160,7 +160,8 @@ final class StepQueue {
                 sweeping > 0,
                 thinning > 0,
                 reports && reader.isRecording(),
-                reports && reader.isSensing());
+                reports && reader.isSensing(),
+                arrays.turning());
     }
 
     /** Waits until all steps have been made. */

@@ -16,6 +16,7 @@ import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TimeOfImpact;
 import io.github.circles2d.world.model.Walls;
 import io.github.circles2d.world.model.Wrapping;
@@ -29,6 +30,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,7 +50,11 @@ class CircleMathOnDevicesTest {
             TimeOfImpact.class,
             Cells.class,
             Bounce.class,
-            Walls.class);
+            Walls.class,
+            Surface.class);
+
+    /** Of angles in radians, which devices do not know. */
+    private static final Set<String> OF_THE_HOST = Set.of("units", "radians");
 
     /** Sets of arguments per function. */
     private static final int FEW_INPUTS = 1 << 15;
@@ -93,6 +99,11 @@ class CircleMathOnDevicesTest {
             "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
             "flightThreshold", "flightThreshold(&k, p0, p1)");
 
+    /** The same of functions of five parameters that have the name of another. */
+    private static final Map<String, String> TWINS_OF_FIVE = Map.of(
+            "tangentMass", "crossTangentMass(p0, p1, p2, p3, p4)",
+            "rollingMass", "crossRollingMass(p0, p1, p2, p3, p4)");
+
     /** Statements before these expressions. */
     private static final Map<String, String> SETUPS = Map.of(
             "bounceThreshold", "StepConstants k; k.restRate = p3; k.fixedThreshold = p4;",
@@ -117,7 +128,7 @@ class CircleMathOnDevicesTest {
 
     /** The files of the formulas without the stages, whose kernels a driver would compile too, for ten seconds. */
     static KernelSource formulas() {
-        return WorldSource.tables().and("world/shared/Wall.cl");
+        return WorldSource.tables().define("TURNING", 1).and("world/shared/Wall.cl", "world/shared/Surface.cl");
     }
 
     private static void compare(Device device, int count) throws Throwable {
@@ -140,12 +151,18 @@ class CircleMathOnDevicesTest {
                 .toList()) {
             if (Modifier.isStatic(method.getModifiers())
                     && !Modifier.isPrivate(method.getModifiers())
+                    && !OF_THE_HOST.contains(method.getName())
                     && !method.isSynthetic()) {
                 functions.add(method);
             }
         }
-        functions.sort(Comparator.comparing(Method::getName));
+        functions.sort(Comparator.comparing(CircleMathOnDevicesTest::nameOf));
         return functions;
+    }
+
+    /** Two functions may have the same name in Java. */
+    private static String nameOf(Method function) {
+        return function.getDeclaringClass().getSimpleName() + "_" + function.getName() + function.getParameterCount();
     }
 
     private static void compare(Session session, Program program, Method function, int count) throws Throwable {
@@ -200,7 +217,7 @@ class CircleMathOnDevicesTest {
     /** A kernel that calls the function with one set of arguments a work-item. */
     private static KernelSource probe(Method function) {
         Class<?>[] types = function.getParameterTypes();
-        String name = "probe_" + function.getName();
+        String name = "probe_" + nameOf(function);
         StringBuilder parameters = new StringBuilder();
         StringBuilder plain = new StringBuilder(function.getName()).append('(');
         for (int p = 0; p < types.length; p++) {
@@ -212,7 +229,8 @@ class CircleMathOnDevicesTest {
                     .append(";\n");
             plain.append(p == 0 ? "p" : ", p").append(p);
         }
-        String call = TWINS.getOrDefault(function.getName(), plain + ")");
+        String call = (types.length == 5 ? TWINS_OF_FIVE : TWINS)
+                .getOrDefault(function.getName(), TWINS.getOrDefault(function.getName(), plain + ")"));
         String result = function.getReturnType() == float.class ? "as_int(" + call + ")" : "(int) " + call;
         return KernelSource.ofText(
                 name,
@@ -229,7 +247,7 @@ class CircleMathOnDevicesTest {
         try (DeviceBuffer in = session.allocate("inputs", 4L * inputs.length);
                 DeviceBuffer out = session.allocate("results", 4L * count)) {
             in.write(0, IntBuffer.wrap(inputs));
-            Kernel kernel = program.kernel("probe_" + function.getName());
+            Kernel kernel = program.kernel("probe_" + nameOf(function));
             kernel.arg(0, in).arg(1, out).arg(2, count).run(count);
             int[] results = new int[count];
             out.read(IntBuffer.wrap(results));

@@ -46,9 +46,9 @@ final class OclgrindWorlds {
 
     /**
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
-     * circles are loaded or pairs that touch are sent; and all that comes of it.
+     * circles are loaded or pairs that touch are sent, or a world begins to turn; and all that comes of it.
      */
-    static final Set<String> MISJUDGED = Set.of("changes", "edges");
+    static final Set<String> MISJUDGED = Set.of("changes", "edges", "turning");
 
     private final Device device;
     private final boolean small;
@@ -130,6 +130,9 @@ final class OclgrindWorlds {
             case "edges":
                 kernels.addAll(edges(Plans.COLOURS));
                 kernels.addAll(edges(Plans.PERSISTENT_GPU));
+                break;
+            case "turning":
+                kernels.addAll(turning(Scenes.mixed(20, 1)));
                 break;
             default:
                 throw new IllegalArgumentException(world);
@@ -249,6 +252,39 @@ final class OclgrindWorlds {
                 twins.assertSameReadings();
                 twins.assertEqual(scene.name());
             }
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /**
+     * Circles of several levels, of which some are static, and walls grip and turn. The world turns before it has circles: few arrays that
+     * the host has written take part.
+     */
+    private Set<String> turning(Scene scene) {
+        DevicePipeline pipeline = pipeline(Plans.COLOURS, scene.size());
+        SplittableRandom random = new SplittableRandom(4);
+        Bounds bounds = new Bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
+        try (Twins twins = Twins.empty(bounds, jvm(), pipeline)) {
+            twins.changeSurfaces(random);
+            for (int i = 0; i < scene.size(); i++) {
+                twins.add(scene.x(i), scene.y(i), scene.radius(i), 1, 0.1f * (i % 10), 0, -1);
+            }
+            for (int k = 0; k < 3; k++) {
+                twins.step(scene.timeStep(), 1);
+                if (k == 0) {
+                    twins.giveKinds();
+                    twins.step(scene.timeStep(), 1);
+                }
+                twins.changeSurfaces(random);
+                twins.set(Commands.RADIUS, k, scene.radius(k), 0);
+                if (k == 1) {
+                    twins.report(ContactEvents.ALL);
+                }
+            }
+            twins.step(scene.timeStep(), 2);
+            twins.assertSameEvents(scene.name());
+            twins.assertSameTurns(scene.name());
+            twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }
     }

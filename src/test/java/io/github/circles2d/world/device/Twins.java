@@ -55,7 +55,8 @@ final class Twins implements AutoCloseable {
 
     private Twins(Simulation[] simulations, Pipeline... pipelines) {
         this.simulations = simulations;
-        turns = Arrays.stream(pipelines).allMatch(pipeline -> pipeline instanceof JvmPipeline); // OpenCL does not yet
+        turns = Arrays.stream(pipelines)
+                .allMatch(pipeline -> pipeline instanceof JvmPipeline); // SurfacesAgreeTest has others
     }
 
     /** Worlds without gravity and circles. */
@@ -508,6 +509,81 @@ final class Twins implements AutoCloseable {
             for (int k = 0; k < 20 && isOfCalls; k++) {
                 setField(field, random.nextInt(ids), random.nextLong() >> random.nextInt(Long.SIZE));
             }
+        }
+    }
+
+    /** Makes circles grip and turn: some kinds, some walls and some circles, each in some way. */
+    void changeSurfaces(SplittableRandom random) {
+        int kind = random.nextInt(3);
+        int wall = random.nextInt(4);
+        float friction = surface(random);
+        float resistance = 0.2f * surface(random);
+        float belt = random.nextInt(3) > 0 ? 0 : between(random, -1, 1);
+        int inertia = random.nextInt(4) % 3;
+        float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 3);
+        boolean ofKind = random.nextBoolean();
+        for (Simulation simulation : simulations) {
+            simulation.setWallSurface(wall, resistance + friction, 0.5f * resistance, belt);
+            simulation.kinds().set(KindField.FRICTION, kind, ofKind ? friction : Float.NaN);
+            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
+            simulation.kinds().set(KindField.BELT_SPEED, kind, belt);
+            simulation.kinds().set(KindField.INERTIA, kind, inertia);
+            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, damping);
+        }
+        for (int k = 0; k < 20 && ids > 0; k++) {
+            int id = random.nextInt(ids);
+            float a = surface(random);
+            float b = between(random, -1, 1);
+            if (lives(id)) {
+                for (Simulation simulation : simulations) {
+                    turn(simulation, k, handles[id], a, b);
+                }
+            }
+        }
+    }
+
+    /** Makes one of the changes of a circle that make it turn. */
+    private static void turn(Simulation simulation, int change, long handle, float a, float b) {
+        switch (change % 8) {
+            case 0 -> simulation.circles().setFriction(handle, a);
+            case 1 -> simulation.circles().setRollingResistance(handle, 0.2f * a);
+            case 2 -> simulation.circles().setTorque(handle, 0.01f * b);
+            case 3 -> simulation.circles().applyTorque(handle, b);
+            case 4 -> simulation.circles().setAngle(handle, 9 * b);
+            case 5 -> simulation.circles().setAngularVelocity(handle, 20 * b);
+            case 6 -> simulation.circles().applyAngularImpulse(handle, 0.01f * b);
+            default -> simulation.circles().setKind(handle, (int) (8 * a) % 3);
+        }
+    }
+
+    private static float surface(SplittableRandom random) {
+        return random.nextInt(4) == 0 ? 0 : between(random, 0, 1);
+    }
+
+    /** Begins to turn and ends with the surfaces that all circles had before. */
+    void turnWithoutGrip() {
+        for (Simulation simulation : simulations) {
+            simulation.circles().setFriction(handles[0], 1);
+            simulation.circles().set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
+        }
+    }
+
+    long hash() {
+        return simulations[0].hash();
+    }
+
+    void assertSameTurns(String when) {
+        int n = simulations[0].circles().idLimit();
+        float[] angles = new float[n];
+        float[] velocities = new float[n];
+        simulations[0].readings().readAnglesById(angles, null);
+        simulations[0].readings().readAngularVelocitiesById(velocities, null);
+        for (Simulation simulation : simulations) {
+            float[] read = new float[n];
+            simulation.readings().readAnglesById(read, null);
+            assertThat(read).as(when).isEqualTo(angles);
+            simulation.readings().readAngularVelocitiesById(read, null);
+            assertThat(read).as(when).isEqualTo(velocities);
         }
     }
 

@@ -59,6 +59,7 @@ class WorldOclgrindTest {
                         "changes",
                         "fast",
                         "levels in an arena that is not folded",
+                        "turning",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
                 .contains(
@@ -69,7 +70,8 @@ class WorldOclgrindTest {
                         "continuousCollision_look",
                         "events_add",
                         "events_move",
-                        "sensing_find");
+                        "sensing_find",
+                        "readback_turns");
     }
 
     @Test
@@ -89,6 +91,7 @@ class WorldOclgrindTest {
                         "changes",
                         "fast",
                         "levels in an arena that is not folded",
+                        "turning",
                         "queries"))
                 .containsAll(kernelsIn(""));
     }
@@ -107,6 +110,7 @@ class WorldOclgrindTest {
                         "wide",
                         "fast",
                         "TILES",
+                        "turning",
                         "edges"))
                 .contains("scan_starts", "solver_solveTile", "persistentGpu_steps");
     }

@@ -13,11 +13,14 @@ final class Block implements AutoCloseable {
 
     private final DeviceBuffer buffer;
     private final long stride;
+    private final boolean turning;
     private final Map<DeviceArray, DeviceBuffer> slices = new EnumMap<>(DeviceArray.class);
 
-    Block(Session session, Index index, long elements) {
+    /** With the arrays of worlds that turn, or without them. */
+    Block(Session session, Index index, long elements, boolean turning) {
+        this.turning = turning;
         stride = (elements + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-        buffer = session.allocate(index.block(), index.elementBytes() * stride);
+        buffer = session.allocate(index.block(), index.elementBytes(turning) * stride);
     }
 
     DeviceBuffer buffer() {
@@ -27,6 +30,10 @@ final class Block implements AutoCloseable {
     /** Elements from the start of an array to that of the next. */
     int stride() {
         return Math.toIntExact(stride);
+    }
+
+    boolean has(DeviceArray array) {
+        return turning || !array.turns();
     }
 
     DeviceBuffer get(DeviceArray array) {

@@ -20,7 +20,7 @@ final class DeviceArguments {
     private static List<DeviceArray> arrays() {
         List<DeviceArray> arrays = new ArrayList<>();
         for (DeviceArray array : DeviceArray.values()) {
-            if (array.index().block() == null) {
+            if (array.index().block() == null && !array.turns()) {
                 arrays.add(array);
             }
         }

@@ -1,9 +1,15 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.PairTable;
+
 /**
  * The arrays of a World on a device. The rows give the kernels their argument list, the struct World and its initialiser
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
+ *
+ * <p>The arrays of worlds that turn come last. Kernels that are compiled for such worlds (TURNING) have them; in other worlds they take no
+ * memory.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -108,7 +114,50 @@ public enum DeviceArray {
             "id of the circle of higher id, impulse, the next of the same circle of lower id or NONE; see CACHED_HIGHER_ID"),
 
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
-    TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl");
+    TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl"),
+
+    // From here on: of worlds that turn, behind the others of their blocks.
+    HOME_TURN("int2", "homeTurn", Index.HOME_SLOT, "angle, bits of the angular velocity"),
+    HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "of walls: friction x, y, rolling resistance x, y"),
+    HOME_OWN(
+            "float4",
+            "homeOwn",
+            Index.HOME_SLOT,
+            "fields: own friction and rolling resistance, NaN for that of the kind; torque"),
+    TURN("int2", "turn", Index.SLOT, "as homeTurn"),
+    WALL_GRIP("float4", "wallGrip", Index.SLOT, "as homeWallGrip"),
+    OWN("float4", "own", Index.SLOT, "as homeOwn"),
+    SPIN(
+            "float4",
+            "spin",
+            Index.SLOT,
+            "surface speed, sum of impulses on it, sum of the surface speeds of sub-steps, inverse inertia"),
+    SKIN(
+            "float4",
+            "skin",
+            Index.SLOT,
+            "friction, rolling resistance, belt speed, share of angular velocity that stays"),
+    HEAVY_SPIN("long2", "heavySpin", Index.SLOT, "as heavySum: surface speed, impulse on it"),
+    LIGHT_SPIN("float", "lightSpin", Index.SLOT, "as lightVelocity: surface speed"),
+    START_SPIN("float", "startSpin", Index.TILED_SLOT, "as drive: surface speed"),
+    SOLVED_SPIN("float", "solvedSpin", Index.TILED_SLOT, "as solvedMotion: surface speed"),
+    PAIR_SKIN("float4", "pairSkin", Index.CONTACT, "friction, belt speed, tangent mass, reach of rolling resistance"),
+    GRIP("float4", "grip", Index.CONTACT, "accumulated friction, accumulated rolling resistance, rolling mass"),
+    START_SPINS("float2", "startSpins", Index.TILED_CONTACT, "as startImpulses: impulses on surface speeds"),
+    HELD_GRIP(
+            "float2",
+            "heldGrip",
+            Index.TILED_CONTACT,
+            "as held: friction, rolling resistance; behind an even sub-step"),
+    ODD_GRIP("float2", "oddGrip", Index.TILED_CONTACT, "the same behind an odd one: neighbours read what was before"),
+    COPIED_GRIP(
+            "float2",
+            "copiedGrip",
+            Index.TILED_COPY,
+            "friction, tangent mass; negative where there is a belt or rolling resistance"),
+    COPIED_ROLL("float4", "copiedRoll", Index.TILED_COPY, "belt speed, reach of rolling resistance, rolling mass"),
+    CACHED_GRIP("float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: friction, rolling resistance"),
+    SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
@@ -125,7 +174,7 @@ public enum DeviceArray {
         SCAN_BLOCK("by block of a scan", false, "scanBlock", null),
         CELL_BLOCK("by block of cells", false, "cellBlock", null),
         CONTACT("by contact", false, "contactBlock", DeviceCount.CONTACT_STRIDE),
-        OLD_CONTACT("by contact of the step before", true, "oldContactBlock", null),
+        OLD_CONTACT("by contact of the step before", true, "oldContactBlock", DeviceCount.CONTACT_STRIDE),
         COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", DeviceCount.COPY_ROOM),
         TILED_SLOT("by tiles, by slot", false, "tiledSlotBlock", DeviceCount.SLOT_STRIDE),
         TILED_CONTACT("by tiles, by contact", false, "tiledContactBlock", DeviceCount.CONTACT_STRIDE),
@@ -159,15 +208,18 @@ public enum DeviceArray {
             return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
         }
 
-        /** Bytes of an element of each array of the block. */
-        long elementBytes() {
+        /** Bytes of an element of each array of the block, in a world that turns or not. */
+        long elementBytes(boolean turning) {
             long sum = 0;
             for (DeviceArray array : values) {
-                sum += array.index == this ? array.elementBytes() : 0;
+                sum += array.index == this && (turning || !array.turns()) ? array.elementBytes() : 0;
             }
             return sum;
         }
     }
+
+    /** Floats before {@link #SURFACES} in the buffer of {@link #KIND_MOTION}: each buffer among the arguments costs time. */
+    static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
 
     private static final DeviceArray[] values = values();
 
@@ -196,6 +248,11 @@ public enum DeviceArray {
         return index.kept;
     }
 
+    /** Whether only worlds that turn have it. */
+    boolean turns() {
+        return ordinal() >= HOME_TURN.ordinal();
+    }
+
     /** The declaration as a parameter, or as a member of the struct World. */
     String declaration() {
         return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
@@ -215,6 +272,9 @@ public enum DeviceArray {
 
     /** What the kernels make the array of, out of their arguments. */
     String expression() {
+        if (this == SURFACES) {
+            return "(global float *) " + KIND_MOTION.kernelName + " + " + SURFACES_AT;
+        }
         if (index.block == null) {
             return kernelName;
         }
@@ -235,7 +295,7 @@ public enum DeviceArray {
         return switch (type) {
             case "int", "uint", "float" -> 4;
             case "int2", "uint2", "float2", "ulong" -> 8;
-            case "int4", "float4", "ulong2" -> 16;
+            case "int4", "float4", "ulong2", "long2" -> 16;
             case "long4" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             default -> throw new IllegalStateException(type + " has no size here");

@@ -4,9 +4,12 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.WallMotion;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -20,6 +23,9 @@ public final class DeviceArrays {
 
     /** Says of an index that its arrays do not grow. */
     private static final long AS_IT_IS = 0;
+
+    /** Of the rows of kinds, and of those of walls behind them. */
+    static final int SURFACE_FLOATS = KindSurface.of(PairTable.KINDS + WallMotion.COUNT);
 
     private static final int LEAST_CAPACITY = 64;
     private static final int LEAST_BUCKETS = 16;
@@ -39,6 +45,9 @@ public final class DeviceArrays {
     private int contactCapacity;
     private int copyCapacity;
     private int tileCapacity;
+
+    /** Whether there are the arrays of worlds that turn. */
+    private boolean turning;
 
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
@@ -176,6 +185,59 @@ public final class DeviceArrays {
         return true;
     }
 
+    public boolean turning() {
+        return turning;
+    }
+
+    /** Makes room for what circles turn by. No circle has turned, and none has a surface of its own. */
+    public void ensureTurning() {
+        if (!turning) {
+            turning = true;
+            try {
+                grow(slotCapacity, index -> switch (index) {
+                    case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
+                    default -> AS_IT_IS;
+                });
+                grow(contactCapacity, index -> switch (index) {
+                    case CONTACT, TILED_CONTACT, OLD_CONTACT -> contactCapacity;
+                    case TILED_COPY -> copyCapacity;
+                    default -> AS_IT_IS;
+                });
+                DeviceBuffer tables = session.allocate(
+                        "tables of kinds", (long) Float.BYTES * (DeviceArray.SURFACES_AT + SURFACE_FLOATS));
+                get(DeviceArray.KIND_MOTION).copyTo(tables, (long) Float.BYTES * DeviceArray.SURFACES_AT);
+                session.finish();
+                arrays.put(DeviceArray.KIND_MOTION, tables).close();
+                version++;
+            } catch (RuntimeException | Error e) {
+                turning = false;
+                throw e;
+            }
+            fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
+            fill(DeviceArray.HOME_WALL_GRIP, slotCapacity, 0, 0, 0, 0);
+            fill(DeviceArray.HOME_OWN, slotCapacity, CircleField.NONE, CircleField.NONE, 0, 0);
+            fill(DeviceArray.CACHED_GRIP, contactCapacity, 0, 0);
+        }
+    }
+
+    /** Gives all elements of an array the same value. */
+    private void fill(DeviceArray array, int elements, int... value) {
+        int[] values = new int[value.length * Math.min(elements, 1 << 16)];
+        for (int k = 0; k < values.length; k++) {
+            values[k] = value[k % value.length];
+        }
+        long ints = (long) value.length * elements;
+        for (long from = 0; from < ints; from += values.length) {
+            int length = (int) Math.min(values.length, ints - from);
+            get(array).write(Integer.BYTES * from, IntBuffer.wrap(values, 0, length));
+        }
+    }
+
+    /** Writes the rows of surfaces, {@link #SURFACE_FLOATS} floats, where there is memory for them. */
+    void writeSurfaces(IntBuffer rows) {
+        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * DeviceArray.SURFACES_AT, rows);
+    }
+
     public static int cellBlocks(int buckets) {
         return buckets >> 2 * BLOCK_LOG;
     }
@@ -192,7 +254,7 @@ public final class DeviceArrays {
                 long wanted = elements.applyAsLong(index);
                 boolean stub = index.forTilesAlone() && !tiled;
                 if (wanted != AS_IT_IS && !(stub && blocks.containsKey(index))) {
-                    added.put(index, new Block(session, index, stub ? 1 : wanted));
+                    added.put(index, new Block(session, index, stub ? 1 : wanted, turning));
                 }
             }
         } catch (RuntimeException | Error e) {
@@ -201,7 +263,8 @@ public final class DeviceArrays {
         }
         for (DeviceArray array : DeviceArray.values()) {
             Block block = added.get(array.index());
-            if (block != null && array.kept() && blocks.containsKey(array.index())) {
+            Block before = blocks.get(array.index());
+            if (block != null && array.kept() && before != null && before.has(array) && block.has(array)) {
                 get(array).copyTo(block.get(array), (long) kept * array.elementBytes());
             }
         }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.CircleRow;
 
 /**
@@ -94,7 +95,50 @@ enum ElementField {
     STORED_BOUNCE(DeviceArray.IMPULSE, 1, 1),
 
     PLACED_CONTACT(DeviceArray.PLACED, 0, 1),
-    PLACED_CIRCLES(DeviceArray.PLACED, 1, 1);
+    PLACED_CIRCLES(DeviceArray.PLACED, 1, 1),
+
+    ANGLE(DeviceArray.TURN, 0, 1),
+    ANGULAR_VELOCITY(DeviceArray.TURN, 1, 1),
+
+    FRICTION_X(DeviceArray.WALL_GRIP, CircleRow.FRICTION_X, 1),
+    FRICTION_Y(DeviceArray.WALL_GRIP, CircleRow.FRICTION_Y, 1),
+    ROLLING_X(DeviceArray.WALL_GRIP, CircleRow.ROLLING_X, 1),
+    ROLLING_Y(DeviceArray.WALL_GRIP, CircleRow.ROLLING_Y, 1),
+
+    OWN_FRICTION(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.FRICTION), 1),
+    OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
+    OWN_TORQUE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.TORQUE), 1),
+
+    SURFACE_SPEED(DeviceArray.SPIN, CircleRow.SURFACE_SPEED, 1),
+    SPIN_IMPULSE(DeviceArray.SPIN, CircleRow.SPIN_IMPULSE, 1),
+    TURNED(DeviceArray.SPIN, CircleRow.TURNED, 1),
+    INVERSE_INERTIA(DeviceArray.SPIN, CircleRow.INVERSE_INERTIA, 1),
+
+    FRICTION(DeviceArray.SKIN, CircleRow.FRICTION, 1),
+    ROLLING_RESISTANCE(DeviceArray.SKIN, CircleRow.ROLLING_RESISTANCE, 1),
+    BELT(DeviceArray.SKIN, CircleRow.BELT, 1),
+    ANGULAR_FACTOR(DeviceArray.SKIN, CircleRow.ANGULAR_FACTOR, 1),
+
+    PAIR_FRICTION(DeviceArray.PAIR_SKIN, 0, 1),
+    PAIR_BELT(DeviceArray.PAIR_SKIN, 1, 1),
+    TANGENT_MASS(DeviceArray.PAIR_SKIN, 2, 1),
+    ROLLING_REACH(DeviceArray.PAIR_SKIN, 3, 1),
+
+    FRICTION_IMPULSE(DeviceArray.GRIP, 0, 1),
+    ROLLING_IMPULSE(DeviceArray.GRIP, 1, 1),
+    ROLLING_MASS(DeviceArray.GRIP, 2, 1),
+
+    COPIED_FRICTION(DeviceArray.COPIED_GRIP, 0, 1),
+    COPIED_TANGENT_MASS(DeviceArray.COPIED_GRIP, 1, 1),
+    COPIED_BELT(DeviceArray.COPIED_ROLL, 0, 1),
+    COPIED_REACH(DeviceArray.COPIED_ROLL, 1, 1),
+    COPIED_ROLLING_MASS(DeviceArray.COPIED_ROLL, 2, 1),
+
+    HELD_FRICTION(DeviceArray.HELD_GRIP, 0, 1),
+    HELD_ROLLING(DeviceArray.HELD_GRIP, 1, 1),
+
+    CACHED_FRICTION(DeviceArray.CACHED_GRIP, 0, 1),
+    CACHED_ROLLING(DeviceArray.CACHED_GRIP, 1, 1);
 
     private static final String COMPONENTS = "xyzw";
 

@@ -2,14 +2,28 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** The struct of the fields of a circle that steps read: an int for each, named by the row of {@link CircleField}. */
+/**
+ * The struct of the fields of a circle that all steps read: an int for each, named by the row of {@link CircleField}. Those that steps of
+ * worlds that turn read besides have no memory in others: they lie in {@link DeviceArray#HOME_OWN}.
+ */
 public final class FieldsStruct {
     static final String NAME = "CircleFields";
 
-    private static final List<CircleField> FIELDS = CircleField.OF_STEPS;
+    /** The first that other worlds do not have; they come last. */
+    private static final int FIRST_TURNING =
+            (int) CircleField.OF_STEPS.stream().filter(f -> !f.isOfTurning()).count();
+
+    private static final List<CircleField> FIELDS = CircleField.OF_STEPS.subList(0, FIRST_TURNING);
+
+    private static final List<CircleField> TURNING =
+            CircleField.OF_STEPS.subList(FIRST_TURNING, CircleField.OF_STEPS.size());
+
+    /** Floats of an element of {@link DeviceArray#HOME_OWN}. */
+    public static final int TURNING_STRIDE = 4;
 
     /** Ints of the struct: at least one, since a struct of OpenCL C is not empty. */
     private static final int WORDS = Math.max(1, FIELDS.size());
@@ -17,6 +31,11 @@ public final class FieldsStruct {
     static final int BYTES = Integer.BYTES * WORDS;
 
     private FieldsStruct() {}
+
+    /** The place of such a field among those of its kind. */
+    static int turningPlace(CircleField field) {
+        return TURNING.indexOf(field);
+    }
 
     /** The struct in OpenCL C, and the initial values of its members. */
     static String text() {
@@ -26,8 +45,13 @@ public final class FieldsStruct {
                 .map(f -> "(int) 0x" + Integer.toHexString((int) f.initial()))
                 .collect(Collectors.joining(", "));
         boolean none = FIELDS.isEmpty();
+        String[] own = new String[TURNING_STRIDE];
+        Arrays.fill(own, "0.0f");
+        TURNING.forEach(f -> own[turningPlace(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
         return "typedef struct {\n" + (none ? "    int none; // steps read no fields\n" : members) + "} " + NAME + ";\n"
-                + "#define INITIAL_FIELDS {" + (none ? "0" : initial) + "}\n";
+                + "#define INITIAL_FIELDS {" + (none ? "0" : initial) + "}\n"
+                + "#define TURNING_FIELDS " + FIRST_TURNING + " // the number of the first field that lies in homeOwn\n"
+                + "#define INITIAL_OWN (float4)(" + String.join(", ", own) + ")\n";
     }
 
     /** Ints for the structs of circles. */
@@ -40,6 +64,15 @@ public final class FieldsStruct {
         for (int k = 0; k < FIELDS.size(); k++) {
             for (int id = 0; id < to.length / WORDS; id++) {
                 to[WORDS * id + k] = from.getInt(FIELDS.get(k), id);
+            }
+        }
+    }
+
+    /** The fields that only worlds that turn have, by circle, for {@link DeviceArray#HOME_OWN}. */
+    public static void packTurning(CircleFields from, int[] ids, int circles, int[] to) {
+        for (int k = 0; k < circles; k++) {
+            for (int place = 0; place < TURNING.size(); place++) {
+                to[TURNING_STRIDE * k + place] = from.getInt(TURNING.get(place), ids[k]);
             }
         }
     }

@@ -3,9 +3,11 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -121,6 +123,11 @@ public final class StepParameters {
     private int responsesVersion;
     private boolean responsesSent = true;
     private final IntBuffer responsesView = IntBuffer.wrap(responses);
+    private final int[] surfaces = new int[DeviceArrays.SURFACE_FLOATS];
+    private final IntBuffer surfacesView = IntBuffer.wrap(surfaces);
+    private int surfacesVersion;
+    private boolean turning;
+    private boolean surfacesSent;
     private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
@@ -130,6 +137,7 @@ public final class StepParameters {
     public StepParameters() {
         // No constants and no shape are all zeros. The motion of walls may be, but it has no -1 at the end.
         Arrays.fill(sentWalls, -1);
+        clearSurfaces();
     }
 
     /** Takes down what the next steps are made with. */
@@ -147,6 +155,45 @@ public final class StepParameters {
             motionVersion = input.motion.version;
             motionSent = false;
         }
+        if (!surfacesAreOf(input)) {
+            setSurfaces(input);
+        }
+    }
+
+    /** For steps that do not turn: surfaces that change nothing. */
+    private void clearSurfaces() {
+        Arrays.fill(surfaces, 0);
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            surfaces[KindSurface.of(kind) + KindSurface.DAMPING_FACTOR] = Float.floatToRawIntBits(1f);
+        }
+    }
+
+    private void setSurfaces(StepInput input) {
+        clearSurfaces();
+        if (input.constants.turning) {
+            pack(input.surfaces.rows, surfaces);
+            for (int wall = 0; wall < WallMotion.COUNT; wall++) {
+                SurfaceSettings settings = input.constants.surfaces;
+                int row = KindSurface.of(PairTable.KINDS + wall);
+                surfaces[row + KindSurface.BELT] = Float.floatToRawIntBits(settings.wallBelt(wall));
+                surfaces[row + KindSurface.FRICTION] = Float.floatToRawIntBits(settings.wallFriction(wall));
+                surfaces[row + KindSurface.ROLLING_RESISTANCE] =
+                        Float.floatToRawIntBits(settings.wallRollingResistance(wall));
+            }
+        }
+        turning = input.constants.turning;
+        surfacesVersion = input.surfaces.version;
+        surfacesSent = false;
+    }
+
+    private static void pack(float[] from, int[] to) {
+        for (int k = 0; k < from.length; k++) {
+            to[k] = Float.floatToRawIntBits(from[k]);
+        }
+    }
+
+    private boolean surfacesAreOf(StepInput input) {
+        return turning == input.constants.turning && (!turning || surfacesVersion == input.surfaces.version);
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
@@ -159,6 +206,7 @@ public final class StepParameters {
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
         return responsesVersion == input.responses.version
                 && motionVersion == input.motion.version
+                && surfacesAreOf(input)
                 && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels)
                 && Arrays.equals(walls, otherWalls);
@@ -200,6 +248,10 @@ public final class StepParameters {
         if (!motionSent) {
             arrays.get(DeviceArray.KIND_MOTION).write(motionView);
             motionSent = true;
+        }
+        if (!surfacesSent && arrays.turning()) {
+            arrays.writeSurfaces(surfacesView);
+            surfacesSent = true;
         }
     }
 

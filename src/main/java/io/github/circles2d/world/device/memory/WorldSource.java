@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Reach;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
 import java.util.Collection;
@@ -65,6 +66,7 @@ public final class WorldSource {
                 .define("FIRST_WALL", Limits.CIRCLES)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)
+                .define("UNITS_PER_RADIAN", Surface.UNITS_PER_RADIAN)
                 .define("SCAN_GROUP", Scan.GROUP)
                 .define("SCAN_EACH", Scan.EACH)
                 .define("BLOCK_LOG", DeviceArrays.BLOCK_LOG);

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 
 /**
@@ -40,6 +41,7 @@ final class WorldTables {
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
+        surfaces(text);
         text.append(TouchArrays.text()).append(EventArrays.text());
         text.append(parameters()).append(struct()).append(initialiser());
         for (SharedArray array : SharedArray.values()) {
@@ -50,7 +52,7 @@ final class WorldTables {
 
     private static void commands(StringBuilder text) {
         define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next twelve");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next fifteen");
         define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
         define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
         define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
@@ -62,7 +64,10 @@ final class WorldTables {
         define(text, "COMMAND_DEPART", Commands.DEPART, "x, y, length of the step");
         define(text, "COMMAND_ARRIVE", Commands.ARRIVE, "x, y");
         define(text, "COMMAND_GROW", Commands.GROW, "radius");
-        define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, the value");
+        define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, or of homeOwn, the value");
+        define(text, "COMMAND_ANGLE", Commands.ANGLE, "angle");
+        define(text, "COMMAND_ANGULAR_VELOCITY", Commands.ANGULAR_VELOCITY, "angular velocity");
+        define(text, "COMMAND_ANGULAR_IMPULSE", Commands.ANGULAR_IMPULSE, "impulse, inverse inertia by inverse mass");
         define(text, "COMMAND_ID", Commands.ID, "the circle's");
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
         define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
@@ -76,6 +81,16 @@ final class WorldTables {
         define(text, "COMMAND_ADD_RESTITUTION", Commands.ADD_RESTITUTION, "of a new circle");
         define(text, "COMMAND_ADD_VX", Commands.ADD_VX, "of a new circle");
         define(text, "COMMAND_ADD_VY", Commands.ADD_VY, "of a new circle");
+    }
+
+    private static void surfaces(StringBuilder text) {
+        define(text, "SURFACE_STRIDE", KindSurface.STRIDE, "floats of a row of surfaces");
+        define(text, "SURFACE_BELT", KindSurface.BELT, "belt speed; of a wall: towards greater coordinates");
+        define(text, "SURFACE_INERTIA", KindSurface.INERTIA, "inverse inertia by inverse mass");
+        define(text, "SURFACE_DAMPING_FACTOR", KindSurface.DAMPING_FACTOR, "share that stays in a sub-step");
+        define(text, "SURFACE_FRICTION", KindSurface.FRICTION, "friction");
+        define(text, "SURFACE_ROLLING_RESISTANCE", KindSurface.ROLLING_RESISTANCE, "rolling resistance");
+        define(text, "SURFACE_OF_WALLS", PairTable.KINDS, "the row of the first wall");
     }
 
     private static void tileRecord(StringBuilder text) {
@@ -112,16 +127,23 @@ final class WorldTables {
     private static String struct() {
         StringBuilder text = new StringBuilder("typedef struct {\n");
         text.append("    StepConstants k; // by value: read once, not at every use\n");
+        boolean turning = false;
         for (DeviceArray array : DeviceArray.values()) {
+            if (array.turns() && !turning) {
+                text.append("#ifdef TURNING\n");
+                turning = true;
+            }
             if (array != DeviceArray.CONSTANTS) {
                 text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
             }
         }
+        text.append("#endif\n");
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
         text.append("    int subStep; // the one that is made, where walls may move\n");
+        text.append("#ifdef TURNING\n    int relaxed; // the one whose contacts are visited\n#endif\n");
         text.append("#ifdef RECORDING\n    Recording recording;\n#endif\n");
         text.append("#ifdef REPORTING\n    Reporting reporting;\n#endif\n");
         return text.append("} World;\n").toString();
@@ -130,14 +152,19 @@ final class WorldTables {
     private static String initialiser() {
         String constants = DeviceArray.CONSTANTS.kernelName();
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
+        StringBuilder turning = new StringBuilder("#ifdef TURNING\n#define TURNING_ARRAYS");
         for (DeviceArray array : DeviceArray.values()) {
             if (array != DeviceArray.CONSTANTS) {
-                text.append(", ").append(array.expression());
+                (array.turns() ? turning : text).append(", ").append(array.expression());
             }
         }
+        text.append(" TURNING_ARRAYS");
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
-        return text.append(", " + constants + "->warmScale, 0 }\n").toString();
+        text.append(", " + constants + "->warmScale, 0 }\n");
+        return turning.append("\n#else\n#define TURNING_ARRAYS\n#endif\n")
+                .append(text)
+                .toString();
     }
 }

@@ -18,7 +18,7 @@ public interface Plan {
         return false;
     }
 
-    /** Takes its kernels out of the compiled program; once, before all that follows. */
+    /** Takes its kernels out of the compiled program; before all that follows, and again if others have been compiled. */
     void load(Stages stages);
 
     /** Whether the plan can make such steps. */

@@ -13,7 +13,8 @@ public record Steps(
         boolean sweeping,
         boolean thinning,
         boolean recording,
-        boolean sensing) {
+        boolean sensing,
+        boolean turning) {
     boolean haveOneLevel() {
         return levels.usedCount == 1;
     }

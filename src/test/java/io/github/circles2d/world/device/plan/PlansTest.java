@@ -61,6 +61,31 @@ class PlansTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsThatTurnAreMadeByTheSamePlansIfTilesHaveRoom(Device device) {
+        assumeThat(Tiles.holdTurning(device)).isTrue();
+        for (Plans row : Plans.values()) {
+            Steps steps = steps(1, 1000, false);
+            assertThat(Plans.first(row.of(device), turning(steps))).hasSameClassAs(Plans.first(row.of(device), steps));
+        }
+    }
+
+    private static Steps turning(Steps s) {
+        return new Steps(
+                s.count(),
+                s.levels(),
+                s.slots(),
+                s.circles(),
+                s.subSteps(),
+                s.warmScale(),
+                s.sweeping(),
+                s.thinning(),
+                s.recording(),
+                s.sensing(),
+                true);
+    }
+
     private static Steps recording(Steps s) {
         return new Steps(
                 s.count(),
@@ -72,7 +97,8 @@ class PlansTest {
                 s.sweeping(),
                 s.thinning(),
                 true,
-                s.sensing());
+                s.sensing(),
+                s.turning());
     }
 
     @ParameterizedTest
@@ -118,6 +144,6 @@ class PlansTest {
         GridLevels levels = new GridLevels();
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false, false);
     }
 }

@@ -1,0 +1,44 @@
+// uses: world/shared/CircleMath.cl
+// Friction, rolling resistance and turning. The Java class Surface documents these formulas.
+
+#ifdef TURNING
+float friction(float a, float b) { return sqrt(a * b); }
+float tangentMass(float wA, float iA, float wB, float iB) { return 1.0f / ((wA + iA) + (wB + iB)); }
+
+float crossTangentMass(float wLight, float iLight, float wHeavy, float iHeavy, float share) {
+    return 1.0f / ((wLight + iLight) + share * (wHeavy + iHeavy));
+}
+
+float slip(float along, float sA, float sB, float belt) { return (along - (sA + sB)) - belt; }
+
+float grip(float accumulated, float mass, float slip_, float limit) {
+    return limit > 0.0f ? clampf(accumulated - mass * slip_, -limit, limit) : 0.0f;
+}
+
+float rollingMass(float rA, float iA, float rB, float iB) { return 1.0f / (iA / (rA * rA) + iB / (rB * rB)); }
+
+float crossRollingMass(float rLight, float iLight, float rHeavy, float iHeavy, float share) {
+    return 1.0f / (iLight / (rLight * rLight) + share * (iHeavy / (rHeavy * rHeavy)));
+}
+
+float rolling(float accumulated, float mass, float omega, float limit) { return grip(accumulated, mass, omega, limit); }
+
+float torqueGain(float torque, float inverseInertia, float r, float h) {
+    return torque == 0.0f ? 0.0f : limitSpeed(torque / r * inverseInertia * h);
+}
+
+// The Java class world.jvm.Turning has it. inverseInertia: of the circle.
+float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
+    return limitSpeed(omega + impulse / r * inverseInertia / r);
+}
+
+// Whole turns are lost, as in Java.
+int turn(int angle, float turned, float h, float r) {
+    float units = turned * h / r * UNITS_PER_RADIAN;
+    return (int) ((uint) angle + (uint) (ulong) (long) clampf(units, -0x1p62f, 0x1p62f));
+}
+
+float angularVelocity(float omega, float before, float after, float r) {
+    return after == before ? omega : limitSpeed(after / r);
+}
+#endif
