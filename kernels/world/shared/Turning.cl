@@ -10,7 +10,7 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     int2 turn_ = w->homeTurn[from];
     float4 own = w->homeOwn[from];
     float4 spin = (float4)(0.0f);
-    float4 skin;
+    float4 skin = (float4)(0.0f);
     spin.SURFACE_SPEED = as_float(turn_.ANGULAR_VELOCITY) * c.RADIUS;
     spin.INVERSE_INERTIA = inverseMass * kind[SURFACE_INERTIA];
     skin.FRICTION = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
@@ -61,7 +61,7 @@ void finalizeTurning(const World *w, int slot, float r) {
     int2 old = w->turn[slot];
     float4 spin = w->spin[slot];
     float omega = as_float(old.ANGULAR_VELOCITY);
-    int2 next;
+    int2 next = (int2)(0);
     next.ANGLE = turn(old.ANGLE, spin.TURNED, w->k.h, r);
     next.ANGULAR_VELOCITY = as_int(angularVelocity(omega, omega * r, spin.SURFACE_SPEED, r));
     w->homeTurn[slot] = next;
