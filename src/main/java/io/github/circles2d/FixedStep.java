@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Wrapping;
 import java.io.IOException;
 import java.nio.Buffer;
@@ -34,7 +35,8 @@ import java.util.Arrays;
  * <p><b>Positions</b> lie on the straight line from the place of a circle before the last step to its place after it; {@link #alpha} says
  * how far along. So they are up to a step old, and move evenly. No call comes between the two places: a circle that a call moves
  * elsewhere, or that is new, appears at its place and is not drawn across the screen. The effect of a call shows from the next step on,
- * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, likewise.
+ * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, and {@link
+ * #angles} the angles of circles that turn, likewise.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -88,6 +90,18 @@ public final class FixedStep {
     private float[] radiiAfter = new float[0];
     private FloatBuffer shownRadii = ByteBuffer.allocateDirect(0).asFloatBuffer();
     private FloatBuffer viewOfRadii = shownRadii.asReadOnlyBuffer();
+
+    /** Whether the angles before and after each last step are kept, which is so from the first call of {@link #angles} on. */
+    private boolean keepsAngles;
+
+    /** Whether those of the last step are kept. */
+    private boolean hasAngles;
+
+    // By id, in units of a turn's 2^-32: the angles before the last step, and after it.
+    private int[] anglesBefore = new int[0];
+    private int[] anglesAfter = new int[0];
+    private FloatBuffer shownAngles = ByteBuffer.allocateDirect(0).asFloatBuffer();
+    private FloatBuffer viewOfAngles = shownAngles.asReadOnlyBuffer();
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -233,32 +247,40 @@ public final class FixedStep {
     private void makeLast() {
         forget();
         world.requestPositions();
-        keepRadiiBefore();
+        keepBefore();
         world.step(timeStep);
-        keepRadiiAfter();
+        keepAfter();
         takeBoth();
     }
 
     /** The same with the next step of a replay, the changes before which have been made. */
     private void makeLast(Replay replay) throws IOException {
         world.requestPositions();
-        keepRadiiBefore();
+        keepBefore();
         replay.makeStep();
-        keepRadiiAfter();
+        keepAfter();
         takeBoth();
     }
 
-    private void keepRadiiBefore() {
+    private void keepBefore() {
         if (keepsRadii) {
             ensureRadii(world.idLimit());
             world.readRadiiById(radiiBefore, null);
         }
+        if (keepsAngles) {
+            ensureAngles(world.idLimit());
+            world.readAngleUnits(anglesBefore);
+        }
     }
 
-    private void keepRadiiAfter() {
+    private void keepAfter() {
         if (keepsRadii) {
             world.readRadiiById(radiiAfter, null);
             hasRadii = true;
+        }
+        if (keepsAngles) {
+            world.readAngleUnits(anglesAfter);
+            hasAngles = true;
         }
     }
 
@@ -279,6 +301,7 @@ public final class FixedStep {
         after = null;
         requested = false;
         hasRadii = false;
+        hasAngles = false;
     }
 
     /**
@@ -371,6 +394,35 @@ public final class FixedStep {
         return viewOfRadii;
     }
 
+    /**
+     * The angles to draw, by id: element k is the angle of the circle with the id k. It lies on the short way from that before the last step
+     * to that after it, as far as {@link #alpha} says; a circle that turns by more than half a turn in a step seems to turn the other way. The
+     * same ids have NaN as in {@link #positions}. The loop keeps angles from the first call of this method on, and reads them around the last
+     * step of each frame, so on an OpenCL device {@link #advance} waits for that step from then on. That call, and those before the first step, give the present angles.
+     *
+     * @return an element an id, radians to the left from -pi to pi, from position 0 to the limit, in direct memory of the loop's own. Read-only,
+     *     and often the same object: the next call overwrites it
+     * @throws IllegalStateException if the game has requested positions of its own since the last step
+     */
+    public FloatBuffer angles() {
+        take();
+        keepsAngles = true;
+        ensureAngles(world.idLimit());
+        if (!hasAngles) {
+            world.readAngleUnits(anglesBefore);
+            world.readAngleUnits(anglesAfter);
+        }
+        int length = after.limit() / 2;
+        float alpha = alpha();
+        for (int k = 0; k < length; k++) {
+            int way = anglesAfter[k] - anglesBefore[k]; // the short one: turns wrap
+            shownAngles.put(k, Surface.radians(anglesBefore[k] + (int) ((double) way * alpha)));
+        }
+        world.markGone(shownAngles, 1, null);
+        ((Buffer) viewOfAngles).clear().limit(length);
+        return viewOfAngles;
+    }
+
     /** A circle that has crossed the seam is drawn on its way across, on one side or the other. */
     private void interpolateTheShortWay(int length, float alpha, Bounds arena) {
         float periodX = arena.periodX();
@@ -424,6 +476,18 @@ public final class FixedStep {
             viewOfRadii = larger.asReadOnlyBuffer();
             shownRadii = larger;
             radiiAfter = Arrays.copyOf(radiiAfter, room);
+        }
+    }
+
+    /** As {@link #ensureRadii}. */
+    private void ensureAngles(int ids) {
+        if (anglesAfter.length < ids) {
+            int room = ids + (ids >> 1);
+            FloatBuffer larger = direct(room);
+            anglesBefore = Arrays.copyOf(anglesBefore, room);
+            viewOfAngles = larger.asReadOnlyBuffer();
+            shownAngles = larger;
+            anglesAfter = Arrays.copyOf(anglesAfter, room);
         }
     }
 

@@ -1196,7 +1196,7 @@ public final class World implements AutoCloseable {
      * Reads the angle of every circle, in the order of the ids, into memory of the world's own: what a renderer needs beside {@link
      * #positions}.
      *
-     * @return an element a circle, radians to the left from -pi to pi, from position 0 to the limit, in direct memory. Read-only, and often the
+     * @return an element a circle, radians to the left from -pi to pi, from position 0 to the limit. Read-only, and often the
      *     same object: the next call of this method overwrites what it shows, no other does
      */
     public FloatBuffer angles() {

@@ -370,6 +370,132 @@ class FixedStepTest {
         }
     }
 
+    // ---- angles
+    // -----------------------------------------------------------------------------------------------------
+
+    private static final float TURN = (float) (2 * Math.PI);
+
+    private static void assertAngle(float angle, float expected) {
+        assertThat((float) Math.IEEEremainder(angle - expected, 2 * Math.PI)).isCloseTo(0, within(1e-4f));
+    }
+
+    @Test
+    void aCircleTurnsEvenlyAtAnyRateOfFrames() {
+        try (World world = world()) {
+            long a = world.add(2, 5, 0.5f, 1);
+            long b = world.add(6, 5, 1, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.angles()).isEqualTo(FloatBuffer.wrap(new float[2]));
+            world.setAngularVelocity(a, 0.4f * TURN / STEP);
+            loop.advance(STEP, null);
+            SplittableRandom random = new SplittableRandom(5);
+            float time = 0;
+            while (time < 45) {
+                float steps = random.nextInt(1, 30) / 16f;
+                loop.advance(steps * STEP, null);
+                time += steps;
+                FloatBuffer angles = loop.angles();
+                assertAngle(angles.get(World.id(a)), 0.4f * TURN * time);
+                assertThat(angles.get(World.id(a))).isBetween((float) -Math.PI, (float) Math.PI);
+                assertThat(angles.get(World.id(b))).isZero();
+            }
+        }
+    }
+
+    /** From 3 to -3 it is 0.28 to the left, and 6 to the right. */
+    @Test
+    void anAngleTakesTheShortWay() {
+        try (World world = world()) {
+            long a = world.add(2, 5, 0.5f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.angles();
+            world.setAngle(a, 3);
+            world.setAngularVelocity(a, (TURN - 6) / STEP);
+            loop.advance(1.5f * STEP, null);
+            assertAngle(loop.angles().get(0), TURN / 2);
+            loop.advance(0.25f * STEP, null);
+            assertAngle(loop.angles().get(0), 3 + 0.75f * (TURN - 6));
+            world.setAngularVelocity(a, -0.4f * TURN / STEP);
+            loop.advance(0.75f * STEP, null);
+            assertAngle(loop.angles().get(0), -3 - 0.2f * TURN);
+        }
+    }
+
+    @Test
+    void anAngleThatIsSetShowsAtOnceWithTheNextStep() {
+        try (World world = world()) {
+            long a = world.add(2, 5, 0.5f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.angles();
+            loop.advance(1.5f * STEP, null);
+            world.setAngle(a, 2);
+            assertThat(loop.angles().get(0)).isZero();
+            loop.advance(STEP, null);
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            assertThat(loop.angles().get(0)).isEqualTo(2);
+            world.setAngle(a, 1);
+            loop.reset();
+            assertThat(loop.angles().get(0)).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void theSameIdsHaveAnglesAsHavePositions() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.angles().remaining()).isZero();
+            SplittableRandom random = new SplittableRandom(7);
+            for (int frame = 0; frame < 120; frame++) {
+                world.setAngle(world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1), 0.5f);
+                if (frame % 40 == 39) {
+                    world.clear();
+                }
+                loop.advance(random.nextInt(1, 40) * STEP / 16, null);
+                if (frame % 3 == 0) {
+                    world.remove(world.add(5, 5, 0.1f, 1)); // an id that the positions may lack
+                }
+                long removed = world.handle(random.nextInt(world.idLimit()));
+                if (removed != 0 && frame % 2 == 0) {
+                    world.remove(removed);
+                }
+                FloatBuffer positions = loop.positions(null);
+                FloatBuffer angles = loop.angles();
+                assertThat(2 * angles.limit()).isEqualTo(positions.limit());
+                for (int id = 0; id < angles.limit(); id++) {
+                    float expected = Float.isNaN(positions.get(2 * id)) ? Float.NaN : 0.5f;
+                    assertThat(Float.compare(angles.get(id), expected)).isZero();
+                }
+            }
+        }
+    }
+
+    @Test
+    void aReplayShowsCirclesThatTurnAsTheGameDid() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        float[] shown = new float[12];
+        try (World world = world();
+                Recording recording = new Recording(world, log, 1)) {
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.angles();
+            world.setAngularVelocity(world.add(2, 5, 0.5f, 1), 9);
+            for (int frame = 0; frame < shown.length; frame++) {
+                loop.advance(0.75f * STEP, null);
+                shown[frame] = loop.angles().get(0);
+            }
+            assertThat(recording.steps()).isEqualTo(9);
+        }
+        try (World world = world()) {
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), world);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.angles();
+            loop.advanceReplay(0.75f * STEP, replay);
+            for (int frame = 1; frame < shown.length; frame++) {
+                loop.advanceReplay(0.75f * STEP, replay);
+                assertThat(loop.angles().get(0)).isEqualTo(shown[frame]);
+            }
+        }
+    }
+
     @Test
     void beforeTheFirstStepThePositionsAreThoseOfNow() {
         try (World world = world()) {

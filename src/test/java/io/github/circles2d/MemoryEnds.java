@@ -47,6 +47,15 @@ final class MemoryEnds {
                         },
                 "stats", World::stats));
         calls.put("clear", World::clear);
+        calls.put("setAngle", world -> {
+            world.setAngle(1L << 32, 1);
+            world.hash();
+        });
+        calls.put("a step in which circles begin to grip", world -> {
+            world.kind(0).setFriction(0.5f);
+            world.step(STEP);
+        });
+        calls.put("angle", world -> world.angle(1L << 32));
         calls.put("a step in which circles grow", world -> {
             for (int id = 0; id < CIRCLES; id += 2) {
                 world.grow(1L << 32 | id, 0.6f, 3);

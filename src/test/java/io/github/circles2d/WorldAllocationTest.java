@@ -55,6 +55,7 @@ class WorldAllocationTest {
                 world.setGroup(handles[11], world.group(handles[11]) + 1);
                 world.setForce(handles[12], world.forceX(handles[12]) + 0.01f, 0);
                 world.applyForce(handles[13], 0.01f, 0);
+                turn(world, handles);
                 world.step(scene.timeStep());
                 world.step(scene.timeStep(), 2);
                 world.read(circles);
@@ -72,9 +73,23 @@ class WorldAllocationTest {
                 world.step(scene.timeStep());
                 consume(world.takeEvents());
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
+                consume(world.angle(handles[3])
+                        + world.angularVelocity(handles[4])
+                        + world.angles().get(5));
             };
             assertAllocatesNothing(frame);
         }
+    }
+
+    private static void turn(World world, long[] handles) {
+        world.setAngle(handles[14], world.angle(handles[14]) + 1);
+        world.setAngularVelocity(handles[15], 1);
+        world.applyAngularImpulse(handles[16], 1e-3f);
+        world.setTorque(handles[17], 1e-3f);
+        world.applyTorque(handles[18], 1e-3f);
+        world.setFriction(handles[19], world.friction(handles[19]) + 1e-3f);
+        world.setRollingResistance(handles[19], 0.1f);
+        world.kind(1).setFriction(0.5f).setBeltSpeed(1).setInertia(Inertia.RING);
     }
 
     @Test
@@ -93,6 +108,7 @@ class WorldAllocationTest {
         int[] kindsById = new int[2 * n];
         long[] tagsById = new long[2 * n];
         float[] radii = new float[n];
+        float[] angles = new float[n];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             FixedStep loop = new FixedStep(world, scene.timeStep());
             Runnable before = () -> {
@@ -117,12 +133,16 @@ class WorldAllocationTest {
                 world.setForces(some, 30, forces, StaleHandles.SKIP);
                 world.setKinds(some, 30, kindsOfSome, StaleHandles.SKIP);
                 world.readKindsById(kindsById, living);
+                world.setAngularVelocities(some, 30, velocities, StaleHandles.SKIP);
+                world.readAnglesById(angles, living);
+                world.readAngularVelocitiesById(angles, null);
                 world.readTagsById(tagsById, living);
                 world.setVelocities(some, some.length, velocities, StaleHandles.SKIP);
                 consume(world.takePositionsById(living).get(900));
                 loop.advance(1.5f * scene.timeStep(), before);
                 consume(loop.positions(living).get(900) + loop.alpha() + world.idLimit());
                 consume(loop.radii().get(900));
+                consume(loop.angles().get(900));
                 world.readRadiiById(radii, living);
                 world.grow(some[6], scene.radius(6) * (1.5f - loop.alpha()), 3);
                 Arrays.fill(velocities, 1e-4f);
@@ -138,10 +158,12 @@ class WorldAllocationTest {
         int[] now = new int[1];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             Rewind rewind = new Rewind(world, 20);
+            world.setWallSurface(Wall.MIN_Y, 0.5f, 0.1f, 0);
             rewind.save(now[0]);
             Runnable frame = () -> {
                 world.readHandles(handles);
                 world.setTag(handles[9], 7);
+                turn(world, handles);
                 for (int k = 0; k < 3; k++) {
                     world.applyImpulse(handles[k], 0.01f, 0);
                     world.step(scene.timeStep());
@@ -161,6 +183,8 @@ class WorldAllocationTest {
         long[] handles = new long[scene.size()];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             world.report(0, 1, Events.BEGIN | Events.HIT | Events.END);
+            world.kind(0).setFriction(0.5f).setRollingResistance(0.1f);
+            world.setWallSurface(Wall.MIN_Y, 0.5f, 0.1f, 0);
             world.readHandles(handles);
             for (int k = 0; k < 5; k++) {
                 world.setKind(
@@ -220,6 +244,7 @@ class WorldAllocationTest {
                 world.setVelocities(handles, 3, some, StaleHandles.REFUSE);
                 world.setTag(handles[9], world.tag(handles[9]) + 1);
                 world.setGravity(0, world.gravityY());
+                turn(world, handles);
                 rewind.save(0);
                 world.step(scene.timeStep(), 2);
                 rewind.restore(0);

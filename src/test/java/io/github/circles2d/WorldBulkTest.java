@@ -19,7 +19,7 @@ class WorldBulkTest {
         return world;
     }
 
-    /** A call with many handles and two values for each, of which kinds use the second, and the call with one that does the same. */
+    /** A call with many handles and two values for each, of which some use the second, and the call with one that does the same. */
     private record Bulk(String name, Many many, One one) {
         private interface Many {
             int call(World world, long[] handles, int count, float[] values, StaleHandles stale);
@@ -45,7 +45,19 @@ class WorldBulkTest {
                         "setKinds",
                         (w, h, n, v, s) -> w.setKinds(h, n, kinds(v), s),
                         (w, h, a, b) -> w.setKind(h, (int) b)),
+                new Bulk(
+                        "setAngularVelocities",
+                        (w, h, n, v, s) -> w.setAngularVelocities(h, n, seconds(v), s),
+                        (w, h, a, b) -> w.setAngularVelocity(h, b)),
                 new Bulk("removeAll", (w, h, n, v, s) -> w.removeAll(h, n, s), (w, h, a, b) -> w.remove(h)));
+    }
+
+    private static float[] seconds(float[] values) {
+        float[] seconds = new float[values.length / 2];
+        for (int k = 0; k < seconds.length; k++) {
+            seconds[k] = values[2 * k + 1];
+        }
+        return seconds;
     }
 
     private static int[] kinds(float[] values) {
@@ -153,9 +165,12 @@ class WorldBulkTest {
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> bulk.many().call(world, handles, 4, new float[7], StaleHandles.SKIP))
                         .withMessageEndingWith(
-                                bulk.name().equals("setKinds")
-                                        ? "kinds has 3 elements, but must have 4: 1 for each of 4 handles"
-                                        : " has 7 elements, but must have 8: 2 for each of 4 handles");
+                                switch (bulk.name()) {
+                                    case "setKinds" -> "kinds has 3 elements, but must have 4: 1 for each of 4 handles";
+                                    case "setAngularVelocities" ->
+                                        "angularVelocities has 3 elements, but must have 4: 1 for each of 4 handles";
+                                    default -> " has 7 elements, but must have 8: 2 for each of 4 handles";
+                                });
             }
             assertThat(bulk.many().call(world, handles, 0, values(0), StaleHandles.REFUSE))
                     .isZero();
@@ -171,6 +186,8 @@ class WorldBulkTest {
         "applyImpulses, 2e18",
         "setForces, 2e18",
         "setForces, NaN",
+        "setAngularVelocities, 2e9",
+        "setAngularVelocities, NaN",
         "setKinds, 256",
         "setKinds, -1"
     })

@@ -74,6 +74,16 @@ class WorldErrorsTest {
                 assertThat(catchThrowable(() -> world.vx(1L << 32))).isNotNull();
                 world.readVelocities(new float[4]);
             }
+            case "readAngles" -> {
+                assertThat(catchThrowable(() -> world.angle(1L << 32))).isNotNull();
+                assertThat(catchThrowable(world::angles)).isNotNull();
+                world.readAnglesById(new float[4], null);
+            }
+            case "readAngularVelocities" -> {
+                assertThat(catchThrowable(() -> world.angularVelocity(1L << 32)))
+                        .isNotNull();
+                world.readAngularVelocitiesById(new float[4], null);
+            }
             case "positions" -> world.positions();
             case "requestPositions" -> world.requestPositions();
             case "takePositions" -> {
@@ -94,6 +104,8 @@ class WorldErrorsTest {
             strings = {
                 "readCircles",
                 "readVelocities",
+                "readAngles",
+                "readAngularVelocities",
                 "positions",
                 "requestPositions",
                 "takePositions",
@@ -108,6 +120,7 @@ class WorldErrorsTest {
     void aReadThatFindsTooLittleMemoryLosesNothing(String method) {
         for (Throwable cause : OUT_OF_MEMORY) {
             try (World world = world()) {
+                world.setAngle(1L << 32, 1);
                 long hash = world.hash();
                 failing.put(method, cause);
                 assertThatThrownBy(() -> callRead(world, method)).isSameAs(cause);
@@ -116,6 +129,7 @@ class WorldErrorsTest {
                 float[] circles = new float[8];
                 world.read(circles);
                 assertThat(world.x(1L << 32)).isEqualTo(circles[0]);
+                assertThat(world.angle(1L << 32)).isEqualTo(1);
                 world.requestPositions();
                 assertThat(world.takePositions().get(3)).isEqualTo(circles[5]);
             }
@@ -166,6 +180,32 @@ class WorldErrorsTest {
     }
 
     @Test
+    void aWorldThatFindsTooLittleMemoryToTurnWaitsOn() {
+        List<Consumer<World>> turns = List.of(
+                each -> each.setAngularVelocity(1L << 32, 3),
+                each -> each.setFriction(1L << 32, 0.5f),
+                each -> each.applyTorque(1L << 32, 0.5f),
+                each -> each.kind(0).setFriction(0.5f),
+                each -> each.setWallSurface(Wall.MIN_Y, 0.5f, 0, 1));
+        for (Consumer<World> turn : turns) {
+            try (World world = world();
+                    World same = world()) {
+                turn.accept(world);
+                turn.accept(same);
+                for (Throwable cause : OUT_OF_MEMORY) {
+                    failing.put("prepare", cause);
+                    assertThatThrownBy(() -> world.step(STEP)).isSameAs(cause);
+                }
+                failing.clear();
+                assertThat(world.hash()).isEqualTo(same.hash());
+                world.step(STEP);
+                same.step(STEP);
+                assertThat(world.hash()).isEqualTo(same.hash());
+            }
+        }
+    }
+
+    @Test
     void aRestoreThatFindsTooLittleMemoryChangesNothing() {
         try (World world = world()) {
             ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
@@ -173,12 +213,14 @@ class WorldErrorsTest {
             snapshot.flip();
             world.remove(1L << 32);
             long hash = world.hash();
-            failing.put("makeRoom", OUT_OF_MEMORY.get(0));
-            assertThatThrownBy(() -> world.restore(snapshot)).isSameAs(OUT_OF_MEMORY.get(0));
-            failing.clear();
-            assertThat(snapshot.position()).isZero();
-            assertThat(world.size()).isOne();
-            assertThat(world.hash()).isEqualTo(hash);
+            for (String method : List.of("makeRoom", "prepare")) {
+                failing.put(method, OUT_OF_MEMORY.get(0));
+                assertThatThrownBy(() -> world.restore(snapshot)).isSameAs(OUT_OF_MEMORY.get(0));
+                failing.clear();
+                assertThat(snapshot.position()).isZero();
+                assertThat(world.size()).isOne();
+                assertThat(world.hash()).isEqualTo(hash);
+            }
             world.restore(snapshot);
             assertThat(world.size()).isEqualTo(2);
         }

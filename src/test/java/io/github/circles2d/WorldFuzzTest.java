@@ -70,7 +70,7 @@ class WorldFuzzTest {
         try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm());
                 World player = WorldScenes.onThreads(2, WorldScenes.jvm())) {
             for (int k = 0; k < programs; k++) {
-                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null).run();
+                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null, true).run();
             }
         }
     }
@@ -84,7 +84,7 @@ class WorldFuzzTest {
     void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
         try (World player = World.builder().backend(backend).build()) {
             for (int k = 0; k < 40; k++) {
-                new Program(SEED + k, null, player).run();
+                new Program(SEED + k, null, player, false).run();
             }
         }
     }
@@ -177,6 +177,9 @@ class WorldFuzzTest {
         /** Where the world is, if what it reports and is gets written down; else null. */
         private final Backend traced;
 
+        /** Whether circles may turn and grip. */
+        private final boolean turns;
+
         private final List<Traced> trace = new ArrayList<>();
 
         private ByteArrayOutputStream log;
@@ -199,20 +202,21 @@ class WorldFuzzTest {
 
         private String last = "";
 
-        Program(long seed, World twin, World player) {
-            this(seed, twin, player, null);
+        Program(long seed, World twin, World player, boolean turns) {
+            this(seed, twin, player, null, turns);
         }
 
         /** On a back end, with the default capacity, and with a trace. */
         Program(long seed, Backend traced) {
-            this(seed, null, null, traced);
+            this(seed, null, null, traced, false);
         }
 
-        private Program(long seed, World twin, World player, Backend traced) {
+        private Program(long seed, World twin, World player, Backend traced, boolean turns) {
             this.seed = seed;
             this.twin = twin;
             this.player = player;
             this.traced = traced;
+            this.turns = turns;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -295,7 +299,32 @@ class WorldFuzzTest {
             if (random.nextInt(3) == 0) {
                 setContacts(builder);
             }
+            if (turns && random.nextInt(3) == 0) {
+                setSurfaces(builder);
+            }
             return builder.build();
+        }
+
+        private void setSurfaces(World.Builder builder) {
+            float friction = friction();
+            ask(isBadFriction(friction), () -> builder.friction(friction));
+            float resistance = friction();
+            ask(isBadFriction(resistance), () -> builder.rollingResistance(resistance));
+            if (random.nextBoolean()) {
+                Wall wall = Wall.values()[random.nextInt(4)];
+                float belt = value(-speed(), speed());
+                ask(
+                        isBadFriction(friction) || isBadFriction(resistance) || bad(belt),
+                        () -> builder.wallSurface(wall, resistance, friction, belt));
+            }
+        }
+
+        private float friction() {
+            return random.nextInt(8) == 0 ? value(0, 1000) : value(0, 1);
+        }
+
+        private static boolean isBadFriction(float value) {
+            return !(value >= 0 && value <= 1000);
         }
 
         private void setContacts(World.Builder builder) {
@@ -310,7 +339,7 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            switch (random.nextInt(33)) {
+            switch (random.nextInt(turns ? 38 : 33)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -336,6 +365,10 @@ class WorldFuzzTest {
                 case 29 -> report();
                 case 30, 31 -> grow();
                 case 32 -> clear();
+                case 33, 34 -> turn();
+                case 35 -> setSurface();
+                case 36 -> setKindSurface();
+                case 37 -> setWallSurface();
                 default -> step();
             }
         }
@@ -587,6 +620,80 @@ class WorldFuzzTest {
             ask(unknown(handle) || bad(x) || bad(y), () -> world.applyForce(handle, x, y));
         }
 
+        private void turn() {
+            long handle = handle();
+            float angle = value(-10, 10);
+            last = "setAngle " + angle;
+            ask(unknown(handle) || bad(angle) || Math.abs(angle) > 1e6f, () -> {
+                world.setAngle(handle, angle);
+                double off = Math.IEEEremainder(world.angle(handle) - (double) angle, 2 * Math.PI);
+                assertThat(Math.abs(off)).isLessThan(1e-6);
+            });
+            if (random.nextBoolean()) {
+                float velocity = value(-speed(), speed());
+                last = "setAngularVelocity " + velocity;
+                ask(unknown(handle) || bad(velocity) || Math.abs(velocity) > 1e9f, () -> {
+                    world.setAngularVelocity(handle, velocity);
+                    assertThat(world.angularVelocity(handle)).isEqualTo(velocity + 0f);
+                });
+            }
+            float torque = value(-1e18f, 1e18f) * (random.nextBoolean() ? 1 : 1e-18f);
+            last = "torque " + torque;
+            ask(unknown(handle) || bad(torque) || Math.abs(torque) > 1e18f, () -> {
+                world.setTorque(handle, torque);
+                assertThat(world.torque(handle)).isEqualTo(torque + 0f);
+                world.applyTorque(handle, -0.5f * torque);
+                world.applyAngularImpulse(handle, torque);
+            });
+        }
+
+        private void setSurface() {
+            long handle = handle();
+            float friction = random.nextInt(4) == 0 ? Float.NaN : friction();
+            float resistance = random.nextInt(4) == 0 ? Float.NaN : friction();
+            last = "setFriction " + friction + " " + resistance;
+            ask(unknown(handle) || !Float.isNaN(friction) && isBadFriction(friction), () -> {
+                world.setFriction(handle, friction);
+                float kinds = world.kind(world.kindOf(handle)).friction();
+                float expected = Float.isNaN(friction) ? kinds : friction;
+                assertThat(world.friction(handle))
+                        .isEqualTo(Float.isNaN(expected) ? world.defaultFriction() : expected);
+            });
+            ask(
+                    unknown(handle) || !Float.isNaN(resistance) && isBadFriction(resistance),
+                    () -> world.setRollingResistance(handle, resistance));
+        }
+
+        private void setKindSurface() {
+            int kind = kind();
+            float friction = random.nextInt(4) == 0 ? Float.NaN : friction();
+            float belt = value(-speed(), speed());
+            float damping = value(0, 10);
+            last = "setKindSurface " + kind + " " + friction + " " + belt + " " + damping;
+            boolean isBad = !isKind(kind) || !Float.isNaN(friction) && isBadFriction(friction);
+            ask(isBad, () -> world.kind(kind).setFriction(friction));
+            ask(isBad, () -> world.kind(kind).setRollingResistance(friction));
+            ask(!isKind(kind) || bad(belt) || Math.abs(belt) > 1e9f, () -> world.kind(kind)
+                    .setBeltSpeed(belt));
+            ask(!isKind(kind) || bad(damping) || damping < 0, () -> world.kind(kind)
+                    .setAngularDamping(damping));
+            ask(!isKind(kind), () -> world.kind(kind).setInertia(Inertia.values()[random.nextInt(3)]));
+        }
+
+        private void setWallSurface() {
+            Wall wall = Wall.values()[random.nextInt(4)];
+            float friction = friction();
+            float resistance = friction();
+            float belt = value(-speed(), speed());
+            last = "setWallSurface " + wall + " " + friction + " " + resistance + " " + belt;
+            boolean isBad = isBadFriction(friction) || isBadFriction(resistance) || bad(belt) || Math.abs(belt) > 1e9f;
+            ask(isBad, () -> {
+                world.setWallSurface(wall, friction, resistance, belt);
+                assertThat(world.wallFriction(wall)).isEqualTo(friction + 0f);
+                assertThat(world.wallBeltSpeed(wall)).isEqualTo(belt + 0f);
+            });
+        }
+
         private void setGroup() {
             long handle = handle();
             int group = random.nextInt() >> random.nextInt(32);
@@ -643,9 +750,9 @@ class WorldFuzzTest {
         }
 
         private void changeSome() {
-            int call = random.nextInt(5);
-            float x = call == 0 ? model.minX : call == 1 ? -speed() : -1e18f;
-            float y = call == 0 ? model.minY : call == 1 ? -speed() : -1;
+            int call = random.nextInt(turns ? 6 : 5);
+            float x = call == 0 ? model.minX : call == 1 || call == 5 ? -speed() : -1e18f;
+            float y = call == 0 ? model.minY : call == 1 || call == 5 ? -speed() : -1;
             float toX = call == 0 ? model.maxX : -x;
             float toY = call == 0 ? model.maxY : -y;
             long[] handles = new long[random.nextInt(6)];
@@ -659,7 +766,12 @@ class WorldFuzzTest {
                 values[2 * k] = value(x, toX);
                 values[2 * k + 1] = value(y, toY);
                 unknown += unknown(handles[k]) ? 1 : 0;
-                boolean badValues = call == 4 ? !isKind(kinds[k]) : bad(values[2 * k]) || bad(values[2 * k + 1]);
+                boolean badValues =
+                        switch (call) {
+                            case 4 -> !isKind(kinds[k]);
+                            case 5 -> bad(values[k]);
+                            default -> bad(values[2 * k]) || bad(values[2 * k + 1]);
+                        };
                 bad |= !unknown(handles[k]) && badValues;
             }
             StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
@@ -672,6 +784,7 @@ class WorldFuzzTest {
                             case 1 -> world.setVelocities(handles, handles.length, values, stale);
                             case 3 -> world.setForces(handles, handles.length, values, stale);
                             case 4 -> world.setKinds(handles, handles.length, kinds, stale);
+                            case 5 -> world.setAngularVelocities(handles, handles.length, values, stale);
                             default -> world.applyImpulses(handles, handles.length, values, stale);
                         };
                 assertThat(result).isEqualTo(skipped);
@@ -860,6 +973,10 @@ class WorldFuzzTest {
             float[] byId = new float[4 * world.idLimit()];
             long[] living = new long[world.idLimit() / 64 + 1];
             world.readById(byId, living);
+            float[] angles = new float[world.idLimit()];
+            float[] turning = new float[world.idLimit()];
+            world.readAnglesById(angles, null);
+            world.readAngularVelocitiesById(turning, null);
             float[] radii = new float[world.idLimit()];
             world.readRadiiById(radii, null);
             assertThat(Arrays.stream(living).map(Long::bitCount).sum()).isEqualTo(n);
@@ -878,6 +995,8 @@ class WorldFuzzTest {
                         && radii[id] == entry.getValue()[0]
                         && world.growthSteps(handles[k]) == entry.getValue()[3]
                         && circles[4 * k + 3] == entry.getValue()[1]
+                        && Math.abs(angles[id]) <= (float) Math.PI
+                        && Math.abs(turning[id]) <= 1e9f
                         && Math.abs(velocities[2 * k]) <= 1e9f
                         && Math.abs(velocities[2 * k + 1]) <= 1e9f;
                 assertThat(sound)

@@ -89,6 +89,7 @@ class WorldSharedArraysTest {
         long[] handles = new long[CIRCLES];
         float[] values = new float[2 * CIRCLES];
         int[] kinds = new int[CIRCLES];
+        float[] turning = new float[CIRCLES];
         float[] read = new float[4 * CIRCLES];
         int last = CIRCLES - 1;
         int[] accepted = new int[1];
@@ -101,11 +102,13 @@ class WorldSharedArraysTest {
                 handles[last] = 77;
                 values[2 * last] = Float.NaN;
                 kinds[last] = 256;
+                turning[last] = Float.NaN;
             };
             Runnable back = () -> {
                 handles[last] = good;
                 values[2 * last] = 0;
                 kinds[last] = 0;
+                turning[last] = 0;
             };
             during(change, back, () -> {
                 for (int k = 0; k < CALLS || accepted[0] == 0 && !isLate(); k++) {
@@ -114,6 +117,7 @@ class WorldSharedArraysTest {
                         world.setPositions(handles, CIRCLES, values, StaleHandles.SKIP);
                         world.setForces(handles, CIRCLES, values, StaleHandles.SKIP);
                         world.setKinds(handles, CIRCLES, kinds, StaleHandles.SKIP);
+                        world.setAngularVelocities(handles, CIRCLES, turning, StaleHandles.SKIP);
                         accepted[0]++;
                     } catch (IllegalArgumentException e) {
                         assertThat(e).hasMessageContaining(" " + last);
@@ -123,6 +127,7 @@ class WorldSharedArraysTest {
                     world.read(read);
                     assertFinite(read);
                     assertThat(world.kindOf(good)).isZero();
+                    assertThat(world.angularVelocity(good)).isZero();
                     assertThat(world.forceX(good)).isZero();
                 }
             });

@@ -32,6 +32,17 @@ class WorldSnapshotTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("settlingScenes")
+    void takesAtMost72BytesACircleOnceSettledWithFriction(Scene scene) {
+        World.Builder builder = WorldScenes.builder(scene).friction(0.6f).rollingResistance(0.1f);
+        try (World world = WorldScenes.world(scene, builder)) {
+            world.step(scene.timeStep(), 600);
+            assertThat((world.snapshotBytes() - SnapshotCodec.HEADER) / (double) world.size())
+                    .isBetween(50.0, 72.0);
+        }
+    }
+
     static Stream<Scene> crowdedScenes() {
         return Stream.of(
                 Scenes.thesis(500, 5),

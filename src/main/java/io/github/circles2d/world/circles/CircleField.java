@@ -192,7 +192,10 @@ public enum CircleField {
                     "the " + label + " is " + value + ", but must be from " + least + " to " + greatest);
         }
         if (isFloat() && value != initial) {
-            Limits.within("the " + label, Float.intBitsToFloat((int) value), -most, most);
+            float asFloat = Float.intBitsToFloat((int) value);
+            if (!(Math.abs(asFloat) <= most)) { // a message that is not needed would be garbage
+                Limits.within("the " + label, asFloat, -most, most);
+            }
         }
     }
 }

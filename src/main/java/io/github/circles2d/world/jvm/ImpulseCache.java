@@ -56,7 +56,14 @@ final class ImpulseCache {
             impulseBefore = Arrays.copyOf(impulseBefore, contacts);
             next = Arrays.copyOf(next, contacts);
         }
-        if (state.turning != null && grips.length < 2 * next.length) {
+        if (state.turning != null) {
+            ensureGrips();
+        }
+    }
+
+    /** Makes room for the grips of the contacts for which there is room, so that circles can turn. */
+    void ensureGrips() {
+        if (grips.length < 2 * next.length) {
             gripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
             grips = Arrays.copyOf(grips, 2 * next.length);
         }

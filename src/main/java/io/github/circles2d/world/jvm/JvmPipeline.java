@@ -76,8 +76,8 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(ContactSettings settings, boolean edged, boolean turning) {
         if (turning) {
+            contacts.impulseCache().ensureGrips();
             state.startTurning();
-            contacts.impulseCache().ensure(0); // for the grips of the impulses that are there
         }
     }
 
@@ -277,8 +277,11 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void makeRoom(SavedState from) {
-        state.makeRoom(from);
         contacts.impulseCache().ensure(from.impulses);
+        if (from.turns) {
+            contacts.impulseCache().ensureGrips();
+        }
+        state.makeRoom(from);
     }
 
     @Override

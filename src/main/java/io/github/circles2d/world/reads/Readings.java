@@ -12,8 +12,6 @@ import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.Buffer;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
@@ -62,7 +60,7 @@ public final class Readings {
     private final IdMask mask = new IdMask();
 
     /** What {@link #angles} gives. */
-    private FloatBuffer angles = ByteBuffer.allocateDirect(0).asFloatBuffer();
+    private FloatBuffer angles = FloatBuffer.allocate(0);
 
     private FloatBuffer viewOfAngles = angles.asReadOnlyBuffer();
 
@@ -181,9 +179,7 @@ public final class Readings {
         int[] units = last.angles();
         int circles = handles.size();
         if (angles.capacity() < circles) {
-            FloatBuffer larger = ByteBuffer.allocateDirect(Float.BYTES * (circles + (circles >> 1)))
-                    .order(ByteOrder.nativeOrder())
-                    .asFloatBuffer();
+            FloatBuffer larger = FloatBuffer.allocate(circles + (circles >> 1));
             viewOfAngles = larger.asReadOnlyBuffer();
             angles = larger;
         }

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
+import io.github.circles2d.Inertia;
 import io.github.circles2d.Response;
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import io.github.circles2d.opencl.TestScale;
@@ -60,6 +62,12 @@ class ForgedSnapshotTest {
             world.setResponse(0, 3, Response.SOLID);
             world.kind(3).setDamping(2).setGravityScale(-1).setGreatestSpeed(7);
             world.setForce(world.add(85, 21, 1, 1), -7, 3);
+            world.kind(0).setFriction(0.7f).setRollingResistance(0.1f);
+            world.kind(3).setInertia(Inertia.RING).setBeltSpeed(-2).setAngularDamping(1);
+            world.setWallSurface(Wall.MIN_Y, 0.5f, 0.25f, 3);
+            world.setTorque(world.add(60, 1, 1, 1), 5);
+            world.setAngularVelocity(world.add(62, 1, 1, 1), -6);
+            world.setFriction(world.add(64, 1, 1, 1), 0.25f);
             world.remove(world.add(50, 20, 1, 1));
             long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
@@ -69,6 +77,8 @@ class ForgedSnapshotTest {
             world.remove(touching);
             world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             world.setPosition(travelling, 25, 22);
+            world.applyTorque(world.add(85, 27, 1, 1), 40);
+            world.setAngle(travelling, 2);
             world.grow(travelling, 2, 3);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
@@ -118,6 +128,13 @@ class ForgedSnapshotTest {
         for (int k = 0; k < values.length; k++) {
             if (k % 4 != 3) {
                 assertThat(values[k]).isFinite();
+            }
+        }
+        float[] turning = new float[world.idLimit()];
+        world.readAngularVelocitiesById(turning, null);
+        for (int id = 0; id < turning.length; id++) {
+            if (world.handle(id) != 0) {
+                assertThat(turning[id]).isBetween(-1e9f, 1e9f);
             }
         }
         float[] velocities = new float[2 * world.size()];

@@ -76,6 +76,9 @@ class SurfacesAgreeTest {
                 SplittableRandom random = new SplittableRandom(7);
                 for (int k = 0; k < TestScale.of(12, 40); k++) {
                     twins.changeSurfaces(random);
+                    if (k == 6) {
+                        twins.letChangesTurn();
+                    }
                     for (int changes = 0; changes < 10; changes++) {
                         twins.change(scene, random);
                     }

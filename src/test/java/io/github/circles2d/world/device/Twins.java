@@ -50,16 +50,22 @@ final class Twins implements AutoCloseable {
 
     private boolean takeById;
 
-    private Twins(Simulation[] simulations) {
+    /** Whether changes turn circles, and let them grip. */
+    private boolean turns;
+
+    private Twins(Simulation[] simulations, Pipeline... pipelines) {
         this.simulations = simulations;
+        turns = Arrays.stream(pipelines).allMatch(pipeline -> pipeline instanceof JvmPipeline);
     }
 
     /** Worlds without gravity and circles. */
     static Twins empty(Bounds bounds, Pipeline... pipelines) {
         WorldParameters parameters = new WorldParameters(bounds, 0, 0, 0, SUB_STEPS, 0);
-        return new Twins(Arrays.stream(pipelines)
-                .map(pipeline -> new Simulation(pipeline, parameters))
-                .toArray(Simulation[]::new));
+        return new Twins(
+                Arrays.stream(pipelines)
+                        .map(pipeline -> new Simulation(pipeline, parameters))
+                        .toArray(Simulation[]::new),
+                pipelines);
     }
 
     /** A scene, on several pipelines. */
@@ -69,9 +75,11 @@ final class Twins implements AutoCloseable {
 
     /** A scene, on several pipelines, with a number of sub-steps. */
     static Twins load(Scene scene, int subSteps, Pipeline... pipelines) {
-        Twins twins = new Twins(Arrays.stream(pipelines)
-                .map(pipeline -> SimulationScenes.simulation(scene, subSteps, pipeline))
-                .toArray(Simulation[]::new));
+        Twins twins = new Twins(
+                Arrays.stream(pipelines)
+                        .map(pipeline -> SimulationScenes.simulation(scene, subSteps, pipeline))
+                        .toArray(Simulation[]::new),
+                pipelines);
         twins.handles = new long[scene.size()];
         twins.ids = scene.size();
         twins.simulations[0].readings().readHandles(twins.handles);
@@ -98,6 +106,11 @@ final class Twins implements AutoCloseable {
             float y = 0.5f + 1.1f * radius * (float) Math.sin(angle);
             add(x, y, radius, Float.POSITIVE_INFINITY, 0, 0, 0);
         }
+    }
+
+    /** Lets changes turn circles on devices, too. Those of other tests do not, since tiles take no worlds that turn. */
+    void letChangesTurn() {
+        turns = true;
     }
 
     /** Number of circles. */
@@ -488,14 +501,46 @@ final class Twins implements AutoCloseable {
         if (random.nextInt(8) == 0) {
             changeKinds(random);
         }
+        if (turns) {
+            turn(random.nextInt(ids), random);
+        }
         for (int k = 0; k < 5; k++) {
             grow(random.nextInt(ids), r * between(random, 0.8f, 1.3f), 1 + random.nextInt(6));
         }
         for (CircleField field : CircleField.values()) {
-            boolean isOfCalls = field != CircleField.TARGET && field != CircleField.GROWTH && !field.isOfTurning();
+            boolean isOfCalls =
+                    field != CircleField.TARGET && field != CircleField.GROWTH && (turns || !field.isOfTurning());
             for (int k = 0; k < 20 && isOfCalls; k++) {
                 setField(field, random.nextInt(ids), random.nextLong() >> random.nextInt(Long.SIZE));
             }
+        }
+    }
+
+    /** Turns the circle that had an id last, and changes the surfaces of a kind and of a wall. */
+    private void turn(int id, SplittableRandom random) {
+        float angle = between(random, -9, 9);
+        float velocity = between(random, -9, 9);
+        float impulse = between(random, -1, 1);
+        long[] some = random.ints(5, 0, ids).mapToLong(k -> handles[k]).toArray();
+        float[] velocities = {velocity, -velocity, 0, angle, impulse};
+        int kind = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int wall = random.nextInt(4);
+        float friction = random.nextInt(4) == 0 ? Float.NaN : between(random, 0, 1);
+        float resistance = between(random, 0, 0.5f);
+        int inertia = random.nextInt(3);
+        for (Simulation simulation : simulations) {
+            if (lives(id)) {
+                simulation.circles().setAngle(handles[id], angle);
+                simulation.circles().setAngularVelocity(handles[id], velocity);
+                simulation.circles().applyAngularImpulse(handles[id], impulse);
+            }
+            simulation.bulk().setAngularVelocities(some, some.length, velocities, true);
+            simulation.kinds().set(KindField.FRICTION, kind, friction);
+            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
+            simulation.kinds().set(KindField.BELT_SPEED, kind, impulse);
+            simulation.kinds().set(KindField.INERTIA, kind, inertia);
+            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, resistance);
+            simulation.setWallSurface(wall, resistance, resistance, impulse);
         }
     }
 
@@ -523,14 +568,14 @@ final class Twins implements AutoCloseable {
             float b = between(random, -1, 1);
             if (lives(id)) {
                 for (Simulation simulation : simulations) {
-                    turn(simulation, k, handles[id], a, b);
+                    turnOne(simulation, k, handles[id], a, b);
                 }
             }
         }
     }
 
     /** Makes one of the changes of a circle that make it turn. */
-    private static void turn(Simulation simulation, int change, long handle, float a, float b) {
+    private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
             case 0 -> simulation.circles().setFriction(handle, a);
             case 1 -> simulation.circles().setRollingResistance(handle, 0.2f * a);
@@ -666,12 +711,18 @@ final class Twins implements AutoCloseable {
     /** Gives the circle that had an id last the allowed value that is nearest to a number. */
     private void setField(CircleField field, int id, long number) {
         if (lives(id)) {
+            float asFloat = (int) (number % 64) / 16f;
+            boolean isPositive = field == CircleField.FRICTION || field == CircleField.ROLLING_RESISTANCE;
             long value = field.isFloat()
-                    ? Float.floatToIntBits((int) (number % 64) / 16f)
+                    ? Float.floatToIntBits(isPositive ? Math.abs(asFloat) : asFloat)
                     : Math.max(field.least(), Math.min(number, field.greatest()));
             for (Simulation simulation : simulations) {
                 if (field == CircleField.APPLIED_X || field == CircleField.APPLIED_Y) {
                     simulation.circles().applyForce(handles[id], Float.intBitsToFloat((int) value), 0.5f);
+                    continue;
+                }
+                if (field == CircleField.APPLIED_TORQUE) {
+                    simulation.circles().applyTorque(handles[id], Float.intBitsToFloat((int) value));
                     continue;
                 }
                 simulation.circles().set(field, handles[id], value);

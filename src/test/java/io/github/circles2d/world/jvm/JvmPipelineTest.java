@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.circles.KindField;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
@@ -31,23 +32,33 @@ class JvmPipelineTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void theStateDoesNotDependOnTheNumberOfThreads(Scene scene) {
-        long[] expected = hashes(scene, 1, false);
-        assertThat(hashes(scene, 2, false)).isEqualTo(expected);
-        assertThat(hashes(scene, 7, false)).isEqualTo(expected);
+        for (boolean grips : new boolean[] {false, true}) {
+            long[] expected = hashes(scene, 1, false, grips);
+            assertThat(hashes(scene, 2, false, grips)).isEqualTo(expected);
+            assertThat(hashes(scene, 7, false, grips)).isEqualTo(expected);
+        }
     }
 
     @ParameterizedTest
     @MethodSource("scenes")
     void theStateDoesNotDependOnTheSlotsThatCirclesLieIn(Scene scene) {
-        assertThat(hashes(scene, 1, true)).isEqualTo(hashes(scene, 1, false));
+        for (boolean grips : new boolean[] {false, true}) {
+            assertThat(hashes(scene, 1, true, grips)).isEqualTo(hashes(scene, 1, false, grips));
+        }
     }
 
     /** The hash after each step, with a circle that comes or goes every third step. */
-    private static long[] hashes(Scene scene, int threads, boolean shuffled) {
+    private static long[] hashes(Scene scene, int threads, boolean shuffled, boolean grips) {
         Random random = new Random(11);
         Random order = new Random(12);
         long[] hashes = new long[STEPS];
         try (JvmWorld world = new JvmWorld(scene, threads)) {
+            if (grips) {
+                world.simulation.kinds().set(KindField.FRICTION, 0, 0.6f);
+                world.simulation.kinds().set(KindField.ROLLING_RESISTANCE, 0, 0.1f);
+                world.simulation.setWallSurface(2, 0.6f, 0.1f, 0.5f);
+                world.simulation.setWallSurface(1, 0.3f, 0, 0);
+            }
             for (int step = 0; step < STEPS; step++) {
                 if (step % 3 == 1) {
                     long[] handles = world.handles();

@@ -67,6 +67,11 @@ final class JvmWorld implements AutoCloseable {
             copyRow(sorted.circle, order[slot], permuted.circle, slot);
             copyRow(sorted.motion, order[slot], permuted.motion, slot);
             copyRow(sorted.traits, order[slot], permuted.traits, slot);
+            if (sorted.turns) {
+                permuted.angle[slot] = sorted.angle[order[slot]];
+                permuted.angularVelocity[slot] = sorted.angularVelocity[order[slot]];
+                copyRow(sorted.wallGrip, order[slot], permuted.wallGrip, slot);
+            }
         }
         pipeline.makeRoom(permuted);
         pipeline.load(permuted);
