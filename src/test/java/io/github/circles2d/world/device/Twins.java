@@ -574,6 +574,23 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Gives the circle that had an id last a surface, a torque and an angular velocity of any magnitude. */
+    void turnExtremely(int id, SplittableRandom random) {
+        float friction = PipelinesAgreeTest.power(random, -9, 3);
+        float resistance = PipelinesAgreeTest.power(random, -9, 3);
+        float torque = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -18, 18);
+        float velocity = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -9, 6);
+        if (lives(id)) {
+            for (Simulation simulation : simulations) {
+                simulation.circles().setFriction(handles[id], friction);
+                simulation.circles().setRollingResistance(handles[id], resistance);
+                simulation.circles().applyTorque(handles[id], torque);
+                simulation.circles().setAngularVelocity(handles[id], velocity);
+                simulation.circles().applyAngularImpulse(handles[id], -torque);
+            }
+        }
+    }
+
     /** Makes one of the changes of a circle that make it turn. */
     private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
