@@ -25,7 +25,7 @@ Turning turningOf(const World *w, int slot, float4 t, float s) {
 }
 
 void keepWallGrip(const World *w, int slot, const Turning *t) {
-    float4 held;
+    float4 held = (float4)(0.0f);
     held.FRICTION_X = t->friction[0];
     held.FRICTION_Y = t->friction[1];
     held.ROLLING_X = t->rolling[0];

@@ -10,7 +10,7 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     bool any = w->surfaces[SURFACE_OWN] != 0.0f;
     int2 turn_ = w->homeTurn[from];
     float4 own = any ? w->homeOwn[from] : INITIAL_OWN;
-    float4 skin;
+    float4 skin = (float4)(0.0f);
     skin.FRICTION = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
     skin.ROLLING_RESISTANCE = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
     skin.BELT = kind[SURFACE_BELT];
@@ -65,7 +65,7 @@ float moveTurning(const World *w, int slot, float s) {
 void finalizeTurning(const World *w, int slot, float r) {
     int2 old = w->turn[slot];
     float omega = as_float(old.ANGULAR_VELOCITY);
-    int2 next;
+    int2 next = (int2)(0);
     next.ANGLE = turn(old.ANGLE, w->turned[slot], w->k.h, r);
     next.ANGULAR_VELOCITY = as_int(angularVelocity(omega, omega * r, w->surfaceSpeed[slot], r));
     w->homeTurn[slot] = next;

@@ -103,10 +103,9 @@ float2 cachedGrip(const World *w, int first, int higherId) {
 float4 skinOfPair(const World *w, uint a, uint b) {
     float4 skinA = w->skin[a];
     float4 skinB = w->skin[b];
-    float4 skin;
+    float4 skin = (float4)(0.0f);
     skin.PAIR_FRICTION = friction(skinA.FRICTION, skinB.FRICTION);
     skin.PAIR_BELT = skinA.BELT + skinB.BELT;
-    skin.TANGENT_MASS = 0.0f;
     skin.ROLLING_REACH = maxf(skinA.ROLLING_RESISTANCE, skinB.ROLLING_RESISTANCE) *
                          maxf(w->circle[a].RADIUS, w->circle[b].RADIUS);
     return skin;
@@ -147,7 +146,7 @@ float2 spinImpulses(const World *w, uint2 p, float4 skin, float4 g) {
 // Beside the normal impulse of the contact.
 void storeGrip(const World *w, int c) {
     float4 g = w->grip[c];
-    float2 cached;
+    float2 cached = (float2)(0.0f);
     cached.CACHED_FRICTION = g.FRICTION_IMPULSE;
     cached.CACHED_ROLLING = g.ROLLING_IMPULSE;
     w->cachedGrip[c] = cached;
