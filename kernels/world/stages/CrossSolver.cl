@@ -84,8 +84,13 @@ void gatherCrossSpin(const World *w, int c, const Cross *x) {
     }
 }
 
+float crossSpeedAlong(const World *w, const Cross *x, float2 n, float2 v) {
+    float2 heavy = w->motion[x->heavy].VELOCITY;
+    return speedAlong(n, x->isLightLower ? v : heavy, x->isLightLower ? heavy : v);
+}
+
 // As gripContact. v, s: velocity and surface speed of the light circle.
-void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpulse, bool keep, float2 *v, float *s) {
+void gripCross(const World *w, int c, const Cross *x, float2 n, float along, float normalImpulse, bool keep, float2 *v, float *s) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
     float4 g = w->grip[c];
@@ -101,7 +106,7 @@ void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpu
                 .isHeavyA = !lower, .isHeavyB = lower, .scale = scaleOf(velocityRangeOf(w, x->heavy)),
                 .velocitySums = moves ? sumsOf(w, x->heavy) : 0,
                 .spinSum = moves ? (global long *) (w->heavySpin + x->heavy) : 0};
-    gripPair(&b, skin, &g, n, normalImpulse, keep);
+    gripPair(&b, skin, &g, n, along, normalImpulse, keep);
     *v = lower ? b.va : b.vb;
     *s = lower ? b.sa : b.sb;
     w->grip[c] = g;
@@ -165,9 +170,13 @@ void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(f
     Visit visit_;
     Visited visited;
     Pair p = takeToSolve(w, c, w->pair[c], &visit_);
+#ifdef TURNING
+    float2 n = (float2)(p.nx, p.ny);
+    float along = crossSpeedAlong(w, &x, n, *v);
+#endif
     visitCross(w, &x, &p, &visit_, false, v, &visited);
 #ifdef TURNING
-    if (bouncesFreely(&visited)) gripCross(w, c, &x, (float2)(p.nx, p.ny), visited.impulse, false, v, s);
+    if (bouncesFreely(&visited)) gripCross(w, c, &x, n, along, visited.impulse, false, v, s);
 #endif
     keepSolved(w, c, &visit_, &visited);
 }
@@ -178,12 +187,14 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     Visit visit_;
     Visited visited;
     Pair p = takeToRelax(w, c, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &visit_);
+#ifdef TURNING
+    float2 n = (float2)(p.nx, p.ny);
+    float along = crossSpeedAlong(w, &x, n, *v);
+#endif
     float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
     float next = visited.normalImpulse;
 #ifdef TURNING
-    if (!visited.still) {
-        gripCross(w, c, &x, (float2)(p.nx, p.ny), gripImpulse(&visited), keepsGrip(&visit_, &visited), v, s);
-    }
+    if (!visited.still) gripCross(w, c, &x, n, along, gripImpulse(&visited), keepsGrip(&visit_, &visited), v, s);
     if (last) storeGrip(w, c);
 #endif
     if (last) {

@@ -38,8 +38,11 @@ INLINE void turnBodies(Bodies *b, float ofA, float ofB) {
     b->sb = turnedBy(b, b->isHeavyB, b->sb, b->ib * ofB);
 }
 
-// n: normal; keep: whether what acts accumulates.
-INLINE void gripPair(Bodies *b, float4 skin, float4 *g, float2 n, float normalImpulse, bool keep) {
+// Of B against A; before the impulse of the visit, so that neither waits for the other.
+INLINE float speedAlong(float2 n, float2 va, float2 vb) { return dotf(-n.y, n.x, vb.x - va.x, vb.y - va.y); }
+
+// n: normal; along: see speedAlong; keep: whether what acts accumulates.
+INLINE void gripPair(Bodies *b, float4 skin, float4 *g, float2 n, float along, float normalImpulse, bool keep) {
     if (skin.ROLLING_REACH > 0.0f) {
         float omega = b->sb / b->rb - b->sa / b->ra;
         float next = rolling(g->ROLLING_IMPULSE, g->ROLLING_MASS, omega, skin.ROLLING_REACH * normalImpulse);
@@ -49,7 +52,6 @@ INLINE void gripPair(Bodies *b, float4 skin, float4 *g, float2 n, float normalIm
     }
     if (skin.PAIR_FRICTION > 0.0f) {
         float2 t = tangentOf(n);
-        float along = dotf(t.x, t.y, b->vb.x - b->va.x, b->vb.y - b->va.y);
         float slip_ = slip(along, b->sa, b->sb, skin.PAIR_BELT);
         float next = grip(g->FRICTION_IMPULSE, skin.TANGENT_MASS, slip_, skin.PAIR_FRICTION * normalImpulse);
         float impulse = next - g->FRICTION_IMPULSE;
@@ -68,7 +70,7 @@ bool keepsGrip(const Visit *v, const Visited *visited) { return visited->solved 
 bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
 
 // A visit of a contact of one level.
-void gripContact(const World *w, int c, uint2 pr, float2 n, float normalImpulse, bool keep) {
+void gripContact(const World *w, int c, uint2 pr, float2 n, float along, float normalImpulse, bool keep) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
     float4 g = w->grip[c];
@@ -79,7 +81,7 @@ void gripContact(const World *w, int c, uint2 pr, float2 n, float normalImpulse,
                 .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
                 .ib = w->inverseInertia[pr.HIGHER],
                 .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS, .isHeavyA = false, .isHeavyB = false};
-    gripPair(&b, skin, &g, n, normalImpulse, keep);
+    gripPair(&b, skin, &g, n, along, normalImpulse, keep);
     ma.VELOCITY = b.va;
     mb.VELOCITY = b.vb;
     w->motion[pr.LOWER] = ma;

@@ -119,10 +119,13 @@ void solveContact(const World *w, int c) {
     uint2 pr = w->pair[c];
     Visit v;
     Visited visited;
+    float4 ma = w->motion[pr.LOWER];
+    float4 mb = w->motion[pr.HIGHER];
     takeToSolve(w, c, pr, &v);
-    visitAt(w, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &v, false, &visited);
+    visitAt(w, pr, ma, mb, &v, false, &visited);
 #ifdef TURNING
-    if (bouncesFreely(&visited)) gripContact(w, c, pr, (float2)(v.nx, v.ny), visited.impulse, false);
+    float2 n = (float2)(v.nx, v.ny);
+    if (bouncesFreely(&visited)) gripContact(w, c, pr, n, speedAlong(n, ma.VELOCITY, mb.VELOCITY), visited.impulse, false);
 #endif
     keepSolved(w, c, &v, &visited);
 }
@@ -137,7 +140,9 @@ void relaxContact(const World *w, int c, bool last) {
     float vn = visitAt(w, pr, ma, mb, &v, true, &visited);
     float next = visited.normalImpulse;
 #ifdef TURNING
-    if (!visited.still) gripContact(w, c, pr, (float2)(v.nx, v.ny), gripImpulse(&visited), keepsGrip(&v, &visited));
+    float2 n = (float2)(v.nx, v.ny);
+    float along = speedAlong(n, ma.VELOCITY, mb.VELOCITY);
+    if (!visited.still) gripContact(w, c, pr, n, along, gripImpulse(&visited), keepsGrip(&v, &visited));
     if (last) storeGrip(w, c);
 #endif
     if (last) {

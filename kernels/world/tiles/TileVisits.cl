@@ -184,7 +184,8 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
 
 #ifdef TURNING
 // The circles of a contact as its visit has left them, for its grip.
-void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j, bool relaxing, const Visited *visited, Bodies *b) {
+void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j, float along, bool relaxing, const Visited *visited,
+                Bodies *b) {
     float2 grip = relaxing ? v->grip : w->copiedGrip[v->copy];
     float4 skin = (float4)(0.0f);
     float4 g = (float4)(0.0f);
@@ -211,7 +212,7 @@ void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j,
     b->wb = v->visit.invMassB;
     b->isHeavyA = b->isHeavyB = false;
     float normalImpulse = relaxing ? gripImpulse(visited) : visited->impulse;
-    gripPair(b, skin, &g, (float2)(v->visit.nx, v->visit.ny), normalImpulse, relaxing && keepsGrip(&v->visit, visited));
+    gripPair(b, skin, &g, (float2)(v->visit.nx, v->visit.ny), along, normalImpulse, relaxing && keepsGrip(&v->visit, visited));
     v->held = (float2)(g.FRICTION_IMPULSE, g.ROLLING_IMPULSE);
 }
 
@@ -251,7 +252,8 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
         b.vb = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
     }
     if (there && (relaxing ? !visited.still : bouncesFreely(&visited))) {
-        gripInTile(w, t, v, i, j, relaxing, &visited, &b);
+        float along = speedAlong((float2)(v->visit.nx, v->visit.ny), va, vb);
+        gripInTile(w, t, v, i, j, along, relaxing, &visited, &b);
         t->spin[i] = b.sa;
         t->spin[j] = b.sb;
         t->velocity[i] = b.va;

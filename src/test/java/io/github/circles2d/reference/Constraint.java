@@ -65,6 +65,9 @@ abstract class Constraint {
     /** The impulse along the tangent, which is the normal turned to the left; both sides turn against it. */
     float friction;
 
+    /** The speed of the circles along the tangent as a visit begins. */
+    private float along;
+
     /** The impulse that stops the rolling. */
     float rolling;
 
@@ -108,7 +111,15 @@ abstract class Constraint {
     abstract void apply(float impulse);
 
     /** The speed of the surfaces against each other, along the tangent. */
-    abstract float slip();
+    final float slip() {
+        return slip(along);
+    }
+
+    /** The same, by the speed of the circles along the tangent. */
+    abstract float slip(float speed);
+
+    /** The speed of the circles along the tangent. */
+    abstract float tangentSpeed();
 
     /** The speed of rolling. */
     abstract float rollingSpeed();
@@ -211,6 +222,7 @@ abstract class Constraint {
     }
 
     private boolean visit(boolean biased) {
+        along = tangentSpeed();
         float vn = normalVelocity(this::velocityNow);
         boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
         if (flies && isImpactInFlight(vn)) {

@@ -255,10 +255,14 @@ final class Contact extends Constraint {
     }
 
     @Override
-    float slip() {
+    float tangentSpeed() {
         float[] v = minus(velocityNow(higher), velocityNow(lower));
-        float along = tangent(0) * v[0] + tangent(1) * v[1];
-        return (along - (speedNow(lower) + speedNow(higher))) - (lower.turn.belt + higher.turn.belt);
+        return tangent(0) * v[0] + tangent(1) * v[1];
+    }
+
+    @Override
+    float slip(float speed) {
+        return (speed - (speedNow(lower) + speedNow(higher))) - (lower.turn.belt + higher.turn.belt);
     }
 
     @Override

@@ -78,9 +78,13 @@ final class Wall extends Constraint {
     }
 
     @Override
-    float slip() {
-        float v = along * (c.velocity[1 - axis] - belt);
-        return (v - c.turn.speed) - c.turn.belt;
+    float slip(float speed) {
+        return (speed - c.turn.speed) - c.turn.belt;
+    }
+
+    @Override
+    float tangentSpeed() {
+        return along * (c.velocity[1 - axis] - belt);
     }
 
     @Override

@@ -64,15 +64,19 @@ final class GripVisits {
         }
     }
 
-    /** A visit without bias; keep: whether what acts accumulates. */
-    void visit(int c, int a, int b, float nx, float ny, float normalImpulse, boolean keep) {
+    /** The speed of B against A along the tangent; before the impulse of the visit, so that a visit need not wait for it. */
+    float along(int c, int a, int b, float nx, float ny) {
+        return cross == null ? like.normalSpeed(a, b, -ny, nx) : cross.normalSpeed(c, -ny, nx);
+    }
+
+    /** Behind the impulse of a visit; along: see the method; keep: whether what acts accumulates. */
+    void visit(int c, int a, int b, float nx, float ny, float along, float normalImpulse, boolean keep) {
         float[] g = contacts.grip;
         int o = GripRow.of(c);
         if (g[o + REACH] > 0f) {
             roll(c, o, a, b, normalImpulse, keep);
         }
         if (g[o + FRICTION] > 0f) {
-            float along = cross == null ? like.normalSpeed(a, b, -ny, nx) : cross.normalSpeed(c, -ny, nx);
             float sA = cross == null ? like.surfaceSpeed(a) : cross.surfaceSpeed(c, 0);
             float sB = cross == null ? like.surfaceSpeed(b) : cross.surfaceSpeed(c, 1);
             float slip = Surface.slip(along, sA, sB, g[o + BELT]);

@@ -250,9 +250,10 @@ final class PairVisits {
         int o = ContactRow.of(c);
         float mass = 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
         float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, mass);
+        float along = grips == null ? 0f : grips.along(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
         apply(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
         if (grips != null) {
-            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse, false);
+            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, impulse, false);
         }
         if (touches != null) {
             touches.add(c, impulse);
@@ -319,9 +320,10 @@ final class PairVisits {
             float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
             float applied = next - impulse;
             float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
+            float along = grips == null ? 0f : grips.along(c, a, b, nx, ny);
             apply(cross, c, a, b, nx, ny, applied);
             if (grips != null) {
-                grips.visit(c, a, b, nx, ny, next, !(bounce > 0f));
+                grips.visit(c, a, b, nx, ny, along, next, !(bounce > 0f));
             }
             if (bounce > 0f) {
                 next = 0f;
@@ -345,7 +347,8 @@ final class PairVisits {
         } else if (grips != null && visit != Constraints.SOLVE) {
             float[] q = contacts.contact;
             int o = ContactRow.of(c);
-            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], 0f, false);
+            float along = grips.along(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, 0f, false);
         }
         return visit != Constraints.SOLVE;
     }
