@@ -75,20 +75,17 @@ void gripContact(const World *w, int c, uint2 pr, float2 n, float normalImpulse,
     float4 q = w->masses[c];
     float4 ma = w->motion[pr.LOWER];
     float4 mb = w->motion[pr.HIGHER];
-    float4 spinA = w->spin[pr.LOWER];
-    float4 spinB = w->spin[pr.HIGHER];
-    Bodies b = {.va = ma.VELOCITY, .vb = mb.VELOCITY, .sa = spinA.SURFACE_SPEED, .sb = spinB.SURFACE_SPEED,
-                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = spinA.INVERSE_INERTIA, .ib = spinB.INVERSE_INERTIA,
+    Bodies b = {.va = ma.VELOCITY, .vb = mb.VELOCITY, .sa = w->surfaceSpeed[pr.LOWER], .sb = w->surfaceSpeed[pr.HIGHER],
+                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
+                .ib = w->inverseInertia[pr.HIGHER],
                 .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS, .isHeavyA = false, .isHeavyB = false};
     gripPair(&b, skin, &g, n, normalImpulse, keep);
     ma.VELOCITY = b.va;
     mb.VELOCITY = b.vb;
-    spinA.SURFACE_SPEED = b.sa;
-    spinB.SURFACE_SPEED = b.sb;
     w->motion[pr.LOWER] = ma;
     w->motion[pr.HIGHER] = mb;
-    w->spin[pr.LOWER] = spinA;
-    w->spin[pr.HIGHER] = spinB;
+    w->surfaceSpeed[pr.LOWER] = b.sa;
+    w->surfaceSpeed[pr.HIGHER] = b.sb;
     w->grip[c] = g;
 }
 
@@ -106,10 +103,9 @@ float2 cachedGrip(const World *w, int first, int higherId) {
 float4 skinOfPair(const World *w, uint a, uint b) {
     float4 skinA = w->skin[a];
     float4 skinB = w->skin[b];
-    float4 skin;
+    float4 skin = (float4)(0.0f);
     skin.PAIR_FRICTION = friction(skinA.FRICTION, skinB.FRICTION);
     skin.PAIR_BELT = skinA.BELT + skinB.BELT;
-    skin.TANGENT_MASS = 0.0f;
     skin.ROLLING_REACH = maxf(skinA.ROLLING_RESISTANCE, skinB.ROLLING_RESISTANCE) *
                          maxf(w->circle[a].RADIUS, w->circle[b].RADIUS);
     return skin;
@@ -131,8 +127,8 @@ void fillGrip(const World *w, int c, uint2 p, int higherId, float4 skin, float r
 // Of a contact of one level.
 void fillLikeGrip(const World *w, int c, uint2 p, int higherId) {
     float4 skin = skinOfPair(w, p.LOWER, p.HIGHER);
-    float ia = inverseInertiaOf(w, p.LOWER);
-    float ib = inverseInertiaOf(w, p.HIGHER);
+    float ia = w->inverseInertia[p.LOWER];
+    float ib = w->inverseInertia[p.HIGHER];
     skin.TANGENT_MASS = tangentMass(w->traits[p.LOWER].INVERSE_MASS, ia, w->traits[p.HIGHER].INVERSE_MASS, ib);
     fillGrip(w, c, p, higherId, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib));
 }
@@ -150,7 +146,7 @@ float2 spinImpulses(const World *w, uint2 p, float4 skin, float4 g) {
 // Beside the normal impulse of the contact.
 void storeGrip(const World *w, int c) {
     float4 g = w->grip[c];
-    float2 cached;
+    float2 cached = (float2)(0.0f);
     cached.CACHED_FRICTION = g.FRICTION_IMPULSE;
     cached.CACHED_ROLLING = g.ROLLING_IMPULSE;
     w->cachedGrip[c] = cached;

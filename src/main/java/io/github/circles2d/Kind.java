@@ -253,7 +253,8 @@ public final class Kind {
 
     /**
      * Sets the speed of the surface of circles of the kind, as that of a belt which runs around the circle: it carries what grips it, as
-     * the surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor.
+     * the surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor: what lies
+     * on it goes to the left at a positive speed, and to the right at a negative one. It carries nothing without friction.
      *
      * @param speed lengths per second to the left, anticlockwise where y points up, up to 1e9 in magnitude
      * @return this

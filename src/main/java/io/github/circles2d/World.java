@@ -21,7 +21,7 @@ import java.nio.LongBuffer;
 import java.util.Arrays;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up. A replay of the same calls gives the same bits.
+ * The engine for games: rigid circles that fall, collide, bounce, roll and pile up. A replay of the same calls gives the same bits.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
@@ -74,8 +74,12 @@ import java.util.Arrays;
  * <p><b>Surfaces:</b> circles grip others and walls by friction, roll and stop by rolling resistance, and turn. Nothing grips at first.
  * {@link Builder#friction} makes all circles and walls grip, {@link Kind#setFriction} those of a kind, {@link #setFriction} one. A pair has
  * the geometric mean of both frictions, sqrt(a b), so without friction on one side there is none; it has the greater rolling resistance of
- * both, and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). Angles and angular velocities grow to the left, anticlockwise
- * where y points up. A world in which nothing ever gripped or turned pays nothing for all this.
+ * both, and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). A circle and a wall are a pair, too. Angles and angular
+ * velocities grow to the left, anticlockwise where y points up. A world in which nothing ever gripped or turned pays nothing for all this.
+ *
+ * <p>The impulse of friction is at most the friction of the pair times the impulse that presses its surfaces together, that of a bounce
+ * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth:
+ * let {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
  *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.

@@ -111,12 +111,8 @@ public final class DevicePipeline implements Pipeline {
     private void load(boolean anySettings, boolean edges, boolean turning, ReportReader ofReports) {
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
-        String variant = (anySettings ? "tuned " : "")
-                + (edges ? "edges " : "")
-                + (turning ? "turning " : "")
-                + (recording ? "recording" : reporting ? "reporting" : "");
-        StageKernels loaded =
-                variants.computeIfAbsent(variant, key -> compile(anySettings, edges, turning, reporting, recording));
+        String variant = variant(anySettings, edges, turning, reporting, recording);
+        StageKernels loaded = compiled(anySettings, edges, turning, reporting, recording);
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
         queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
@@ -142,6 +138,21 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
+    private static String variant(
+            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
+        return (anySettings ? "tuned " : "")
+                + (edges ? "edges " : "")
+                + (turning ? "turning " : "")
+                + (recording ? "recording" : reporting ? "reporting" : "");
+    }
+
+    private StageKernels compiled(
+            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
+        return variants.computeIfAbsent(
+                variant(anySettings, edges, turning, reporting, recording),
+                key -> compile(anySettings, edges, turning, reporting, recording));
+    }
+
     private StageKernels compile(
             boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
         KernelSource source = Plans.source(plans, session.device());
@@ -160,7 +171,7 @@ public final class DevicePipeline implements Pipeline {
         if (tunes != tuned || edged != isEdged || turns) {
             settle();
             if (turns) {
-                makeRoomToTurn();
+                makeRoomToTurn(tunes, edged);
             }
             load(tunes, edged, arrays.turning(), reader);
             tuned = tunes;
@@ -170,14 +181,16 @@ public final class DevicePipeline implements Pipeline {
 
     private void startTurning() {
         if (!arrays.turning()) {
-            makeRoomToTurn();
+            makeRoomToTurn(tuned, isEdged);
             load(tuned, isEdged, true, reader);
         }
     }
 
-    /** The figures of the last step are worked out from arrays that give way. */
-    private void makeRoomToTurn() {
-        stats.keep();
+    /** If a compiler refuses the kernels, or there is no memory, the world does not turn. */
+    private void makeRoomToTurn(boolean anySettings, boolean edges) {
+        boolean reporting = reader != null && reader.isActive();
+        compiled(anySettings, edges, true, reporting, reporting && reader.isRecording());
+        stats.keep(); // the figures of the last step are worked out from arrays that give way
         arrays.ensureTurning();
     }
 

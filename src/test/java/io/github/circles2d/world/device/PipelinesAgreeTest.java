@@ -205,7 +205,7 @@ class PipelinesAgreeTest {
     }
 
     /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
-    private static void makeExtreme(Twins twins, int id, SplittableRandom random) {
+    static void makeExtreme(Twins twins, int id, SplittableRandom random) {
         float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);
         twins.set(Commands.MASS, id, mass, 0);
         twins.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
@@ -216,7 +216,7 @@ class PipelinesAgreeTest {
         }
     }
 
-    private static float power(SplittableRandom random, double least, double greatest) {
+    static float power(SplittableRandom random, double least, double greatest) {
         return (float) Math.pow(10, least + random.nextDouble() * (greatest - least));
     }
 

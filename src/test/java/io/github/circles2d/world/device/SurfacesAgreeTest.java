@@ -70,6 +70,9 @@ class SurfacesAgreeTest {
                 SplittableRandom random = new SplittableRandom(7);
                 for (int k = 0; k < TestScale.of(12, 40); k++) {
                     twins.changeSurfaces(random);
+                    if (k == 6) {
+                        twins.letChangesTurn();
+                    }
                     for (int changes = 0; changes < 10; changes++) {
                         twins.change(scene, random);
                     }
@@ -120,8 +123,10 @@ class SurfacesAgreeTest {
                 SplittableRandom random = new SplittableRandom(9);
                 twins.report(ContactEvents.ALL);
                 int events = 0;
-                for (int k = 0; k < TestScale.of(6, 20); k++) {
-                    twins.changeSurfaces(random);
+                for (int k = 0; k < TestScale.of(8, 20); k++) {
+                    if (k > 1) {
+                        twins.changeSurfaces(random);
+                    }
                     twins.step(scene.timeStep(), 1 + k % 3);
                     events += twins.assertSameEvents(scene.name() + ", call " + k);
                     twins.change(scene, random);
@@ -167,6 +172,29 @@ class SurfacesAgreeTest {
                 twins.assertEqual("call " + k);
             }
             twins.assertSameTurns("at the end");
+        }
+    }
+
+    /** Masses, speeds, frictions and torques of any magnitude, now and then one of a few. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void extremeCirclesHaveTheSameBits(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(8);
+                for (int k = 0; k < TestScale.of(6, 20); k++) {
+                    twins.changeSurfaces(random);
+                    for (int changes = 0; changes < 200; changes++) {
+                        PipelinesAgreeTest.makeExtreme(twins, random.nextInt(scene.size()), random);
+                        twins.turnExtremely(random.nextInt(scene.size()), random);
+                    }
+                    for (int step = 0; step < 3; step++) {
+                        twins.step(scene.timeStep(), 1);
+                        twins.assertEqual(scene.name() + " behind change " + k + ", step " + step);
+                    }
+                    twins.exchange();
+                }
+            }
         }
     }
 

@@ -51,12 +51,11 @@ final class Twins implements AutoCloseable {
     private boolean takeById;
 
     /** Whether changes turn circles, and let them grip. */
-    private final boolean turns;
+    private boolean turns;
 
     private Twins(Simulation[] simulations, Pipeline... pipelines) {
         this.simulations = simulations;
-        turns = Arrays.stream(pipelines)
-                .allMatch(pipeline -> pipeline instanceof JvmPipeline); // SurfacesAgreeTest has others
+        turns = Arrays.stream(pipelines).allMatch(pipeline -> pipeline instanceof JvmPipeline);
     }
 
     /** Worlds without gravity and circles. */
@@ -107,6 +106,11 @@ final class Twins implements AutoCloseable {
             float y = 0.5f + 1.1f * radius * (float) Math.sin(angle);
             add(x, y, radius, Float.POSITIVE_INFINITY, 0, 0, 0);
         }
+    }
+
+    /** Lets changes turn circles on devices, too. Those of other tests do not, since tiles take no worlds that turn. */
+    void letChangesTurn() {
+        turns = true;
     }
 
     /** Number of circles. */
@@ -536,14 +540,31 @@ final class Twins implements AutoCloseable {
             float b = between(random, -1, 1);
             if (lives(id)) {
                 for (Simulation simulation : simulations) {
-                    turn(simulation, k, handles[id], a, b);
+                    turnOne(simulation, k, handles[id], a, b);
                 }
             }
         }
     }
 
+    /** Gives the circle that had an id last a surface, a torque and an angular velocity of any magnitude. */
+    void turnExtremely(int id, SplittableRandom random) {
+        float friction = PipelinesAgreeTest.power(random, -9, 3);
+        float resistance = PipelinesAgreeTest.power(random, -9, 3);
+        float torque = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -18, 18);
+        float velocity = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -9, 6);
+        if (lives(id)) {
+            for (Simulation simulation : simulations) {
+                simulation.circles().setFriction(handles[id], friction);
+                simulation.circles().setRollingResistance(handles[id], resistance);
+                simulation.circles().applyTorque(handles[id], torque);
+                simulation.circles().setAngularVelocity(handles[id], velocity);
+                simulation.circles().applyAngularImpulse(handles[id], -torque);
+            }
+        }
+    }
+
     /** Makes one of the changes of a circle that make it turn. */
-    private static void turn(Simulation simulation, int change, long handle, float a, float b) {
+    private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
             case 0 -> simulation.circles().setFriction(handle, a);
             case 1 -> simulation.circles().setRollingResistance(handle, 0.2f * a);
