@@ -379,9 +379,10 @@ class FixedStepTest {
         assertThat((float) Math.IEEEremainder(angle - expected, 2 * Math.PI)).isCloseTo(0, within(1e-4f));
     }
 
-    @Test
-    void aCircleTurnsEvenlyAtAnyRateOfFrames() {
-        try (World world = world()) {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aCircleTurnsEvenlyAtAnyRateOfFrames(Backend backend) {
+        try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
             long b = world.add(6, 5, 1, 1);
             FixedStep loop = new FixedStep(world, STEP);
@@ -403,9 +404,10 @@ class FixedStepTest {
     }
 
     /** From 3 to -3 it is 0.28 to the left, and 6 to the right. */
-    @Test
-    void anAngleTakesTheShortWay() {
-        try (World world = world()) {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void anAngleTakesTheShortWay(Backend backend) {
+        try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
             FixedStep loop = new FixedStep(world, STEP);
             loop.angles();
@@ -421,9 +423,10 @@ class FixedStepTest {
         }
     }
 
-    @Test
-    void anAngleThatIsSetShowsAtOnceWithTheNextStep() {
-        try (World world = world()) {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void anAngleThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
+        try (World world = world(backend)) {
             long a = world.add(2, 5, 0.5f, 1);
             FixedStep loop = new FixedStep(world, STEP);
             loop.angles();
@@ -439,9 +442,10 @@ class FixedStepTest {
         }
     }
 
-    @Test
-    void theSameIdsHaveAnglesAsHavePositions() {
-        try (World world = world()) {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void theSameIdsHaveAnglesAsHavePositions(Backend backend) {
+        try (World world = world(backend)) {
             FixedStep loop = new FixedStep(world, STEP);
             assertThat(loop.angles().remaining()).isZero();
             SplittableRandom random = new SplittableRandom(7);
@@ -469,11 +473,12 @@ class FixedStepTest {
         }
     }
 
-    @Test
-    void aReplayShowsCirclesThatTurnAsTheGameDid() throws IOException {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aReplayShowsCirclesThatTurnAsTheGameDid(Backend backend) throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         float[] shown = new float[12];
-        try (World world = world();
+        try (World world = world(backend);
                 Recording recording = new Recording(world, log, 1)) {
             FixedStep loop = new FixedStep(world, STEP);
             loop.angles();
@@ -484,7 +489,7 @@ class FixedStepTest {
             }
             assertThat(recording.steps()).isEqualTo(9);
         }
-        try (World world = world()) {
+        try (World world = world(backend)) {
             Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), world);
             FixedStep loop = new FixedStep(world, STEP);
             loop.angles();

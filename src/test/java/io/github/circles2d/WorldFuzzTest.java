@@ -70,7 +70,7 @@ class WorldFuzzTest {
         try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm());
                 World player = WorldScenes.onThreads(2, WorldScenes.jvm())) {
             for (int k = 0; k < programs; k++) {
-                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null, true).run();
+                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null).run();
             }
         }
     }
@@ -84,7 +84,7 @@ class WorldFuzzTest {
     void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
         try (World player = World.builder().backend(backend).build()) {
             for (int k = 0; k < 40; k++) {
-                new Program(SEED + k, null, player, false).run();
+                new Program(SEED + k, null, player).run();
             }
         }
     }
@@ -177,9 +177,6 @@ class WorldFuzzTest {
         /** Where the world is, if what it reports and is gets written down; else null. */
         private final Backend traced;
 
-        /** Whether circles may turn and grip. */
-        private final boolean turns;
-
         private final List<Traced> trace = new ArrayList<>();
 
         private ByteArrayOutputStream log;
@@ -202,21 +199,20 @@ class WorldFuzzTest {
 
         private String last = "";
 
-        Program(long seed, World twin, World player, boolean turns) {
-            this(seed, twin, player, null, turns);
+        Program(long seed, World twin, World player) {
+            this(seed, twin, player, null);
         }
 
         /** On a back end, with the default capacity, and with a trace. */
         Program(long seed, Backend traced) {
-            this(seed, null, null, traced, false);
+            this(seed, null, null, traced);
         }
 
-        private Program(long seed, World twin, World player, Backend traced, boolean turns) {
+        private Program(long seed, World twin, World player, Backend traced) {
             this.seed = seed;
             this.twin = twin;
             this.player = player;
             this.traced = traced;
-            this.turns = turns;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -299,7 +295,7 @@ class WorldFuzzTest {
             if (random.nextInt(3) == 0) {
                 setContacts(builder);
             }
-            if (turns && random.nextInt(3) == 0) {
+            if (random.nextInt(3) == 0) {
                 setSurfaces(builder);
             }
             return builder.build();
@@ -339,7 +335,7 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            switch (random.nextInt(turns ? 38 : 33)) {
+            switch (random.nextInt(38)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -750,7 +746,7 @@ class WorldFuzzTest {
         }
 
         private void changeSome() {
-            int call = random.nextInt(turns ? 6 : 5);
+            int call = random.nextInt(6);
             float x = call == 0 ? model.minX : call == 1 || call == 5 ? -speed() : -1e18f;
             float y = call == 0 ? model.minY : call == 1 || call == 5 ? -speed() : -1;
             float toX = call == 0 ? model.maxX : -x;

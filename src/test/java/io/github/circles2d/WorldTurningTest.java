@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The calls by which circles turn, grip and roll: what they take, what they keep, and what a world that never turned pays for them. */
 class WorldTurningTest {
+    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
     private static final float STEP = 1 / 60f;
     private static final float TURN = (float) (2 * Math.PI);
 
@@ -343,45 +344,49 @@ class WorldTurningTest {
     // ---- many circles
     // -----------------------------------------------------------------------------------------------------
 
-    @Test
-    void readsOfAllAreThoseOfEach() {
-        long[] handles = new long[70];
-        for (int k = 0; k < handles.length; k++) {
-            handles[k] = world.add(1 + k, 50, 0.3f, 1);
-        }
-        assertThat(world.angles()).isEqualTo(FloatBuffer.wrap(new float[70]));
-        Random random = new Random(3);
-        for (int k = 0; k < handles.length; k += 2) {
-            world.setAngle(handles[k], random.nextFloat());
-            world.setAngularVelocity(handles[k], random.nextFloat());
-        }
-        for (int k = 0; k < handles.length; k += 3) {
-            world.remove(handles[k]);
-        }
-        world.step(STEP, 7);
-        float[] angles = new float[80];
-        float[] velocities = new float[80];
-        long[] living = new long[2];
-        world.readAnglesById(angles, living);
-        world.readAngularVelocitiesById(velocities, null);
-        FloatBuffer inOrder = world.angles();
-        assertThat(inOrder.isReadOnly()).isTrue();
-        assertThat(inOrder.limit()).isEqualTo(world.size());
-        for (int id = 0; id < angles.length; id++) {
-            if (id < 70 && world.contains(handles[id])) {
-                assertThat(angles[id]).isEqualTo(world.angle(handles[id])).isEqualTo(inOrder.get());
-                assertThat(velocities[id]).isEqualTo(world.angularVelocity(handles[id]));
-                assertThat(velocities[id] > 0).isEqualTo(id % 2 == 0);
-                assertThat(living[id / 64] >>> id & 1).isOne();
-            } else {
-                assertThat(angles[id]).isNaN();
-                assertThat(velocities[id]).isNaN();
-                assertThat(living[id / 64] >>> id & 1).isZero();
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void readsOfAllAreThoseOfEach(Backend backend) {
+        try (World world =
+                World.builder().bounds(0, 0, 100, 100).backend(backend).build()) {
+            long[] handles = new long[70];
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = world.add(1 + k, 50, 0.3f, 1);
             }
+            assertThat(world.angles()).isEqualTo(FloatBuffer.wrap(new float[70]));
+            Random random = new Random(3);
+            for (int k = 0; k < handles.length; k += 2) {
+                world.setAngle(handles[k], random.nextFloat());
+                world.setAngularVelocity(handles[k], random.nextFloat());
+            }
+            for (int k = 0; k < handles.length; k += 3) {
+                world.remove(handles[k]);
+            }
+            world.step(STEP, 7);
+            float[] angles = new float[80];
+            float[] velocities = new float[80];
+            long[] living = new long[2];
+            world.readAnglesById(angles, living);
+            world.readAngularVelocitiesById(velocities, null);
+            FloatBuffer inOrder = world.angles();
+            assertThat(inOrder.isReadOnly()).isTrue();
+            assertThat(inOrder.limit()).isEqualTo(world.size());
+            for (int id = 0; id < angles.length; id++) {
+                if (id < 70 && world.contains(handles[id])) {
+                    assertThat(angles[id]).isEqualTo(world.angle(handles[id])).isEqualTo(inOrder.get());
+                    assertThat(velocities[id]).isEqualTo(world.angularVelocity(handles[id]));
+                    assertThat(velocities[id] > 0).isEqualTo(id % 2 == 0);
+                    assertThat(living[id / 64] >>> id & 1).isOne();
+                } else {
+                    assertThat(angles[id]).isNaN();
+                    assertThat(velocities[id]).isNaN();
+                    assertThat(living[id / 64] >>> id & 1).isZero();
+                }
+            }
+            refusal(() -> world.readAnglesById(new float[69], null), "needs 70");
+            refusal(() -> world.readAngularVelocitiesById(new float[69], null), "needs 70");
+            refusal(() -> world.readAnglesById(angles, new long[1]), "needs 2");
         }
-        refusal(() -> world.readAnglesById(new float[69], null), "needs 70");
-        refusal(() -> world.readAngularVelocitiesById(new float[69], null), "needs 70");
-        refusal(() -> world.readAnglesById(angles, new long[1]), "needs 2");
     }
 
     @Test
@@ -503,12 +508,18 @@ class WorldTurningTest {
     }
 
     private static World rolling(int threads) {
-        Scene scene = scene();
-        World.Builder builder = WorldScenes.builder(scene)
+        return WorldScenes.load(scene(), WorldScenes.onThreads(threads, rolling()));
+    }
+
+    private static World rolling(Backend backend) {
+        return WorldScenes.load(scene(), rolling().backend(backend).build());
+    }
+
+    private static World.Builder rolling() {
+        return WorldScenes.builder(scene())
                 .friction(0.6f)
                 .rollingResistance(0.1f)
                 .wallSurface(Wall.MIN_Y, 0.9f, 0.2f, 0.3f);
-        return WorldScenes.load(scene, WorldScenes.onThreads(threads, builder));
     }
 
     /** A change that depends on the number of the step alone. */
@@ -567,12 +578,14 @@ class WorldTurningTest {
     }
 
     /** A world that has turned, and then is made one that has not, has nothing left of it. */
-    @Test
-    void aStateThatNeverTurnedGoesOnAsInAWorldThatNeverDid() {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aStateThatNeverTurnedGoesOnAsInAWorldThatNeverDid(Backend backend) {
         Scene scene = scene();
         try (World straight = WorldScenes.world(scene, WorldScenes.builder(scene));
-                World turned = rolling(1);
-                World cleared = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+                World turned = rolling(backend);
+                World cleared =
+                        WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
             straight.step(STEP, 30);
             turned.step(STEP, 30);
             turned.restore(RecordedCallsTest.snapshot(straight));
@@ -610,7 +623,7 @@ class WorldTurningTest {
 
     /** Its circles have not turned yet, so that a snapshot has only their surfaces. */
     @ParameterizedTest
-    @MethodSource("io.github.circles2d.WorldByIdTest#backends")
+    @MethodSource(BACKENDS)
     void aWorldThatIsToGripIsRestoredIntoOneThatNeverTurned(Backend backend) {
         try (World gripping = rolling(1);
                 World target = World.builder().backend(backend).build()) {
@@ -642,10 +655,11 @@ class WorldTurningTest {
         }
     }
 
-    @Test
-    void aGameThatRollsBackComesToTheSameBits() {
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aGameThatRollsBackComesToTheSameBits(Backend backend) {
         try (World straight = rolling(1);
-                World game = rolling(2)) {
+                World game = rolling(backend)) {
             Rewind rewind = new Rewind(game, 10);
             for (int step = 0; step < 40; step++) {
                 rewind.save(step);
