@@ -104,6 +104,23 @@ async function play(name, program) {
   await drag(page, [80, 10], [80, 60], [120, 80]);
   await picture('marbles');
 
+  await page.select('#stage', 'ramps');
+  await sleep(500);
+  assert.equal(await text(page, '#friction-value'), '0.00', 'a stage without friction');
+  await page.mouse.click(...await centre(page, '#friction'));
+  await sleep(1000);
+  assert.equal(await text(page, '#friction-value'), '0.50', 'the slider sets the friction of the world');
+  await picture('friction');
+
+  await page.select('#stage', 'slopes');
+  await page.waitForFunction(() => document.getElementById('friction').value === '0.6');
+  await sleep(2000);
+  assert.deepEqual(await colourAt(page, 82, 62 + 10 * 28 / 58), [138, 106, 58], 'a belt');
+  const [one, other] = [await marksOfRoller(page), (await sleep(130), await marksOfRoller(page))];
+  assert.ok(one.length > 0 && other.length > 0, 'a roller shows how it has turned');
+  assert.notDeepEqual(one, other, 'and turns');
+  await picture('slopes');
+
   await page.select('#stage', 'crowd');
   await page.click('[data-mode="2"]');
   await sleep(3000); // the pile falls, and V8 compiles
@@ -114,6 +131,16 @@ async function play(name, program) {
   console.log(`${name} ${await browser.version()}: ${framesASecond.toFixed(0)} frames a second; ${await text(page, '#figures')}`);
   assert.equal(await circles(page), 5000);
   await picture('crowd');
+
+  await page.mouse.click(...await centre(page, '#friction'));
+  await page.click('[data-mode="0"]');
+  await sleep(3000);
+  const marked = await meanOf(5, async () => {
+    await sleep(1000);
+    return figure(page, 3);
+  });
+  console.log(`${name}: with friction ${marked.toFixed(0)} frames a second; ${await text(page, '#figures')}`);
+  await picture('crowd-turns');
 
   await page.click('#bits');
   await page.waitForFunction(
@@ -154,6 +181,23 @@ async function colourAt(page, x, y) {
     const { data } = canvas.getContext('2d').getImageData(Math.floor(u * canvas.width), Math.floor(v * canvas.height), 1, 1);
     return [...data.subarray(0, 3)];
   }, x / 160, 1 - y / 100);
+}
+
+/** Where on a ring inside of the first roller its mark is, in 24ths of a turn. All at once, for the roller turns. */
+async function marksOfRoller(page) {
+  return page.$eval('#arena', canvas => {
+    const scale = canvas.width / 160;
+    const marked = [];
+    for (let k = 0; k < 24; k++) {
+      const x = (150 + 1.66 * Math.cos(k * Math.PI / 12)) * scale;
+      const y = canvas.height - (56 + 1.66 * Math.sin(k * Math.PI / 12)) * scale;
+      const [red, green, blue] = canvas.getContext('2d').getImageData(Math.floor(x), Math.floor(y), 1, 1).data;
+      if (red === 27 && green === 31 && blue === 36) {
+        marked.push(k);
+      }
+    }
+    return marked;
+  });
 }
 
 async function meanOf(count, measure) {

@@ -161,6 +161,9 @@ void solveAll(World *w, local Tile *t) {
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
+#ifdef TURNING
+            w->relaxed = subStep;
+#endif
             if (relaxing) {
                 relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
             } else {

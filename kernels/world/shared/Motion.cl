@@ -27,8 +27,6 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 #ifdef TURNING
     startTurning(w, slot, c.RADIUS, turning);
     startWallGrips(w, c, wall, next, turning);
-    turning->from[0] = next[0];
-    turning->from[1] = next[1];
 #endif
     float target[2];
     float low[2] = {k->minX, k->minY};
@@ -36,8 +34,14 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
+#ifdef TURNING
+        turning->from[axis] = next[axis];
+#endif
         next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.RADIUS, t->RESTITUTION, *loaded, low[axis], high[axis],
                                rate[axis], &wall[axis], &target[axis] AND_TURNING(turning) AND_TURNING(next + (1 - axis)));
+#ifdef TURNING
+        turning->to[axis] = next[axis];
+#endif
     }
     *bounce = (float2)(target[0], target[1]);
     *m = (float4)(dx[0], dx[1], next[0], next[1]);

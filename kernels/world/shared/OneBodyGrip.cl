@@ -23,15 +23,25 @@ Turning turningOf(const World *w, int slot, float4 t) {
     return turning;
 }
 
-void keepTurning(const World *w, int slot, const Turning *t) {
+void keepWallGrip(const World *w, int slot, const Turning *t) {
     float4 held = (float4)(0.0f);
     held.FRICTION_X = t->friction[0];
     held.FRICTION_Y = t->friction[1];
     held.ROLLING_X = t->rolling[0];
     held.ROLLING_Y = t->rolling[1];
-    w->spin[slot] = t->spin;
     w->wallGrip[slot] = held;
 }
+
+void keepTurning(const World *w, int slot, const Turning *t) {
+    w->spin[slot] = t->spin;
+    keepWallGrip(w, slot, t);
+}
+
+// One component of spin, where others read another.
+global float *surfaceSpeedAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + SURFACE_SPEED_AT; }
+global float *spinImpulseAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + SPIN_IMPULSE_AT; }
+global float *turnedAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + TURNED_AT; }
+float inverseInertiaOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[INVERSE_INERTIA_AT]; }
 
 // Of a circle and a wall.
 typedef struct {

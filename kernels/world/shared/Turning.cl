@@ -24,11 +24,15 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     w->skin[slot] = skin;
 }
 
-// The start of a circle that is not static into a sub-step: a torque, damping, and the impulses of the one before.
+// The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
+float startedSpin(const World *w, int slot, float r, float s, float impulse, float inverseInertia, float angularFactor) {
+    float gain_ = torqueGain(w->own[slot].OWN_TORQUE, inverseInertia, r, w->k.h);
+    return afterImpulse(beforeImpulse(s, gain_, angularFactor), inverseInertia, impulse);
+}
+
 void startTurning(const World *w, int slot, float r, Turning *t) {
-    float gain_ = torqueGain(w->own[slot].OWN_TORQUE, t->spin.INVERSE_INERTIA, r, w->k.h);
-    float before = beforeImpulse(t->spin.SURFACE_SPEED, gain_, t->skin.ANGULAR_FACTOR);
-    t->spin.SURFACE_SPEED = afterImpulse(before, t->spin.INVERSE_INERTIA, t->spin.SPIN_IMPULSE);
+    t->spin.SURFACE_SPEED = startedSpin(w, slot, r, t->spin.SURFACE_SPEED, t->spin.SPIN_IMPULSE, t->spin.INVERSE_INERTIA,
+                                        t->skin.ANGULAR_FACTOR);
 }
 
 // The warm start of walls that press. stored: their impulses; v: velocity.

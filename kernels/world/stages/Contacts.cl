@@ -13,14 +13,11 @@ void gatherLoad(const World *w, uint2 p, float2 g, bool carrying) {
 }
 
 #ifdef TURNING
-// Adds what is accumulated to the sums of the circles. n: normal.
-void gatherGrip(const World *w, int c, uint2 p, float2 n) {
+// Adds what is accumulated to the sums of impulses on surface speeds.
+void gatherSpin(const World *w, int c, uint2 p) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
-    float4 g = w->grip[c];
-    float2 t = tangentOf(n);
-    gatherLoad(w, p, loadAlong(t.x, t.y, g.FRICTION_IMPULSE), false);
-    float2 of = spinImpulses(w, p, skin, g);
+    float2 of = spinImpulses(w, p, skin, w->grip[c]);
     w->spin[p.LOWER].SPIN_IMPULSE += of.x;
     w->spin[p.HIGHER].SPIN_IMPULSE += of.y;
 }
@@ -56,11 +53,11 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     for (int c = contacts.x; c < contacts.y; c++) {
         bool carrying;
         float4 n = fillContact(&w, c, &carrying);
-        gatherLoad(&w, w.pair[c], loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
 #ifdef TURNING
-        fillLikeGrip(&w, c, w.pair[c]);
-        gatherGrip(&w, c, w.pair[c], n.NORMAL);
+        fillLikeGrip(&w, c, w.pair[c], (int) w.key[c]);
+        gatherSpin(&w, c, w.pair[c]);
 #endif
+        gatherLoad(&w, w.pair[c], loadOf(&w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
         if (w.k.thinning == 0) most = maxf(most, countCandidate(&w, w.pair[c]));
     }
     if (most > (float) CROWD) status[CROWDED] = 1;

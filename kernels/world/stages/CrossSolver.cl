@@ -58,9 +58,8 @@ void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
 }
 
 #ifdef TURNING
-// Others may write another element of either.
-float surfaceSpeedOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[SURFACE_SPEED_AT]; }
-float inverseInertiaOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[INVERSE_INERTIA_AT]; }
+// By tiles, tiles leave it apart, as the circles' motion.
+global float *crossSpeedAt(const World *w, uint slot) { return w->k.tiled ? w->solvedSpin + slot : surfaceSpeedAt(w, slot); }
 
 void fillCrossGrip(const World *w, int c, const Cross *x) {
     float share = crossShare(w->crossLoad[x->heavy]);
@@ -69,18 +68,16 @@ void fillCrossGrip(const World *w, int c, const Cross *x) {
     float4 skin = skinOfPair(w, x->light, x->heavy);
     skin.TANGENT_MASS =
         crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
-    fillGrip(w, c, skin, crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
+    fillGrip(w, c, w->pair[c], (int) w->key[c], skin,
+             crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
 }
 
-// As gatherGrip.
-void gatherCrossGrip(const World *w, int c, const Cross *x, float2 n) {
+// As gatherSpin.
+void gatherCrossSpin(const World *w, int c, const Cross *x) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
-    float4 g = w->grip[c];
-    float2 t = tangentOf(n);
-    gatherCrossLoad(w, x, loadAlong(t.x, t.y, g.FRICTION_IMPULSE), false);
-    float2 of = spinImpulses(w, w->pair[c], skin, g);
-    ((global float *) (w->spin + x->light))[SPIN_IMPULSE_AT] += x->isLightLower ? of.x : of.y;
+    float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
+    *spinImpulseAt(w, x->light) += x->isLightLower ? of.x : of.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addFixed((global long *) (w->heavySpin + x->heavy) + 1,
                  toFixed(x->isLightLower ? of.y : of.x, scaleOf(impulseRangeOf(w, x->heavy))));
@@ -96,7 +93,7 @@ void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpu
     uint2 pr = w->pair[c];
     bool lower = x->isLightLower;
     float2 vHeavy = w->motion[x->heavy].VELOCITY;
-    float sHeavy = surfaceSpeedOf(w, x->heavy);
+    float sHeavy = *crossSpeedAt(w, x->heavy);
     bool moves = w->traits[x->heavy].INVERSE_MASS != 0.0f;
     Bodies b = {.va = lower ? *v : vHeavy, .vb = lower ? vHeavy : *v, .sa = lower ? *s : sHeavy, .sb = lower ? sHeavy : *s,
                 .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = inverseInertiaOf(w, pr.LOWER),
@@ -116,11 +113,11 @@ void fillCrossContact(const World *w, int c, int light) {
     bool carrying;
     float4 n = fillContact(w, c, &carrying);
     if (w->k.tiled) w->ordered[c] = w->pair[c];
-    gatherCrossLoad(w, &x, loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
 #ifdef TURNING
     fillCrossGrip(w, c, &x);
-    gatherCrossGrip(w, c, &x, n.NORMAL);
+    gatherCrossSpin(w, c, &x);
 #endif
+    gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
 }
 
 void fillCrossOf(const World *w, int slot) {
@@ -192,9 +189,9 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
     } else if (carriesOn(&visit_, vn, &visited)) {
-        gatherCrossLoad(w, &x, loadAlong(p.nx, p.ny, next), true);
+        gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
 #ifdef TURNING
-        gatherCrossGrip(w, c, &x, (float2)(p.nx, p.ny));
+        gatherCrossSpin(w, c, &x);
 #endif
     }
     keepRelaxed(w, c, &p, &visit_, &visited);
@@ -210,7 +207,7 @@ void leaveLight(const World *w, int slot, float2 v AND_TURNING(float s)) {
     } else {
         w->motion[slot].VELOCITY = v;
 #ifdef TURNING
-        ((global float *) (w->spin + slot))[SURFACE_SPEED_AT] = s;
+        *crossSpeedAt(w, (uint) slot) = s;
 #endif
     }
 }
@@ -222,7 +219,7 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     if (from == to) return;
     float2 v = w->motion[slot].VELOCITY;
 #ifdef TURNING
-    float s = surfaceSpeedOf(w, (uint) slot);
+    float s = *crossSpeedAt(w, (uint) slot);
 #endif
     for (int c = from; c < to; c++) {
         if (relaxing) {
@@ -283,14 +280,12 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
 #ifdef TURNING
 // As takeSums.
 void takeSpinSums(const World *w, int slot, bool speeds, bool impulses) {
-    float4 spin = w->spin[slot];
     long2 sum = w->heavySpin[slot];
     if (speeds) {
-        float s = isLight(w, slot) ? w->lightSpin[slot] : spin.SURFACE_SPEED;
-        spin.SURFACE_SPEED = s + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
+        global float *s = crossSpeedAt(w, (uint) slot);
+        *s = (isLight(w, slot) ? w->lightSpin[slot] : *s) + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
     }
-    if (impulses) spin.SPIN_IMPULSE += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
-    w->spin[slot] = spin;
+    if (impulses) *spinImpulseAt(w, (uint) slot) += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
     w->heavySpin[slot] = (long2)(0);
 }
 #endif

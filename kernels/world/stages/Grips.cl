@@ -114,14 +114,11 @@ float4 skinOfPair(const World *w, uint a, uint b) {
     return skin;
 }
 
-// Lets the grip of a contact begin with what the step before ended with. If nothing turns the circles, rolling resistance has nothing to do.
-void fillGrip(const World *w, int c, float4 skin, float rollingMass_) {
-    uint2 p = w->pair[c];
+// Lets the grip of contact c begin with what the step before ended with. If nothing turns the circles, rolling resistance has nothing to do.
+void fillGrip(const World *w, int c, uint2 p, int higherId, float4 skin, float rollingMass_) {
     float2 cached = (float2)(0.0f);
     if (!(rollingMass_ <= FLT_MAX)) skin.ROLLING_REACH = 0.0f;
-    if (doesGrip(skin) && w->firstCached[p.HIGHER] != FRESH) {
-        cached = cachedGrip(w, w->firstCached[p.LOWER], (int) w->key[c]);
-    }
+    if (doesGrip(skin) && w->firstCached[p.HIGHER] != FRESH) cached = cachedGrip(w, w->firstCached[p.LOWER], higherId);
     float4 g = (float4)(0.0f);
     g.FRICTION_IMPULSE = skin.PAIR_FRICTION > 0.0f ? cached.CACHED_FRICTION * w->warmScale : 0.0f;
     g.ROLLING_IMPULSE = skin.ROLLING_REACH > 0.0f ? cached.CACHED_ROLLING * w->warmScale : 0.0f;
@@ -131,13 +128,12 @@ void fillGrip(const World *w, int c, float4 skin, float rollingMass_) {
 }
 
 // Of a contact of one level.
-void fillLikeGrip(const World *w, int c, uint2 p) {
+void fillLikeGrip(const World *w, int c, uint2 p, int higherId) {
     float4 skin = skinOfPair(w, p.LOWER, p.HIGHER);
-    float4 q = w->masses[c];
-    float ia = w->spin[p.LOWER].INVERSE_INERTIA;
-    float ib = w->spin[p.HIGHER].INVERSE_INERTIA;
-    skin.TANGENT_MASS = tangentMass(q.INVERSE_MASS_A, ia, q.INVERSE_MASS_B, ib);
-    fillGrip(w, c, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib));
+    float ia = inverseInertiaOf(w, p.LOWER);
+    float ib = inverseInertiaOf(w, p.HIGHER);
+    skin.TANGENT_MASS = tangentMass(w->traits[p.LOWER].INVERSE_MASS, ia, w->traits[p.HIGHER].INVERSE_MASS, ib);
+    fillGrip(w, c, p, higherId, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib));
 }
 
 // What is accumulated, as impulses on the surface speeds of A and B.
@@ -159,3 +155,12 @@ void storeGrip(const World *w, int c) {
     w->cachedGrip[c] = cached;
 }
 #endif
+
+// What a contact adds to the sums of its circles, see loadAlong. n: normal.
+float2 loadOf(const World *w, int c, float2 n, float normalImpulse) {
+    float2 g = loadAlong(n.x, n.y, normalImpulse);
+#ifdef TURNING
+    if (doesGrip(w->pairSkin[c])) g += loadAlong(-n.y, n.x, w->grip[c].FRICTION_IMPULSE);
+#endif
+    return g;
+}

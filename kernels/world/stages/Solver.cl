@@ -140,9 +140,9 @@ void relaxContact(const World *w, int c, bool last) {
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
     } else if (carriesOn(&v, vn, &visited)) {
-        gatherLoad(w, pr, loadAlong(p.nx, p.ny, next), true);
+        gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
 #ifdef TURNING
-        gatherGrip(w, c, pr, (float2)(p.nx, p.ny));
+        gatherSpin(w, c, pr);
 #endif
     }
     keepRelaxed(w, c, &p, &v, &visited);

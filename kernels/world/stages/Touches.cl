@@ -90,6 +90,7 @@ void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMa
 #ifdef TURNING
     fromX = turning->from[0];
     fromY = turning->from[1];
+    m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
 #endif
     noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
     noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);

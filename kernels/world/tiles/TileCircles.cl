@@ -35,10 +35,16 @@ bool hasWalls(const World *w, float4 c, float2 walls) {
     return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);
 }
 
-// Without impulses of walls; false if that is not all. sum: of contact impulses; carried: by a contact.
-bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum, bool carried) {
+// Without impulses of walls; false if that is not all. sum: of contact impulses; carried: by a contact; s, spinSum: surface speed, and sum of
+// impulses on it.
+bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum,
+                   bool carried AND_TURNING(float s) AND_TURNING(float spinSum)) {
     float2 before, next;
     if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
+#ifdef TURNING
+    float inertia = inverseInertiaOf(w, (uint) slot);
+    w->startSpin[slot] = startedSpin(w, slot, c.RADIUS, s, spinSum, inertia, w->skin[slot].ANGULAR_FACTOR);
+#endif
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
     w->motion[slot] = (float4)(m.DX, m.DY, 0.0f, 0.0f);
@@ -46,9 +52,12 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
 }
 
 // Returns whether it is at a wall.
-bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
+                 bool carried AND_TURNING(float s) AND_TURNING(float spinSum)) {
     float2 walls = t.WALLS;
-    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried)) {
+    // A wall that does not press holds nothing.
+    if (walls.x == 0.0f && walls.y == 0.0f &&
+        startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
@@ -57,20 +66,39 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #ifdef RECORDING
     float4 old = m;
 #endif
-    integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+#ifdef TURNING
+    Turning turning = turningOf(w, slot, t);
+    turning.spin.SURFACE_SPEED = s;
+    turning.spin.SPIN_IMPULSE = spinSum;
+#endif
+    integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce,
+                        &loaded AND_TURNING(&turning));
+#ifdef TURNING
+    w->startSpin[slot] = turning.spin.SURFACE_SPEED;
+    keepWallGrip(w, slot, &turning);
+#endif
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m);
+    if (w->recording.walls) {
+        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));
+    }
 #endif
     storeWalls(w, slot, walls, t.WALLS);
     w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
     w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
     w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
+#ifdef TURNING
+    if (isHeld(&turning, 0) || isHeld(&turning, 1)) return true;
+#endif
     return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
 // started: motion as the start has left it. Returns whether it is at a wall.
-bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
+bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden AND_TURNING(float s)) {
     bool isStatic = burden == 0.0f;
+#ifdef TURNING
+    s = limitSpeed(s);
+    *turnedAt(w, (uint) slot) += s;
+#endif
     float4 m = integratePositions(w, slot, c, (float4)(started.DX, started.DY, v.x, v.y), isStatic);
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
@@ -78,14 +106,27 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
 #ifdef RECORDING
         float2 moving = m.VELOCITY;
 #endif
-        relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden));
+#ifdef TURNING
+        Turning turning = turningOf(w, slot, t);
+        turning.spin.SURFACE_SPEED = s;
+#endif
+        relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden) AND_TURNING(&turning));
+#ifdef TURNING
+        s = turning.spin.SURFACE_SPEED;
+        keepWallGrip(w, slot, &turning);
+#endif
 #ifdef RECORDING
-        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
+        if (w->recording.walls) {
+            noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
+        }
 #endif
         storeWalls(w, slot, walls, t.WALLS);
         atWall = hasWalls(w, c, t.WALLS);
     }
     w->solvedMotion[slot] = m;
     w->solvedBurden[slot] = burden;
+#ifdef TURNING
+    w->solvedSpin[slot] = s;
+#endif
     return atWall;
 }

@@ -1,4 +1,4 @@
-// uses: world/stages/Contacts.cl world/tiles/Tiles.cl
+// uses: world/stages/Contacts.cl world/stages/Grips.cl world/tiles/Tiles.cl
 // Stage Contacts by tiles: puts listed contacts in order within their groups.
 
 // In a cache line: a tile's copies begin with one.
@@ -52,7 +52,11 @@ void linkContact(const World *w, int listed) {
 
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
-    startImpulsesOf(w)[c] = loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE);
+#ifdef TURNING
+    fillLikeGrip(w, c, p, (int) ids);
+    w->startSpins[c] = doesGrip(w->pairSkin[c]) ? spinImpulses(w, p, w->pairSkin[c], w->grip[c]) : (float2)(0.0f);
+#endif
+    startImpulsesOf(w)[c] = loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE);
     startingOf(w)[c] = n;
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.LOWER - w->bucketStart[low], highColumn != column,
                         highRow != row, (int) p.HIGHER - w->bucketStart[high], carrying);

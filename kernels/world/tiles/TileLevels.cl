@@ -11,6 +11,9 @@ void startSlot(const World *w, int slot, bool first) {
     int end = first ? w->groupStart[crossGroupOf(w, slot) + 1] : 0;
     for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w->recording.touch, c);
 #endif
+#ifdef TURNING
+    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+#endif
     startCircleAt(w, slot, m, l);
 }
 
@@ -18,6 +21,9 @@ void moveSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
     takeSums(w, slot, true, false, &m, &l);
+#ifdef TURNING
+    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+#endif
     moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
 }
@@ -26,6 +32,9 @@ void finishSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
     takeSums(w, slot, true, false, &m, &l);
+#ifdef TURNING
+    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+#endif
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }
 
@@ -47,6 +56,9 @@ TILE_KERNEL solver_relaxLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETER
     SET_TOUCH_NUMBERS(w);
     local Tile t;
     int tile = (int) get_group_id(0);
+#ifdef TURNING
+    w.relaxed = subStep;
+#endif
     takeTile(&w, &t, tile, refused(&w));
     relaxTile(&w, &t, tile, subStep == w.k.subSteps - 1, 0, true);
 }

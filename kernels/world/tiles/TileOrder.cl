@@ -17,6 +17,9 @@ typedef struct {
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
     float2 load[TILE_CIRCLES];        // by circle: sums of impulses; later its base
+#ifdef TURNING
+    float spin[TILE_CIRCLES]; // by circle: sums of impulses on the surface speed
+#endif
     ushort progress[TILE_CIRCLES];     // by circle: see below
     int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
     short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
@@ -84,6 +87,9 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
+#ifdef TURNING
+        a->spin[i] = 0.0f;
+#endif
         a->progress[i] = 0;
     }
     TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
@@ -138,7 +144,7 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
 
 // k: its place among those met.
 void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup,
-                 uint link, float2 impulse) {
+                 uint link, float2 impulse AND_TURNING(float2 spins)) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     int progressLo = a->progress[lo];
@@ -147,6 +153,10 @@ void takeContact(const Region *r, local Arrangement *a, global uint *met, int k,
     float2 loadHi = a->load[hi];
     a->load[lo] = loadLo - impulse;
     a->load[hi] = loadHi + impulse;
+#ifdef TURNING
+    a->spin[lo] += spins.x;
+    a->spin[hi] += spins.y;
+#endif
     int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
     if (round >= TILE_ROUNDS) {
         a->overfull = 1;
@@ -187,15 +197,22 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];
                 float2 impulse[GROUP_TOGETHER];
+#ifdef TURNING
+                float2 spins[GROUP_TOGETHER];
+#endif
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
                     int c = first + min(from + k, size - 1);
                     link[k] = w->link[c];
                     impulse[k] = startImpulsesOf(w)[c];
+#ifdef TURNING
+                    spins[k] = w->startSpins[c];
+#endif
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
-                    if (from + k < size) takeContact(r, a, met, k0 + from + k, column, row, from + k, link[k], impulse[k]);
+                    if (from + k >= size) continue;
+                    takeContact(r, a, met, k0 + from + k, column, row, from + k, link[k], impulse[k] AND_TURNING(spins[k]));
                 }
             }
         }
@@ -279,6 +296,10 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
         int progress = a->progress[i];
         w->solvedMotion[slot] = w->motion[slot];
         w->load[slot] = (float4)(a->load[i].x, a->load[i].y, 0.0f, progress & HAS_CARRIED ? 1.0f : 0.0f);
+#ifdef TURNING
+        *spinImpulseAt(w, (uint) slot) = a->spin[i];
+        w->solvedSpin[slot] = *surfaceSpeedAt(w, (uint) slot);
+#endif
         if (metSoFar(progress) + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
 #ifdef RECORDING
         clearWallTouch(w, slot);
@@ -315,7 +336,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
                 clearWallTouch(w, slot);
 #endif
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
-                if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
+                bool atWall = startCircle(w, slot, c[n], m[n], t[n], a->load[i],
+                                          carried AND_TURNING(*surfaceSpeedAt(w, (uint) slot)) AND_TURNING(a->spin[i]));
+                if (atWall) entry[i] = slot | AT_WALL;
             }
             a->load[i] = c[n].xy;
             a->of.circle.radius[i] = c[n].RADIUS;
@@ -326,6 +349,22 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
+
+#ifdef TURNING
+// Of a contact as it is listed.
+void copyGrip(const World *w, int copy, int listed) {
+    float4 skin = w->pairSkin[listed];
+    bool plain = skin.PAIR_BELT == 0.0f && !(skin.ROLLING_REACH > 0.0f);
+    w->copiedGrip[copy] = (float2)(skin.PAIR_FRICTION, plain ? skin.TANGENT_MASS : -skin.TANGENT_MASS);
+    if (!plain) {
+        float4 roll = (float4)(0.0f);
+        roll.COPIED_BELT = skin.PAIR_BELT;
+        roll.COPIED_REACH = skin.ROLLING_REACH;
+        roll.COPIED_ROLLING_MASS = w->grip[listed].ROLLING_MASS;
+        w->copiedRoll[copy] = roll;
+    }
+}
+#endif
 
 void copyContacts(const World *w, local const Arrangement *a, int contacts) {
     global int2 *placed = placedFrom(w, a->firstCopy);
@@ -350,10 +389,17 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
                                       maxf(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
+#ifdef TURNING
+            copyGrip(w, copy, contact[n].PLACED_CONTACT & ~NOT_OWN);
+            float4 held = w->grip[contact[n].PLACED_CONTACT & ~NOT_OWN];
+#endif
             if (contact[n].PLACED_CONTACT < 0) continue;
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
             placed[place].PLACED_CONTACT = number;
             w->held[number] = normal[n].NORMAL_IMPULSE;
+#ifdef TURNING
+            w->heldGrip[number] = (float2)(held.FRICTION_IMPULSE, held.ROLLING_IMPULSE);
+#endif
 #ifdef RECORDING
             clearTouch(w, number);
 #endif

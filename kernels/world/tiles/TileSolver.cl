@@ -35,6 +35,11 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
             if (i >= circles) continue;
             t->velocity[i] = m[n].VELOCITY;
             t->load[i] = relaxing ? m[n].DISPLACEMENT : before[n];
+#ifdef TURNING
+            t->spin[i] = *surfaceSpeedAt(w, (uint) slot[n]);
+            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+            t->spinLoad[i] = 0.0f;
+#endif
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
         }
@@ -57,6 +62,10 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             int slot = entry[n] & ENTRY_SLOT;
             float2 v = t->velocity[i];
             w->solvedMotion[slot] = (float4)(d[n].x, d[n].y, v.x, v.y);
+#ifdef TURNING
+            w->solvedSpin[slot] = t->spin[i];
+            if (loads) *spinImpulseAt(w, (uint) slot) = t->spinLoad[i];
+#endif
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             global float *load = (global float *) (w->load + slot);
@@ -88,6 +97,10 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             t->velocity[i] = drive[n].START_VELOCITY;
             t->load[i] = drive[n].START_BEFORE;
             t->burden[i] = burden[n];
+#ifdef TURNING
+            t->spin[i] = w->startSpin[slot[n]];
+            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+#endif
         }
     }
     solveParts(w, t, placedFrom(w, t->firstCopy), false, false);
@@ -108,7 +121,8 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             if (entry[n] < 0) continue;
             int i = togetherItem(first, n);
             int slot = entry[n] & ENTRY_SLOT;
-            bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
+            bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i],
+                                   t->burden[i] AND_TURNING(t->spin[i]));
             noteWall(entries, i, entry[n], atWall);
             if (subStep == 0) w->homeFirstCached[slot] = NONE;
         }
@@ -157,7 +171,9 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
         float2 v = t->velocity[i];
         bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
         float4 m = (float4)(d.x, d.y, v.x, v.y);
-        noteWall(entries, i, entry, startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i], carried));
+        noteWall(entries, i, entry,
+                 startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i],
+                             carried AND_TURNING(t->spin[i]) AND_TURNING(t->spinLoad[i])));
     }
 }
 
@@ -182,6 +198,11 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
             t->load[i] = m[n].DISPLACEMENT;
             t->velocity[i] = m[n].VELOCITY;
             t->burden[i] = burden[n];
+#ifdef TURNING
+            t->spin[i] = w->solvedSpin[slot[n]];
+            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+            t->spinLoad[i] = 0.0f;
+#endif
             if ((i & 31) == 0) t->carried[i >> 5] = 0;
         }
     }
@@ -212,9 +233,13 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
             float4 m = (float4)(d[n].x, d[n].y, v.x, v.y);
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             if (last) {
+#ifdef TURNING
+                *surfaceSpeedAt(w, (uint) slot) = t->spin[i];
+#endif
                 finalizePositions(w, slot, c[n], m, w->traits[slot]);
             } else if ((entry[n] & AT_WALL) == 0) {
-                noteWall(entries, i, entry[n], !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i], carried));
+                noteWall(entries, i, entry[n], !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i],
+                                                          carried AND_TURNING(t->spin[i]) AND_TURNING(t->spinLoad[i])));
             }
         }
     }
@@ -225,6 +250,9 @@ void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
+#ifdef TURNING
+    w->cachedGrip[c] = heldBefore(w, w->k.subSteps)[c];
+#endif
     storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }
 
@@ -259,6 +287,9 @@ TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
+#ifdef TURNING
+    w.relaxed = subStep;
+#endif
     takeTile(&w, &t, tile, idle);
     relaxTile(&w, &t, tile, last, 2, false);
 }

@@ -11,6 +11,11 @@ typedef struct {
     float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
                                    // while contacts are measured, then sums of impulses
     float burden[TILE_CIRCLES + 1];
+#ifdef TURNING
+    float spin[TILE_CIRCLES + 1];     // surface speed
+    float spinLoad[TILE_CIRCLES + 1]; // in the relaxing pass: sums of impulses on it
+    float inertia[TILE_CIRCLES + 1];  // inverse
+#endif
     uint carried[(TILE_CIRCLES + 31) / 32]; // a bit a circle: whether a contact carries
     ushort partStart[TILE_PARTS + 2];       // by part of a round, and the end
     int circles, parts, contacts;
@@ -30,6 +35,9 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
         t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
         t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
         t->burden[NO_CIRCLE] = 0.0f;
+#ifdef TURNING
+        t->spin[NO_CIRCLE] = t->spinLoad[NO_CIRCLE] = t->inertia[NO_CIRCLE] = 0.0f;
+#endif
     }
     TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[RECORD_STARTS + part] : 0);
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -84,15 +92,32 @@ typedef struct {
     float4 normal;  // as in contact
     float2 shape;
     float2 impulse; // in the biased pass without a bounce
+#ifdef TURNING
+    int copy;
+    float2 grip, held; // in the relaxing pass: as in copiedGrip, heldGrip
+#endif
 #ifdef RECORDING
     float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
 #endif
 } Reading;
 
+#ifdef TURNING
+// As a relaxing pass finds them. Behind it they are where the next one looks.
+global float2 *heldBefore(const World *w, int subStep) { return subStep & 1 ? w->oddGrip : w->heldGrip; }
+global float2 *heldBehind(const World *w, int subStep) { return subStep & 1 ? w->heldGrip : w->oddGrip; }
+#endif
+
 void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->contact = entry.contact;
     if (!isContact(entry.contact)) return;
     int c = entry.contact.PLACED_CONTACT & ~NOT_OWN;
+#ifdef TURNING
+    reading->copy = entry.copy;
+    if (relaxing) {
+        reading->grip = w->copiedGrip[entry.copy];
+        reading->held = heldBefore(w, w->relaxed)[c];
+    }
+#endif
     reading->normal = copiesOf(w)[entry.copy];
     reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
@@ -107,6 +132,10 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
 typedef struct {
     int2 contact;
     Visit visit;
+#ifdef TURNING
+    int copy;
+    float2 grip, held;
+#endif
 #ifdef RECORDING
     float separation, radii;
     float before; // normal speed before any impulse
@@ -124,6 +153,12 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
               .radii = r->shape.SHAPE_RADII, .restitution = r->shape.SHAPE_RESTITUTION, .invMassA = fabs(burdenA),
               .invMassB = fabs(burdenB), .loaded = isLoaded(burdenA) || isLoaded(burdenB)};
     v->contact = r->contact;
+#ifdef TURNING
+    v->copy = r->copy;
+    v->grip = r->grip;
+    v->held = r->held;
+    p.held = relaxing && (r->held.HELD_FRICTION != 0.0f || r->held.HELD_ROLLING != 0.0f);
+#endif
     if (relaxing) {
         readyToRelax(&w->k, &p, &v->visit);
     } else {
@@ -147,8 +182,58 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
 #endif
 }
 
+#ifdef TURNING
+// The circles of a contact as its visit has left them, for its grip.
+void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j, bool relaxing, const Visited *visited, Bodies *b) {
+    float2 grip = relaxing ? v->grip : w->copiedGrip[v->copy];
+    float4 skin = (float4)(0.0f);
+    float4 g = (float4)(0.0f);
+    skin.PAIR_FRICTION = grip.COPIED_FRICTION;
+    skin.TANGENT_MASS = fabs(grip.COPIED_TANGENT_MASS);
+    if (relaxing) {
+        g.FRICTION_IMPULSE = v->held.HELD_FRICTION;
+        g.ROLLING_IMPULSE = v->held.HELD_ROLLING;
+    }
+    if (as_int(grip.COPIED_TANGENT_MASS) < 0) {
+        float4 roll = w->copiedRoll[v->copy];
+        uint2 pair = w->ordered[v->contact.PLACED_CONTACT & ~NOT_OWN];
+        skin.PAIR_BELT = roll.COPIED_BELT;
+        skin.ROLLING_REACH = roll.COPIED_REACH;
+        g.ROLLING_MASS = roll.COPIED_ROLLING_MASS;
+        b->ra = w->circle[pair.LOWER].RADIUS;
+        b->rb = w->circle[pair.HIGHER].RADIUS;
+    }
+    b->sa = t->spin[i];
+    b->sb = t->spin[j];
+    b->ia = t->inertia[i];
+    b->ib = t->inertia[j];
+    b->wa = v->visit.invMassA;
+    b->wb = v->visit.invMassB;
+    b->isHeavyA = b->isHeavyB = false;
+    float normalImpulse = relaxing ? gripImpulse(visited) : visited->impulse;
+    gripPair(b, skin, &g, (float2)(v->visit.nx, v->visit.ny), normalImpulse, relaxing && keepsGrip(&v->visit, visited));
+    v->held = (float2)(g.FRICTION_IMPULSE, g.ROLLING_IMPULSE);
+}
+
+// As spinImpulses.
+float2 spinImpulsesInTile(const World *w, const TileVisit *v) {
+    float2 of = (float2)(-v->held.HELD_FRICTION, -v->held.HELD_FRICTION);
+    if (as_int(v->grip.COPIED_TANGENT_MASS) < 0 && w->copiedRoll[v->copy].COPIED_REACH > 0.0f) {
+        uint2 pair = w->ordered[v->contact.PLACED_CONTACT & ~NOT_OWN];
+        of.x -= v->held.HELD_ROLLING / w->circle[pair.LOWER].RADIUS;
+        of.y += v->held.HELD_ROLLING / w->circle[pair.HIGHER].RADIUS;
+    }
+    return of;
+}
+
+bool gripsInTile(const World *w, const TileVisit *v) {
+    if (v->grip.COPIED_FRICTION > 0.0f) return true;
+    return as_int(v->grip.COPIED_TANGENT_MASS) < 0 && w->copiedRoll[v->copy].COPIED_REACH > 0.0f;
+}
+#endif
+
 // Branches would be most of the time.
-void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxing, bool last) {
+void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.PLACED_CIRCLES);
     int j = higherOf(v->contact.PLACED_CIRCLES);
     float2 va = t->velocity[i];
@@ -159,12 +244,38 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
     float vn = visitPair(&v->visit, va, vb, relaxing, &visited);
     float next = visited.normalImpulse;
     bool there = isContact(v->contact);
+#ifdef TURNING
+    Bodies b = {.va = va, .vb = vb};
+    if (!visited.leaves) {
+        b.va = va - changeOfVelocity(&v->visit, v->visit.invMassA, visited.impulse);
+        b.vb = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
+    }
+    if (there && (relaxing ? !visited.still : bouncesFreely(&visited))) {
+        gripInTile(w, t, v, i, j, relaxing, &visited, &b);
+        t->spin[i] = b.sa;
+        t->spin[j] = b.sb;
+        t->velocity[i] = b.va;
+        t->velocity[j] = b.vb;
+    } else if (there && !visited.leaves) {
+        t->velocity[i] = b.va;
+        t->velocity[j] = b.vb;
+    }
+#else
     if (there && !visited.leaves) {
         t->velocity[i] = va - changeOfVelocity(&v->visit, v->visit.invMassA, visited.impulse);
         t->velocity[j] = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
     }
+#endif
     if (relaxing && !last && there && carriesOn(&v->visit, vn, &visited)) {
         float2 g = loadAlong(v->visit.nx, v->visit.ny, next);
+#ifdef TURNING
+        if (gripsInTile(w, v)) {
+            float2 of = spinImpulsesInTile(w, v);
+            g += loadAlong(-v->visit.ny, v->visit.nx, v->held.HELD_FRICTION);
+            t->spinLoad[i] += of.x;
+            t->spinLoad[j] += of.y;
+        }
+#endif
         t->load[i] = loadA - g;
         t->load[j] = loadB + g;
         atomic_or(&t->carried[i >> 5], 1u << (i & 31));
@@ -181,6 +292,9 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
 #endif
     if (relaxing) {
         w->held[v->contact.PLACED_CONTACT] = next;
+#ifdef TURNING
+        heldBehind(w, w->relaxed)[v->contact.PLACED_CONTACT] = v->held;
+#endif
     } else {
         w->impulse[v->contact.PLACED_CONTACT] = (float2)(next, v->visit.ready.bounce);
     }
@@ -205,6 +319,10 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     TileVisit visit;
     reading.normal = (float4)(0.0f);
     reading.shape = reading.impulse = (float2)(0.0f);
+#ifdef TURNING
+    reading.copy = 0;
+    reading.grip = reading.held = (float2)(0.0f);
+#endif
 #ifdef RECORDING
     reading.touchNow = reading.touchSoFar = (float2)(0.0f);
 #endif

@@ -10,6 +10,13 @@ const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300]
   ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
 const GROUND = '#131922';
 const STATIC = '#5a6878';
+const BELT = '#8a6a3a';
+const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
+const MARK = 0.3; // of the colour's light
+const MARK_AT = 0.52; // in radii of the circle, from its centre
+const MARK_RADIUS = 0.26; // likewise
+const MARK_FROM = 2.5; // pixels: the mark on a smaller circle would be a speck
+const SLIDING_MILLIS = 400; // for so long after an input, a slider is the hand's
 const RAMPS = [
   ['#4aa8d8', '#5bc0be', '#7fb7e6', '#9b8cf0', '#6d9eeb', '#48c9b0', '#8fd3f4', '#74a9cf'],
   ['#2c4a7c', '#3178b8', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
@@ -42,7 +49,7 @@ let testing = false;
 
 const rgb = colour => [16, 8, 0].map(shift => parseInt(colour.slice(1), 16) >> shift & 255);
 
-/** The static colour, then those of a ramp. */
+/** The colours of static circles and of belts, then those of a ramp. */
 function coloursOf(ramp) {
   const stops = ramp.map(rgb);
   const colours = Array.from({ length: SHADES }, (_, k) => {
@@ -50,10 +57,11 @@ function coloursOf(ramp) {
     const stop = Math.min(Math.floor(place), stops.length - 2);
     return stops[stop].map((part, channel) => part + (stops[stop + 1][channel] - part) * (place - stop));
   });
-  return [rgb(STATIC), ...colours];
+  return [rgb(STATIC), rgb(BELT), ...colours];
 }
 
 const palettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp)));
+const markPalettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp).map(colour => colour.map(part => MARK * part))));
 let discs;
 
 function draw() {
@@ -68,11 +76,20 @@ function draw() {
   const scale = width / WIDTH;
   const { circles } = picture;
   const palette = palettes[mode];
+  const marks = markPalettes[mode];
   discs.clear();
-  for (let k = 0; k < circles.length; k += 4) {
+  for (let k = 0; k < circles.length; k += STRIDE) {
     const shade = circles[k + 3];
-    const colour = shade < 0 ? 0 : 1 + Math.round(shade * (SHADES - 1));
-    discs.draw(circles[k] * scale, height - circles[k + 1] * scale, circles[k + 2] * scale, palette, colour);
+    const colour = shade < 0 ? -1 - shade : 2 + Math.round(shade * (SHADES - 1));
+    const x = circles[k] * scale;
+    const y = height - circles[k + 1] * scale;
+    const radius = circles[k + 2] * scale;
+    discs.draw(x, y, radius, palette, colour);
+    const angle = circles[k + 4]; // NaN if the circle has no mark
+    if (angle === angle && radius >= MARK_FROM) {
+      const reach = MARK_AT * radius;
+      discs.draw(x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, marks, colour);
+    }
   }
   context.putImageData(discs.image, 0, 0);
   for (const blast of blasts) {
@@ -88,7 +105,7 @@ function draw() {
 }
 
 function tell() {
-  const n = picture.circles.length / 4;
+  const n = picture.circles.length / STRIDE;
   const fps = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0;
   $('figures').innerHTML = `<b>${n.toLocaleString('en')}</b> circles  step <b>${picture.steps}</b>  `
     + `<b>${stepMillis.toFixed(1)}</b> ms a step  <b>${fps.toFixed(0)}</b> fps  hash <b id="hash">${picture.hash}</b>`;
@@ -147,6 +164,7 @@ function received({ data }) {
       stepMillis += 0.1 * (data.millis / data.made - stepMillis);
     }
     tell();
+    showSurface();
   }
 }
 
@@ -230,6 +248,23 @@ $('back').addEventListener('pointerdown', event => {
 });
 for (const end of ['pointerup', 'pointercancel']) {
   $('back').addEventListener(end, () => { rewinding = false; setPaused(true); });
+}
+for (const slider of ['friction', 'rolling']) {
+  $(slider).addEventListener('input', () => {
+    slid = performance.now();
+    act({ what: 'surface', friction: Number($('friction').value), rolling: Number($('rolling').value) });
+  });
+}
+let slid = -SLIDING_MILLIS;
+
+/** The sliders show the surface of the world, which a stage or a rewind changes, too. */
+function showSurface() {
+  for (const [slider, value] of Object.entries(picture.surface)) {
+    $(`${slider}-value`).textContent = value.toFixed(2);
+    if (performance.now() - slid > SLIDING_MILLIS) {
+      $(slider).value = value;
+    }
+  }
 }
 $('stage').addEventListener('change', () => act({ what: 'open', stage: $('stage').value }));
 addEventListener('resize', () => { dirty = true; });

@@ -13,6 +13,7 @@ const commands = {
   explode: () => toy.explode(),
   wall: ({ x, y }) => toy.wallFrom(x, y),
   release: () => toy.release(),
+  surface: ({ friction, rolling }) => toy.setSurface(friction, rolling),
 };
 
 function frame({ steps, actions }) {
@@ -28,7 +29,8 @@ function frame({ steps, actions }) {
   }
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
-  postMessage({ circles, steps: toy.steps(), hash: toy.hash(), millis, made: steps }, [circles.buffer]);
+  const surface = { friction: toy.friction(), rolling: toy.rollingResistance() };
+  postMessage({ circles, steps: toy.steps(), hash: toy.hash(), millis, made: steps, surface }, [circles.buffer]);
 }
 
 function sameBits({ scenes }) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.reference.Settings;
+import io.github.circles2d.reference.Surfaces;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,6 +37,8 @@ class ReferenceFuzzTest {
         private final Settings settings;
         private final Edge edgeX;
         private final Edge edgeY;
+        private final boolean turns;
+        private final Surfaces surfaces;
         private final float size;
         private final float fastest;
         private World world;
@@ -57,11 +60,29 @@ class ReferenceFuzzTest {
             boolean walled = ofEdges.nextInt(3) == 0;
             edgeX = walled ? Edge.WALL : Edge.values()[ofEdges.nextInt(3)];
             edgeY = walled ? Edge.WALL : Edge.values()[ofEdges.nextInt(3)];
+            SplittableRandom ofSurfaces = new SplittableRandom(~(3 * seed));
+            turns = ofSurfaces.nextInt(4) > 0;
+            surfaces = turns && ofSurfaces.nextBoolean() ? surfaces(ofSurfaces) : Surfaces.NONE;
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
                     random.nextInt(4) > 0 ? usual.damping() : random.nextInt(2) * value(0f, 30f),
                     random.nextInt(4) > 0 ? usual.pushOutSpeed() : random.nextInt(2) * value(0f, 10f));
+        }
+
+        /** Of walls some are smooth, and some run. */
+        private Surfaces surfaces(SplittableRandom values) {
+            float[][] walls = new float[4][];
+            for (int wall = 0; wall < walls.length; wall++) {
+                boolean runs = values.nextInt(3) == 0;
+                walls[wall] = new float[] {
+                    values.nextInt(4) == 0 ? 0f : 1.5f * (float) values.nextDouble(),
+                    values.nextInt(2) == 0 ? 0f : 0.3f * (float) values.nextDouble(),
+                    runs ? size * (float) (values.nextDouble() - 0.5) : 0f
+                };
+            }
+            float friction = values.nextInt(4) == 0 ? 0f : (float) values.nextDouble();
+            return new Surfaces(friction, values.nextInt(2) == 0 ? 0f : 0.3f * (float) values.nextDouble(), walls);
         }
 
         void run() {
@@ -85,7 +106,13 @@ class ReferenceFuzzTest {
             int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
             World built = WorldScenes.onThreads(
                     threads[(int) (seed % threads.length)],
-                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps))
+                    with(
+                                    surfaces,
+                                    with(
+                                            settings,
+                                            WorldScenes.jvm()
+                                                    .restitution(restitution)
+                                                    .subSteps(subSteps)))
                             .bounds(0, 0, size, size)
                             .edges(edgeX, edgeY));
             reports.forEach(report -> report.accept(WorldCalls.of(built)));
@@ -95,7 +122,15 @@ class ReferenceFuzzTest {
         private ReferenceWorld newReference() {
             ReferenceWorld fresh = new ReferenceWorld(restitution, subSteps, settings);
             fresh.setBounds(0, 0, size, size);
-            return fresh.edges(edgeX, edgeY);
+            return fresh.edges(edgeX, edgeY).surfaces(surfaces);
+        }
+
+        private static World.Builder with(Surfaces surfaces, World.Builder builder) {
+            for (Wall wall : Wall.values()) {
+                float[] its = surfaces.walls()[wall.ordinal()];
+                builder.wallSurface(wall, its[0], its[1], its[2]);
+            }
+            return builder.friction(surfaces.friction()).rollingResistance(surfaces.rollingResistance());
         }
 
         private static World.Builder with(Settings settings, World.Builder builder) {
@@ -106,7 +141,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(38)) {
+            switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -136,6 +171,16 @@ class ReferenceFuzzTest {
                 case 26 -> requestEvents();
                 case 27, 28 -> withSome(this::grow);
                 case 29 -> clearAndAdd();
+                case 38 -> withSome(this::setFriction);
+                case 39 -> withSome(this::setAngle);
+                case 40 -> withSome(this::setAngularVelocity);
+                case 41 -> withSome(this::setTorque);
+                case 42 -> withSome(this::applyTorque);
+                case 43 -> withSome(this::applyAngularImpulse);
+                case 44 -> setSurface();
+                case 45 -> setTurning();
+                case 46 -> setAngularVelocities();
+                case 47 -> setWallSurface();
                 default -> step();
             }
         }
@@ -378,6 +423,96 @@ class ReferenceFuzzTest {
             both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
             float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
             both("setKindRestitution", c -> c.setKindRestitution(kind, e));
+        }
+
+        private void setFriction(long handle) {
+            float friction = friction();
+            float resistance = random.nextInt(3) == 0 ? Float.NaN : resistance();
+            both("setFriction", c -> c.setFriction(handle, friction));
+            both("setRollingResistance", c -> c.setRollingResistance(handle, resistance));
+        }
+
+        private float friction() {
+            return switch (random.nextInt(8)) {
+                case 0 -> Float.NaN;
+                case 1 -> 0f;
+                case 2 -> value(0f, 1000f);
+                default -> value(0f, 1.5f);
+            };
+        }
+
+        private float resistance() {
+            return random.nextInt(3) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1000f : 0.5f);
+        }
+
+        private void setAngle(long handle) {
+            float radians = value(-10f, 10f);
+            both("setAngle", c -> c.setAngle(handle, radians));
+        }
+
+        private void setAngularVelocity(long handle) {
+            float omega = angularVelocity();
+            both("setAngularVelocity", c -> c.setAngularVelocity(handle, omega));
+        }
+
+        private float angularVelocity() {
+            return switch (random.nextInt(8)) {
+                case 0 -> -0f;
+                case 1 -> value(-1e5f, 1e5f) * (random.nextInt(4) == 0 ? 1e4f : 1f);
+                default -> value(-30f, 30f);
+            };
+        }
+
+        /** Changes those of some circles at once, among them some that are gone or occur twice. */
+        private void setAngularVelocities() {
+            long[] live = new long[world.size()];
+            world.readHandles(live);
+            long[] some = new long[random.nextInt(6)];
+            float[] all = new float[some.length];
+            for (int k = 0; k < some.length; k++) {
+                boolean stale = live.length == 0 || random.nextInt(5) == 0;
+                some[k] = stale ? random.nextInt(4) : live[random.nextInt(live.length)];
+                all[k] = angularVelocity();
+            }
+            bothGive("setAngularVelocities", c -> c.setAngularVelocities(some, some.length, all, StaleHandles.SKIP));
+        }
+
+        private void setTorque(long handle) {
+            float torque = size * force();
+            both("setTorque", c -> c.setTorque(handle, torque));
+        }
+
+        private void applyTorque(long handle) {
+            float torque = size * force();
+            both("applyTorque", c -> c.applyTorque(handle, torque));
+        }
+
+        private void applyAngularImpulse(long handle) {
+            float impulse = size * speed();
+            both("applyAngularImpulse", c -> c.applyAngularImpulse(handle, impulse));
+        }
+
+        private void setSurface() {
+            int kind = kind();
+            float friction = friction();
+            float resistance = random.nextInt(3) == 0 ? Float.NaN : resistance();
+            float belt = random.nextBoolean() ? 0f : value(-size, size);
+            both("setSurface", c -> c.setSurface(kind, friction, resistance, belt));
+        }
+
+        private void setWallSurface() {
+            Wall wall = Wall.values()[random.nextInt(4)];
+            float friction = random.nextInt(4) == 0 ? 0f : value(0f, 1.5f);
+            float resistance = resistance();
+            float belt = random.nextBoolean() ? 0f : value(-size, size);
+            both("setWallSurface", c -> c.setWallSurface(wall, friction, resistance, belt));
+        }
+
+        private void setTurning() {
+            int kind = kind();
+            Inertia inertia = Inertia.values()[random.nextInt(3)];
+            float damping = random.nextBoolean() ? 0f : value(0f, random.nextInt(8) == 0 ? 1e4f : 5f);
+            both("setTurning", c -> c.setTurning(kind, inertia, damping));
         }
 
         private void setForce(long handle) {

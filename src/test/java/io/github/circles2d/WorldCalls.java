@@ -61,6 +61,34 @@ public interface WorldCalls {
         kind(kind).setRestitution(restitution);
     }
 
+    /** Sets what circles of a kind touch others with. */
+    default void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
+        kind(kind).setFriction(friction).setRollingResistance(rollingResistance).setBeltSpeed(beltSpeed);
+    }
+
+    /** Sets how circles of a kind turn. */
+    default void setTurning(int kind, Inertia inertia, float angularDamping) {
+        kind(kind).setInertia(inertia).setAngularDamping(angularDamping);
+    }
+
+    void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed);
+
+    void setFriction(long handle, float friction);
+
+    void setRollingResistance(long handle, float resistance);
+
+    void setAngle(long handle, float radians);
+
+    void setAngularVelocity(long handle, float angularVelocity);
+
+    void setTorque(long handle, float torque);
+
+    void applyTorque(long handle, float torque);
+
+    void applyAngularImpulse(long handle, float impulse);
+
+    int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale);
+
     void applyImpulse(long handle, float x, float y);
 
     void setForce(long handle, float x, float y);

@@ -13,6 +13,17 @@ final class Circle {
     final float[] displacement = new float[2];
     final float[] velocity = new float[2];
     final float[] wallImpulse = new float[2];
+
+    /** Of the walls, as the impulses: friction, and what stops the rolling. */
+    final float[] wallFriction = new float[2];
+
+    final float[] wallRolling = new float[2];
+
+    /** In parts of a turn of which it has 2^32. */
+    int angle;
+
+    float angularVelocity;
+
     /** Where a static circle travels in the next step; null if nowhere. */
     float[] target;
 
@@ -34,6 +45,14 @@ final class Circle {
     /** What acts in the next step alone. */
     final float[] appliedForce = new float[2];
 
+    float torque;
+    float appliedTorque;
+
+    /** Not a number if the kind has them. */
+    float friction = Float.NaN;
+
+    float rollingResistance = Float.NaN;
+
     // within a step
     /** The base as the step begins. */
     float[] start = base;
@@ -42,6 +61,9 @@ final class Circle {
 
     /** The whole force in this step. */
     final float[] actingForce = new float[2];
+
+    float actingTorque;
+    Turn turn;
 
     /** What is added to the velocity in a sub-step. */
     final float[] gain = new float[2];
@@ -144,18 +166,20 @@ final class Circle {
 
     /** Adds what light circles gave it in a pass to its velocity. */
     void takeGains() {
-        take(heavyGain, velocity);
+        turn.speed += take(heavyGain, velocity);
     }
 
     /** Adds the impulses of its contacts with light circles to those that it begins its next sub-step with. */
     void takeImpulses() {
-        take(heavyImpulse, impulses);
+        turn.impulse += take(heavyImpulse, impulses);
     }
 
-    private void take(FixedSum sum, float[] vector) {
+    /** Adds a sum to a vector; returns what to add along the surface. */
+    private float take(FixedSum sum, float[] vector) {
         float[] taken = sum.take();
         for (int a = 0; a < 2 && load != 0 && !isStatic(); a++) {
             vector[a] += taken[a];
         }
+        return load != 0 && !isStatic() ? taken[2] : 0f;
     }
 }

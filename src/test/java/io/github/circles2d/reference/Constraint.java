@@ -51,6 +51,23 @@ abstract class Constraint {
     /** The speed at which the surfaces part after a bounce in this sub-step; 0 if there is none. */
     float bounceSpeed;
 
+    /** How much friction the normal impulse allows; 0 if there is none. */
+    float frictionCoefficient;
+
+    /** How much the normal impulse allows against rolling; 0 if nothing. */
+    float rollingCoefficient;
+
+    /** The effective masses of friction and of what stops the rolling. */
+    float tangentMass;
+
+    float rollingMass;
+
+    /** The impulse along the tangent, which is the normal turned to the left; both sides turn against it. */
+    float friction;
+
+    /** The impulse that stops the rolling. */
+    float rolling;
+
     /**
      * A constraint of a step.
      *
@@ -89,6 +106,44 @@ abstract class Constraint {
     abstract boolean isLoaded();
 
     abstract void apply(float impulse);
+
+    /** The speed of the surfaces against each other, along the tangent. */
+    abstract float slip();
+
+    /** The speed of rolling. */
+    abstract float rollingSpeed();
+
+    abstract void applyFriction(float impulse);
+
+    abstract void applyRolling(float impulse);
+
+    /**
+     * Lets the surfaces grip, as far as a normal impulse allows: first against rolling, then against sliding.
+     *
+     * @param keep whether the impulses are those that the next visit goes on from
+     */
+    private void grip(float normal, boolean keep) {
+        if (rollingCoefficient > 0f) {
+            float next = held(rolling - rollingMass * rollingSpeed(), rollingCoefficient * normal);
+            applyRolling(next - rolling);
+            rolling = keep ? next : 0f;
+        }
+        if (frictionCoefficient > 0f) {
+            float next = held(friction - tangentMass * slip(), frictionCoefficient * normal);
+            applyFriction(next - friction);
+            friction = keep ? next : 0f;
+        }
+    }
+
+    private static float held(float impulse, float most) {
+        return most > 0f ? Numbers.clamp(impulse, -most, most) : 0f;
+    }
+
+    /** Forgets impulses of what does not grip. */
+    void forgetGrips() {
+        friction = frictionCoefficient > 0f ? friction : 0f;
+        rolling = rollingCoefficient > 0f ? rolling : 0f;
+    }
 
     /** The velocity of a circle as a visit sees it. */
     float[] velocityNow(Circle c) {
@@ -145,7 +200,7 @@ abstract class Constraint {
 
     /** The visit without bias, which takes the speed of the push-out away again. Returns whether the constraint carries. */
     final boolean relax() {
-        boolean idle = separation > 0f && normalImpulse == 0f && bounceSpeed == 0f;
+        boolean idle = separation > 0f && normalImpulse == 0f && bounceSpeed == 0f && friction == 0f && rolling == 0f;
         float old = normalImpulse;
         boolean carries = !idle && visit(false);
         if (bounceSpeed > 0f) {
@@ -160,13 +215,18 @@ abstract class Constraint {
         boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
         if (flies && isImpactInFlight(vn)) {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
-            if (vn < 0f && meets && !waits(biased, vn)) {
+            boolean bounces = vn < 0f && meets && !waits(biased, vn);
+            if (bounces) {
                 float speed = biased ? vn - halfFall() : vn;
                 float impulse = -(1f + restitution) * speed * (1f / inverseMasses);
                 applyFreeBounce(impulse);
                 note(impulse);
+                grip(impulse, false);
             }
             if (vn > 0f ? !(biased && lingers()) : meets) {
+                if (!biased && !bounces) {
+                    grip(0f, false);
+                }
                 return false;
             }
         }
@@ -185,6 +245,9 @@ abstract class Constraint {
         normalImpulse = max(normalImpulse, 0f);
         float applied = normalImpulse - old;
         apply(applied);
+        if (!biased) {
+            grip(normalImpulse, !(bounceSpeed > 0f));
+        }
         return carries(vn + applied * inverseMasses);
     }
 

@@ -38,6 +38,9 @@ final class Contact extends Constraint {
 
     Circle heavy;
 
+    /** How much lighter the heavy circle counts. */
+    private float heavyShare = 1f;
+
     /** Of a contact of one level. */
     int colour;
 
@@ -85,6 +88,32 @@ final class Contact extends Constraint {
     void split() {
         float share = Numbers.max(heavy.load * (1f / 16_384f), 1f);
         mass = 1f / (light.inverseMass() + share * heavy.inverseMass());
+        heavyShare = share;
+    }
+
+    /** Takes over the impulses of the step before, and finds out how the surfaces grip. */
+    void begin(Impulses before, float warmScale) {
+        Circle first = isCross() ? light : lower;
+        Circle second = isCross() ? heavy : higher;
+        normalImpulse = before.normal() * warmScale;
+        frictionCoefficient = Numbers.sqrt(lower.turn.friction * higher.turn.friction);
+        tangentMass = 1f
+                / ((first.inverseMass() + first.turn.inverseInertia)
+                        + heavyShare * (second.inverseMass() + second.turn.inverseInertia));
+        rollingCoefficient = Numbers.max(lower.turn.rollingResistance, higher.turn.rollingResistance)
+                * Numbers.max(lower.radius, higher.radius);
+        rollingMass = 1f / (angular(first) + heavyShare * angular(second));
+        if (rollingMass == Float.POSITIVE_INFINITY) {
+            rollingCoefficient = 0f;
+        }
+        friction = before.friction() * warmScale;
+        rolling = before.rolling() * warmScale;
+        forgetGrips();
+    }
+
+    /** The inverse of the angular inertia. */
+    private static float angular(Circle c) {
+        return c.turn.inverseInertia / (c.radius * c.radius);
     }
 
     int level() {
@@ -100,9 +129,15 @@ final class Contact extends Constraint {
     /** Adds the normal impulse to those that the two circles begin their next sub-step with, and marks them as loaded then. */
     void warmStart(boolean carries) {
         for (int a = 0; a < 2; a++) {
-            add(lower, lower.impulses, lower.heavyImpulse, a, -(normal[a] * normalImpulse));
-            add(higher, higher.impulses, higher.heavyImpulse, a, normal[a] * normalImpulse);
+            float impulse = normal[a] * normalImpulse;
+            if (frictionCoefficient > 0f || rollingCoefficient > 0f) {
+                impulse += tangent(a) * friction;
+            }
+            add(lower, lower.impulses, lower.heavyImpulse, a, -impulse);
+            add(higher, higher.impulses, higher.heavyImpulse, a, impulse);
         }
+        turnNext(lower, -friction - rolling / lower.radius);
+        turnNext(higher, -friction + rolling / higher.radius);
         lower.loadedNext |= carries;
         higher.loadedNext |= carries;
     }
@@ -213,6 +248,60 @@ final class Contact extends Constraint {
             add(lower, lower.velocity, lower.heavyGain, a, -(normal[a] * (lower.inverseMass() * impulse)));
             add(higher, higher.velocity, higher.heavyGain, a, normal[a] * (higher.inverseMass() * impulse));
         }
+    }
+
+    private float tangent(int axis) {
+        return axis == 0 ? -normal[1] : normal[0];
+    }
+
+    @Override
+    float slip() {
+        float[] v = minus(velocityNow(higher), velocityNow(lower));
+        float along = tangent(0) * v[0] + tangent(1) * v[1];
+        return (along - (speedNow(lower) + speedNow(higher))) - (lower.turn.belt + higher.turn.belt);
+    }
+
+    @Override
+    float rollingSpeed() {
+        return speedNow(higher) / higher.radius - speedNow(lower) / lower.radius;
+    }
+
+    @Override
+    void applyFriction(float impulse) {
+        for (int a = 0; a < 2; a++) {
+            add(lower, lower.velocity, lower.heavyGain, a, -(tangent(a) * (lower.inverseMass() * impulse)));
+            add(higher, higher.velocity, higher.heavyGain, a, tangent(a) * (higher.inverseMass() * impulse));
+        }
+        turn(lower, -impulse);
+        turn(higher, -impulse);
+    }
+
+    @Override
+    void applyRolling(float impulse) {
+        turn(lower, -impulse / lower.radius);
+        turn(higher, impulse / higher.radius);
+    }
+
+    private void turn(Circle c, float impulse) {
+        float gain = c.turn.inverseInertia * impulse;
+        if (c == heavy) {
+            c.heavyGain.add(2, gain);
+        } else {
+            c.turn.speed += gain;
+        }
+    }
+
+    /** Adds to the impulse with which a circle begins to turn in its next sub-step. */
+    private void turnNext(Circle c, float impulse) {
+        if (c == heavy) {
+            c.heavyImpulse.add(2, impulse);
+        } else {
+            c.turn.impulse += impulse;
+        }
+    }
+
+    private float speedNow(Circle c) {
+        return c == heavy ? c.turn.speedBeforePass : c.turn.speed;
     }
 
     /** Adds to a vector of a circle, or to its sum if it is the heavy one. */

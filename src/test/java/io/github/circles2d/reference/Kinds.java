@@ -29,6 +29,21 @@ final class Kinds {
     /** The number of a field: the bits of the greatest speed. */
     static final int GREATEST_SPEED = 7;
 
+    /** The number of a field: the bits of the friction of circles that have none of their own. */
+    static final int FRICTION = 8;
+
+    /** The number of a field: the bits of the rolling resistance likewise. */
+    static final int ROLLING_RESISTANCE = 9;
+
+    /** The number of a field: the bits of the speed that the surface has besides that of turning. */
+    static final int BELT_SPEED = 10;
+
+    /** The number of a field: 0 for discs, 1 for rings, 2 for circles that friction does not turn. */
+    static final int INERTIA = 11;
+
+    /** The number of a field: the bits of the damping of angular velocities. */
+    static final int ANGULAR_DAMPING = 12;
+
     private static final int KINDS = 256;
 
     private static final int[] AT_FIRST = atFirst();
@@ -48,12 +63,14 @@ final class Kinds {
 
     /** By the number of a field; there is no field 0. */
     private static int[] atFirst() {
-        int[] fields = new int[GREATEST_SPEED + 1];
+        int[] fields = new int[ANGULAR_DAMPING + 1];
         fields[CATEGORY] = 1;
         fields[MASK] = -1;
         fields[RESTITUTION] = Float.floatToIntBits(Float.NaN);
         fields[GRAVITY_SCALE] = Float.floatToIntBits(1f);
         fields[GREATEST_SPEED] = Float.floatToIntBits(Float.POSITIVE_INFINITY);
+        fields[FRICTION] = Float.floatToIntBits(Float.NaN);
+        fields[ROLLING_RESISTANCE] = Float.floatToIntBits(Float.NaN);
         return fields;
     }
 
@@ -72,6 +89,11 @@ final class Kinds {
     float restitution(int kind, float otherwise) {
         float own = getFloat(kind, RESTITUTION);
         return Float.isNaN(own) ? otherwise : own;
+    }
+
+    /** By the inverse mass: that of a disc, of a ring, of what does not turn. */
+    float inverseInertia(int kind) {
+        return new float[] {2f, 1f, 0f}[get(kind, INERTIA)];
     }
 
     private static int pair(int a, int b) {

@@ -1,9 +1,11 @@
 package io.github.circles2d.reference;
 
 import io.github.circles2d.Edge;
+import io.github.circles2d.Inertia;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
+import io.github.circles2d.Wall;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -34,6 +36,13 @@ public final class ReferenceWorld implements WorldCalls {
     private static final int FORCE_FIELDS = 4;
     private static final int APPLIED_FORCE_FIELDS = 6;
 
+    private static final long TURN = 0x7475726E696E6721L;
+    private static final long GRIP = 0x6772697065332121L;
+    private static final int FRICTION_FIELD = 11;
+    private static final int ROLLING_RESISTANCE_FIELD = 12;
+    private static final int TORQUE_FIELD = 13;
+    private static final int APPLIED_TORQUE_FIELD = 14;
+
     private final float restitution;
     private final int subSteps;
     private final Settings settings;
@@ -44,8 +53,8 @@ public final class ReferenceWorld implements WorldCalls {
     /** By id: how many circles have had it. */
     private final Map<Integer, Integer> generations = new HashMap<>();
 
-    /** The impulses greater than 0 with which contacts ended the last step. */
-    private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
+    /** The impulses with which contacts ended the last step; of those that pressed. */
+    private final Map<Contact.Pair, Impulses> impulseCache = new HashMap<>();
 
     private final Kinds kinds = new Kinds();
     private final TouchEvents events = new TouchEvents();
@@ -59,6 +68,7 @@ public final class ReferenceWorld implements WorldCalls {
     private float[] startMax = max;
 
     private float[] gravity = {0f, 0f};
+    private Surfaces surfaces = Surfaces.NONE;
     private float previousDt;
 
     public ReferenceWorld(float restitution, int subSteps) {
@@ -78,6 +88,12 @@ public final class ReferenceWorld implements WorldCalls {
         return this;
     }
 
+    /** Sets what walls touch circles with, and circles that nobody says more of. */
+    public ReferenceWorld surfaces(Surfaces all) {
+        surfaces = all;
+        return this;
+    }
+
     private StepParameters parameters(float dt) {
         return new StepParameters(
                 arena,
@@ -88,7 +104,8 @@ public final class ReferenceWorld implements WorldCalls {
                 gravity,
                 dt,
                 subSteps,
-                settings);
+                settings,
+                surfaces);
     }
 
     /** In the order of the ids. */
@@ -116,6 +133,8 @@ public final class ReferenceWorld implements WorldCalls {
                 addForce(c.actingForce, c.appliedForce[0], c.appliedForce[1]);
                 c.appliedForce[0] = 0f;
                 c.appliedForce[1] = 0f;
+                c.actingTorque = sum(c.torque, c.appliedTorque);
+                c.appliedTorque = 0f;
             }
             circles.forEach(c -> c.start = c.base.clone());
             if (!circles.isEmpty()) {
@@ -177,6 +196,8 @@ public final class ReferenceWorld implements WorldCalls {
     private void forgetImpulses(Circle c) {
         c.wallImpulse[0] = 0f;
         c.wallImpulse[1] = 0f;
+        Arrays.fill(c.wallFriction, 0f);
+        Arrays.fill(c.wallRolling, 0f);
         impulseCache.keySet().removeIf(pair -> pair.lower() == c || pair.higher() == c);
     }
 
@@ -336,6 +357,19 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
+        kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
+        kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
+        kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(beltSpeed));
+    }
+
+    @Override
+    public void setTurning(int kind, Inertia inertia, float angularDamping) {
+        kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
+        kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
+    }
+
+    @Override
     public void setKindRestitution(int kind, float e) {
         kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
     }
@@ -360,8 +394,60 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     private static void addForce(float[] to, float x, float y) {
-        to[0] = Numbers.clamp(to[0] + x, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
-        to[1] = Numbers.clamp(to[1] + y, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+        to[0] = sum(to[0], x);
+        to[1] = sum(to[1], y);
+    }
+
+    /** Within the greatest force, and never -0. */
+    private static float sum(float a, float b) {
+        return Numbers.clamp(a + b, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+    }
+
+    @Override
+    public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
+        surfaces = surfaces.withWall(wall.ordinal(), friction, rollingResistance, beltSpeed);
+    }
+
+    @Override
+    public void setFriction(long handle, float friction) {
+        find(handle).friction = friction + 0f;
+    }
+
+    @Override
+    public void setRollingResistance(long handle, float resistance) {
+        find(handle).rollingResistance = resistance + 0f;
+    }
+
+    @Override
+    public void setAngle(long handle, float radians) {
+        find(handle).angle = (int) Math.round(radians / (Math.PI / (1L << 31)));
+    }
+
+    @Override
+    public void setAngularVelocity(long handle, float angularVelocity) {
+        find(handle).angularVelocity = angularVelocity + 0f;
+    }
+
+    @Override
+    public void setTorque(long handle, float torque) {
+        find(handle).torque = torque + 0f;
+    }
+
+    @Override
+    public void applyTorque(long handle, float torque) {
+        find(handle).appliedTorque = sum(find(handle).appliedTorque, torque);
+    }
+
+    @Override
+    public void applyAngularImpulse(long handle, float impulse) {
+        Circle c = find(handle);
+        float inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
+        c.angularVelocity = Numbers.limitSpeed(c.angularVelocity + impulse / c.radius * inverseInertia / c.radius);
+    }
+
+    @Override
+    public int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setAngularVelocity(handles[k], angularVelocities[k]));
     }
 
     @Override
@@ -534,7 +620,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash() + arena.hash();
+        sum += kinds.hash() + arena.hash() + surfaces.hash();
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
@@ -542,6 +628,7 @@ public final class ReferenceWorld implements WorldCalls {
                 sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));
                 sum += hashOfField(APPLIED_FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.appliedForce[a]));
             }
+            sum += hashOfTurning(c);
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
@@ -553,11 +640,43 @@ public final class ReferenceWorld implements WorldCalls {
                 sum += hashOfField(GROWTH_FIELD, c.id, (long) c.stepsToGrow << 32 | radius);
             }
         }
-        for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {
+        for (Map.Entry<Contact.Pair, Impulses> entry : impulseCache.entrySet()) {
             Contact.Pair pair = entry.getKey();
-            sum += absorb(absorb(absorb(IMPULSE, pair.lower().id), pair.higher().id), entry.getValue());
+            Impulses impulses = entry.getValue();
+            sum += absorb(absorb(absorb(IMPULSE, pair.lower().id), pair.higher().id), impulses.normal());
+            if (!areZeros(impulses.friction(), impulses.rolling())) {
+                long h = absorb(absorb(GRIP, pair.lower().id), pair.higher().id);
+                sum += absorb(h, impulses.friction(), impulses.rolling());
+            }
         }
         return sum;
+    }
+
+    private static long hashOfTurning(Circle c) {
+        long sum = hashOfField(TORQUE_FIELD, c.id, Float.floatToRawIntBits(c.torque));
+        sum += hashOfField(APPLIED_TORQUE_FIELD, c.id, Float.floatToRawIntBits(c.appliedTorque));
+        sum += hashOfOwn(FRICTION_FIELD, c.id, c.friction)
+                + hashOfOwn(ROLLING_RESISTANCE_FIELD, c.id, c.rollingResistance);
+        float[] grips = {c.wallFriction[0], c.wallFriction[1], c.wallRolling[0], c.wallRolling[1]};
+        if (c.angle != 0 || !areZeros(c.angularVelocity) || !areZeros(grips)) {
+            sum += absorb(absorb(absorb(absorb(TURN, c.id), c.angle), c.angularVelocity), grips);
+        }
+        return sum;
+    }
+
+    /** Not -0 either. */
+    private static boolean areZeros(float... values) {
+        int bits = 0;
+        for (float value : values) {
+            bits |= Float.floatToRawIntBits(value);
+        }
+        return bits == 0;
+    }
+
+    /** Of a field that has no number at first. */
+    private static long hashOfOwn(int field, int id, float value) {
+        long h = absorb(absorb(FIELD, field), id);
+        return Float.isNaN(value) ? 0 : absorb(absorb(h, Float.floatToRawIntBits(value)), 0);
     }
 
     private static long hashOfField(int field, int id, long value) {

@@ -31,9 +31,10 @@ final class Step {
     }
 
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
-    void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
+    void make(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
         Grid grid = new Grid(circles, k);
         circles.forEach(this::findGain);
+        circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
         circles.forEach(this::planMotion);
         new ContinuousCollision(circles, grid, k, kinds).clampMotion();
         findContacts(grid);
@@ -69,7 +70,10 @@ final class Step {
 
     /** A pass over the contacts of different levels. */
     private void crossPass(Consumer<Contact> visit) {
-        circles.forEach(c -> c.velocityBeforePass = c.velocity.clone());
+        for (Circle c : circles) {
+            c.velocityBeforePass = c.velocity.clone();
+            c.turn.speedBeforePass = c.turn.speed;
+        }
         crossContacts.forEach(visit);
         circles.forEach(Circle::takeGains);
     }
@@ -160,7 +164,7 @@ final class Step {
                 .thenComparingInt(c -> c.higher.id));
     }
 
-    private void prepare(Map<Contact.Pair, Float> impulseCache, float warmScale) {
+    private void prepare(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
         for (Circle c : circles) {
             clearImpulses(c);
             for (int a = 0; a < 2; a++) {
@@ -168,7 +172,7 @@ final class Step {
             }
         }
         for (Contact contact : contacts()) {
-            contact.normalImpulse = impulseCache.getOrDefault(contact.pair, 0f) * warmScale;
+            contact.begin(impulseCache.getOrDefault(contact.pair, Impulses.NONE), warmScale);
             contact.measure();
             contact.warmStart(contact.carries(contact.normalVelocity(c -> c.velocity)));
         }
@@ -177,7 +181,7 @@ final class Step {
 
     private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
-        float[] before = new float[2];
+        float[] gained = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
         }
@@ -187,24 +191,34 @@ final class Step {
         for (int a = 0; a < 2; a++) {
             if (!c.isStatic()) {
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
+            }
+        }
+        if (!c.isStatic()) {
+            c.turn.accelerate();
+            c.walls[0].warmStartGrips();
+            c.walls[1].warmStartGrips();
+        }
+        for (int a = 0; a < 2; a++) {
+            if (!c.isStatic()) {
                 c.walls[a].measure(subStep);
-                before[a] = c.velocity[a];
+                float before = c.velocity[a];
                 c.walls[a].apply(c.walls[a].normalImpulse);
                 c.walls[a].solveInFrame();
+                gained[a] = c.velocity[a] - before;
             }
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
-            c.walls[a].look(c.velocityBeforeImpulses[a], before[a]);
+            c.walls[a].look(c.velocityBeforeImpulses[a], gained[a]);
         }
     }
 
     private void integratePositions(Circle c, int subStep) {
         float[] to = new float[2];
-        float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocity[a] = limitSpeed(c.velocity[a]);
             to[a] = c.displacement[a] + c.velocity[a] * k.h();
         }
+        c.turn.move();
         if (!c.isStatic()) {
             ContinuousCollision.clamp(c, to);
         }
@@ -215,16 +229,16 @@ final class Step {
             c.displacement[a] = x < low ? low - c.base[a] : x > high ? high - c.base[a] : to[a];
             if (!c.isStatic()) {
                 c.walls[a].stopAtFarWall(to[a]);
-                c.walls[a].measure(subStep);
-                before[a] = c.velocity[a];
-                c.walls[a].relax();
-                c.walls[a].storeImpulse();
             } else if (c.displacement[a] != to[a]) {
                 c.velocity[a] = 0f;
             }
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
-            c.walls[a].look(before[a], before[a]);
+            float before = c.velocity[a];
+            c.walls[a].measure(subStep);
+            c.walls[a].relax();
+            c.walls[a].storeImpulse();
+            c.walls[a].look(before, c.velocity[a] - before);
         }
         clearImpulses(c);
     }
@@ -253,6 +267,7 @@ final class Step {
             bringInside(c, a);
             c.velocity[a] = limitSpeed(c.velocity[a]);
         }
+        c.turn.finish(c, k.h());
     }
 
     /** What leaves on one side of an axis that wraps comes in on the other, and loses nothing by rounding. */
@@ -276,11 +291,11 @@ final class Step {
         return (a - (sum - part)) + (b - part);
     }
 
-    private void storeImpulses(Map<Contact.Pair, Float> impulseCache) {
+    private void storeImpulses(Map<Contact.Pair, Impulses> impulseCache) {
         impulseCache.clear();
         for (Contact contact : contacts()) {
             if (contact.normalImpulse > 0f) {
-                impulseCache.put(contact.pair, contact.normalImpulse);
+                impulseCache.put(contact.pair, new Impulses(contact.normalImpulse, contact.friction, contact.rolling));
             }
         }
     }

@@ -18,7 +18,8 @@ record StepParameters(
         float[] gravity,
         float dt,
         int subSteps,
-        Settings settings) {
+        Settings settings,
+        Surfaces surfaces) {
     float h() {
         return dt / subSteps;
     }

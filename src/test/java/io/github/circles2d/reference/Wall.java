@@ -17,6 +17,15 @@ final class Wall extends Constraint {
     /** The direction away from the wall: 1 for the lower wall, -1 for the upper. */
     private final float normal;
 
+    /** The direction of the tangent: 1 towards greater coordinates. */
+    private final float along;
+
+    /** The speed of the wall's surface, towards greater coordinates. */
+    private final float belt;
+
+    /** That of the circle, for a mass of 1. */
+    private final float inverseInertia;
+
     /** What it does in the step. */
     final Touch touch = new Touch();
 
@@ -37,6 +46,57 @@ final class Wall extends Constraint {
         in = normal > 0f ? step.minIn()[axis] : step.maxIn()[axis];
         speed = speed(normal);
         normalImpulse = Numbers.max(normal * c.wallImpulse[axis], 0f);
+        along = axis == 0 ? normal : -normal;
+        belt = step.surfaces().belt(number(normal));
+        float inverseInertia = c.turn.inverseInertia / c.inverseMass();
+        frictionCoefficient = Numbers.sqrt(c.turn.friction * step.surfaces().wallFriction(number(normal)));
+        tangentMass = 1f / (1f + inverseInertia);
+        float resistance = Numbers.max(c.turn.rollingResistance, step.surfaces().wallRollingResistance(number(normal)));
+        rollingCoefficient = inverseInertia > 0f ? resistance : 0f;
+        rollingMass = 1f / inverseInertia;
+        friction = c.wallFriction[axis];
+        rolling = c.wallRolling[axis];
+        this.inverseInertia = inverseInertia;
+    }
+
+    /** Begins the sub-step with the grips of the one before, if the wall presses. */
+    void warmStartGrips() {
+        if (!(normalImpulse > 0f)) {
+            friction = 0f;
+            rolling = 0f;
+        } else if (friction != 0f || rolling != 0f) {
+            forgetGrips();
+            c.velocity[1 - axis] += along * friction;
+            c.turn.speed += inverseInertia * (rolling - friction);
+        }
+        storeGrips();
+    }
+
+    private void storeGrips() {
+        c.wallFriction[axis] = friction;
+        c.wallRolling[axis] = rolling;
+    }
+
+    @Override
+    float slip() {
+        float v = along * (c.velocity[1 - axis] - belt);
+        return (v - c.turn.speed) - c.turn.belt;
+    }
+
+    @Override
+    float rollingSpeed() {
+        return c.turn.speed;
+    }
+
+    @Override
+    void applyFriction(float impulse) {
+        c.velocity[1 - axis] += along * impulse;
+        c.turn.speed += inverseInertia * -impulse;
+    }
+
+    @Override
+    void applyRolling(float impulse) {
+        c.turn.speed += inverseInertia * impulse;
     }
 
     /** The speed inwards of the wall on a side. */
@@ -86,15 +146,15 @@ final class Wall extends Constraint {
      * Looks at the touch after a visit of both walls. The approach is that to a wall that may move.
      *
      * @param velocity the velocity along the axis with which the circle approached
-     * @param before the same before the visit
+     * @param gained what the visit added to it
      */
-    void look(float velocity, float before) {
-        float impulse = normal * (c.velocity[axis] - before);
+    void look(float velocity, float gained) {
+        float impulse = normal * gained;
         touch.impulse += impulse;
         if (impulse > 0f || separation <= 0f) {
-            float along = c.base[1 - axis] + c.displacement[1 - axis];
+            float place = c.base[1 - axis] + c.displacement[1 - axis];
             float approach = Numbers.max(-(normal * velocity - speed), 0f);
-            touch.seen(approach, direction(normal), point(normal, along), true);
+            touch.seen(approach, direction(normal), point(normal, place), true);
         }
     }
 
@@ -103,9 +163,9 @@ final class Wall extends Constraint {
         return axis == 0 ? new float[] {-side, 0f} : new float[] {0f, -side};
     }
 
-    private float[] point(float side, float along) {
+    private float[] point(float side, float place) {
         float at = side > 0f ? step.min()[axis] : step.max()[axis];
-        return axis == 0 ? new float[] {at, along} : new float[] {along, at};
+        return axis == 0 ? new float[] {at, place} : new float[] {place, at};
     }
 
     /** The touches after the step, by the number of the wall: of this one, and of the one that is nearer now. */
@@ -142,6 +202,7 @@ final class Wall extends Constraint {
 
     void storeImpulse() {
         c.wallImpulse[axis] = bounceSpeed > 0f ? 0f : normal * normalImpulse;
+        storeGrips();
     }
 
     @Override

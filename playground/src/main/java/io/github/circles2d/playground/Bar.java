@@ -6,10 +6,11 @@ import java.awt.FlowLayout;
 import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import javax.swing.Box;
 import javax.swing.JPanel;
 
-/** The tools, the course of time and the colours, as buttons that show what is on. */
+/** The tools, the course of time and the colours, as buttons that show what is on, and sliders of surfaces. */
 final class Bar extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int GAP_X = 6;
@@ -19,6 +20,8 @@ final class Bar extends JPanel {
     private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
     private final FlatButton pause;
     private final FlatButton slow;
+    private final FlatSlider friction;
+    private final FlatSlider rolling;
     private final int width;
 
     /** A bar in a window that is to have so many pixels across. */
@@ -41,6 +44,10 @@ final class Bar extends JPanel {
                     + mode.label().substring(1);
             paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
         }
+        add(Box.createHorizontalStrut(14));
+        friction = slider("Friction", "of walls and of circles that are no belts", 1, Session::setFriction, loop);
+        rolling = slider(
+                "Rolling", "rolling resistance: circles roll on at 0", 0.3f, Session::setRollingResistance, loop);
     }
 
     /** As high as its rows are, where the layout itself knows of one row only; and it asks for no width. */
@@ -71,6 +78,14 @@ final class Bar extends JPanel {
         return button;
     }
 
+    private FlatSlider slider(
+            String text, String tip, float greatest, BiConsumer<Session, Float> setter, SessionLoop loop) {
+        FlatSlider slider =
+                new FlatSlider(text, tip, greatest, value -> loop.ask(session -> setter.accept(session, value)));
+        add(slider);
+        return slider;
+    }
+
     /** Shows what a frame says. */
     void show(Frame frame) {
         tools.forEach((kind, button) -> button.setSelected(kind == frame.tool));
@@ -78,5 +93,7 @@ final class Bar extends JPanel {
         pause.setSelected(frame.paused);
         slow.setSelected(frame.speed < 1);
         slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
+        friction.show(frame.friction);
+        rolling.show(frame.rollingResistance);
     }
 }

@@ -20,6 +20,9 @@ final class Frame {
     int[] colour = new int[0];
     int[] rim = new int[0];
 
+    /** Radians to the left; NaN for a circle without a mark of how it has turned. */
+    float[] angle = new float[0];
+
     String stage = "";
     Backend backend = Backend.JVM;
     String device = "";
@@ -35,6 +38,8 @@ final class Frame {
     ToolKind tool = ToolKind.GRAB;
     PaintMode paint = PaintMode.SPEED;
     double brush;
+    float friction;
+    float rollingResistance;
     String message = "";
     List<Mark> marks = List.of();
 
@@ -55,6 +60,7 @@ final class Frame {
             radius = Arrays.copyOf(radius, room);
             colour = Arrays.copyOf(colour, room);
             rim = Arrays.copyOf(rim, room);
+            angle = Arrays.copyOf(angle, room);
         }
     }
 }

@@ -10,6 +10,14 @@ import java.awt.geom.Line2D;
 
 /** Paints the arena, the circles and the marks of the tools. One thread at a time; it keeps its raster between frames. */
 final class Painter {
+    /** Where the mark of how a circle has turned is, and how large, in radii of the circle. */
+    private static final double MARK_AT = 0.52;
+
+    private static final double MARK_RADIUS = 0.26;
+
+    /** Below this radius in pixels a circle has no mark, which would be a speck. */
+    private static final double MARK_FROM = 2.5;
+
     private final Raster raster = new Raster();
 
     /** Paints over (0, 0) to (width, height). If the transform scales, circles are filled in device pixels and stay sharp. */
@@ -38,12 +46,17 @@ final class Painter {
         raster.box(left - wall, top - wall, right + wall, bottom + wall, Theme.WALL);
         raster.box(left, top, right, bottom, Theme.ARENA);
         for (int k = 0; k < frame.circles; k++) {
-            raster.disc(
-                    camera.screenX(frame.x[k], width),
-                    camera.screenY(frame.y[k], height),
-                    frame.radius[k] * camera.scale(),
-                    frame.colour[k],
-                    frame.rim[k]);
+            double x = camera.screenX(frame.x[k], width);
+            double y = camera.screenY(frame.y[k], height);
+            double radius = frame.radius[k] * camera.scale();
+            raster.disc(x, y, radius, frame.colour[k], frame.rim[k]);
+            double angle = frame.angle[k];
+            if (radius >= MARK_FROM && angle == angle) {
+                double reach = MARK_AT * radius;
+                int colour = Ramp.mark(frame.colour[k]);
+                raster.disc(
+                        x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, colour, colour);
+            }
         }
     }
 

@@ -4,6 +4,7 @@ package io.github.circles2d.playground;
 final class Ramp {
     private static final int SHADES = 256;
     private static final double RIM = 0.62;
+    private static final double MARK = 0.3;
 
     private final int[] colours = new int[SHADES];
 
@@ -22,6 +23,11 @@ final class Ramp {
 
     static int rim(int rgb) {
         return mix(0, rgb, RIM);
+    }
+
+    /** The colour of a mark on a circle. */
+    static int mark(int rgb) {
+        return mix(0, rgb, MARK);
     }
 
     static int mix(int from, int to, double share) {

@@ -2,6 +2,7 @@ package io.github.circles2d.playground;
 
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 
 /** Reads what a frame shows from a world, in one bulk copy for each field. It keeps its arrays. */
 final class Readout {
@@ -10,6 +11,9 @@ final class Readout {
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
     private float[] loads = new float[0];
+    private float[] angles = new float[0];
+    private float[] angularVelocities = new float[0];
+    private int[] kinds = new int[0];
     private double energy;
 
     /** Fills the circles of a frame, where they are between two steps. */
@@ -24,6 +28,13 @@ final class Readout {
         ensure(ids);
         world.readById(circles, null);
         world.readVelocitiesById(velocities, null);
+        world.readAnglesById(angles, null);
+        world.readAngularVelocitiesById(angularVelocities, null);
+        boolean turns = turns(ids);
+        if (turns) {
+            world.readKindsById(kinds, null);
+            sandbox.loop().angles().get(0, angles, 0, positions.limit() / 2);
+        }
         if (paint.needsLoads()) {
             world.readLoadsById(loads, null);
             for (int id = 0; id < ids; id++) {
@@ -34,6 +45,11 @@ final class Readout {
         frame.arena = Arena.of(world);
         frame.ensure(world.size());
         copy(frame, positions, ids, paint);
+        if (turns) {
+            mark(frame, world, ids);
+        } else {
+            Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
+        }
         measure(world, ids);
         frame.energy = energy;
     }
@@ -62,6 +78,35 @@ final class Readout {
         frame.movable = movable;
     }
 
+    /** Whether a circle turns or has turned. */
+    private boolean turns(int ids) {
+        for (int id = 0; id < ids; id++) {
+            if (angles[id] != 0 && angles[id] == angles[id]
+                    || angularVelocities[id] != 0 && angularVelocities[id] == angularVelocities[id]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Shows how circles have turned. Static ones show it if they have, and their belts by a colour. */
+    private void mark(Frame frame, World world, int ids) {
+        int count = 0;
+        for (int id = 0; id < ids; id++) {
+            if (circles[4 * id] != circles[4 * id]) {
+                continue; // no circle
+            }
+            float angle = angles[id] == angles[id] ? angles[id] : 0; // it is new
+            boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
+            frame.angle[count] = isStatic && angle == 0 ? Float.NaN : angle;
+            if (isStatic && world.kind(kinds[id]).beltSpeed() != 0) {
+                frame.colour[count] = Theme.BELT;
+                frame.rim[count] = Ramp.rim(Theme.BELT);
+            }
+            count++;
+        }
+    }
+
     private int colour(int id, PaintMode paint) {
         return switch (paint) {
             case PLAIN -> Shades.tint(id);
@@ -71,7 +116,7 @@ final class Readout {
         };
     }
 
-    /** Kinetic energy, and that of the height above the corner where it is least. */
+    /** Kinetic energy, that of turning, and that of the height above the corner where it is least. */
     private void measure(World world, int ids) {
         double gx = world.gravityX();
         double gy = world.gravityY();
@@ -84,7 +129,8 @@ final class Readout {
                 double vx = velocities[2 * id];
                 double vy = velocities[2 * id + 1];
                 double height = gx * (circles[4 * id] - lowX) + gy * (circles[4 * id + 1] - lowY);
-                sum += mass * (0.5 * (vx * vx + vy * vy) - height);
+                double surface = circles[4 * id + 2] * (double) angularVelocities[id];
+                sum += mass * (0.5 * (vx * vx + vy * vy) + 0.25 * surface * surface - height);
             }
         }
         energy = sum;
@@ -96,6 +142,9 @@ final class Readout {
             circles = new float[4 * room];
             velocities = new float[2 * room];
             loads = new float[2 * room];
+            angles = new float[room];
+            angularVelocities = new float[room];
+            kinds = new int[room];
         }
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d.playground;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldStats;
 import java.io.IOException;
@@ -128,6 +129,26 @@ final class Sandbox implements AutoCloseable {
 
     int stepsToRewind() {
         return timeline.stepsBefore(step);
+    }
+
+    /** The friction of walls and of the circles that have none by their kind: those of kind 0, which the tools add, too. */
+    float friction() {
+        float own = world.kind(0).friction();
+        return own == own ? own : world.defaultFriction();
+    }
+
+    /** The same of rolling resistance. */
+    float rollingResistance() {
+        float own = world.kind(0).rollingResistance();
+        return own == own ? own : world.defaultRollingResistance();
+    }
+
+    /** Gives walls and the circles of kind 0 another surface. Belts stay. */
+    void setSurface(float friction, float rollingResistance) {
+        world.kind(0).setFriction(friction).setRollingResistance(rollingResistance);
+        for (Wall wall : Wall.values()) {
+            world.setWallSurface(wall, friction, rollingResistance, world.wallBeltSpeed(wall));
+        }
     }
 
     World world() {

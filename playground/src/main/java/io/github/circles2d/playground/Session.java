@@ -96,6 +96,8 @@ final class Session implements AutoCloseable {
         frame.tool = hand.kind();
         frame.paint = paint;
         frame.brush = hand.reach(sandbox);
+        frame.friction = sandbox.friction();
+        frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
         gauges.show(frame);
         messageFrames = Math.max(0, messageFrames - 1);
@@ -151,6 +153,14 @@ final class Session implements AutoCloseable {
 
     void nextPaint() {
         paint = paint.next();
+    }
+
+    void setFriction(float friction) {
+        use(() -> sandbox.setSurface(friction, sandbox.rollingResistance()));
+    }
+
+    void setRollingResistance(float resistance) {
+        use(() -> sandbox.setSurface(sandbox.friction(), resistance));
     }
 
     void setTool(ToolKind kind) {

@@ -1,15 +1,22 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scenes;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 
 /** The stages of the menu: some to play with, and the published scenes. */
 final class Stages {
     private static final float FIXED = Float.POSITIVE_INFINITY;
     private static final float GRAVITY = 60;
+
+    // Kinds of static circles.
+    private static final int BELT = 1;
+    private static final int ROLLER = 2;
+    private static final int ICE = 3;
 
     private static final List<Stage> ALL = List.of(
             own("sandbox", Stages::sandbox),
@@ -17,6 +24,7 @@ final class Stages {
             own("pegs", Stages::pegs),
             own("marbles", Stages::marbles),
             own("crowd", Stages::crowd),
+            own("slopes-and-belts", builder -> builder.friction(0.6f).rollingResistance(0.01f), Stages::slopesAndBelts),
             own("empty", world -> {}),
             Stage.of("thesis", () -> Scenes.thesis(Scenes.THESIS_SIZE, Scenes.SEED)),
             Stage.of("packed", () -> Scenes.packed(10_000, Scenes.SEED)),
@@ -48,13 +56,17 @@ final class Stages {
     }
 
     private static Stage own(String name, Consumer<World> circles) {
+        return own(name, builder -> builder, circles);
+    }
+
+    private static Stage own(String name, UnaryOperator<World.Builder> more, Consumer<World> circles) {
         return new Stage(
                 name,
                 false,
-                () -> World.builder()
+                () -> more.apply(World.builder()
                         .bounds(0, 0, 160, 100)
                         .gravity(0, -GRAVITY)
-                        .restitution(0.3f),
+                        .restitution(0.3f)),
                 circles);
     }
 
@@ -113,6 +125,24 @@ final class Stages {
         }
     }
 
+    /** Balls roll down a slope, and a belt takes them up to rollers; behind these they slide down ice onto the floor, which runs back. */
+    private static void slopesAndBelts(World world) {
+        world.kind(BELT).setFriction(1).setBeltSpeed(-24);
+        world.kind(ROLLER).setFriction(1);
+        world.kind(ICE).setFriction(0);
+        world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);
+        line(world, 2, 82, 52, 66, 0.8f);
+        line(world, 54, 62, 112, 72, 0.8f, BELT);
+        for (int k = 0; k < 7; k++) {
+            long roller = world.add(150 - 7.5f * k, 56 - 0.7f * k, 3.2f, FIXED, 0, 0, ROLLER);
+            world.setAngularVelocity(roller, 6);
+        }
+        line(world, 98, 46, 52, 28, 0.8f, ICE);
+        line(world, 156, 66, 156, 58, 0.8f);
+        heap(world, 4, 84, 48, 99, 1, 1.6f, 10);
+        heap(world, 20, 2, 140, 12, 1, 1.6f, 11);
+    }
+
     /** Ten thousand. */
     private static void crowd(World world) {
         heap(world, 1, 1, 159, 99, 0.44f, 0.58f, 9);
@@ -134,11 +164,15 @@ final class Stages {
 
     /** Static circles, one beside the other. */
     private static void line(World world, float x, float y, float toX, float toY, float radius) {
+        line(world, x, y, toX, toY, radius, 0);
+    }
+
+    private static void line(World world, float x, float y, float toX, float toY, float radius, int kind) {
         double length = Math.hypot(toX - x, toY - y);
         int parts = (int) Math.ceil(length / (1.2 * radius));
         for (int k = 0; k <= parts; k++) {
             float share = (float) k / parts;
-            world.add(x + (toX - x) * share, y + (toY - y) * share, radius, FIXED);
+            world.add(x + (toX - x) * share, y + (toY - y) * share, radius, FIXED, 0, 0, kind);
         }
     }
 

@@ -17,9 +17,15 @@ final class Theme {
     /** Static circles, and their rims. */
     static final int STATIC = 0x5a6878;
 
+    /** Static circles whose surfaces move. */
+    static final int BELT = 0x8a6a3a;
+
     static final Color PANEL = new Color(0x10, 0x15, 0x1c, 215);
     static final Color BAR = new Color(0x171d26);
     static final Color BUTTON = new Color(0x222b37);
+    /** The part of a slider up to its value. */
+    static final Color TRACK = new Color(0x1f5f86);
+
     static final Color HOVER = new Color(0x2d3948);
     static final Color TEXT = new Color(0xe3e9ef);
     static final Color FAINT = new Color(0x8593a3);

@@ -3,6 +3,8 @@ package io.github.circles2d.playground;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Wall;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.AfterEach;
@@ -134,6 +136,104 @@ class PlaygroundSessionTest {
         assertThat(colours[0]).isNotEqualTo(colours[1]);
         assertThat(colours[1]).isNotEqualTo(colours[2]);
         assertThat(colours[2]).isNotEqualTo(colours[3]);
+    }
+
+    @Test
+    void onceTheWorldTurnsEachCircleShowsHowItHasTurned() {
+        frames(90);
+        assertThat(marked()).isZero();
+        session.setFriction(0.4f);
+        frames(60);
+        assertThat(frame.friction).isEqualTo(0.4f);
+        assertThat(marked()).isEqualTo(frame.movable).isLessThan(frame.circles);
+        float[] before = frame.angle.clone();
+        frames(3);
+        int turned = 0;
+        for (int k = 0; k < frame.circles; k++) {
+            turned += frame.angle[k] != before[k] && frame.angle[k] == frame.angle[k] ? 1 : 0;
+        }
+        assertThat(turned).as("circles that turn").isGreaterThan(frame.movable / 2);
+        session.setPaint(PaintMode.PLAIN);
+        frames(1);
+        assertThat(marked()).isEqualTo(frame.movable);
+    }
+
+    private int marked() {
+        int marked = 0;
+        for (int k = 0; k < frame.circles; k++) {
+            marked += frame.angle[k] == frame.angle[k] ? 1 : 0;
+        }
+        return marked;
+    }
+
+    @Test
+    void theSlidersShowTheSurfacesOfTheWorldAlsoBackInTime() {
+        frames(10);
+        assertThat(frame.friction).isZero();
+        session.setFriction(0.5f);
+        session.setRollingResistance(0.1f);
+        frames(10);
+        assertThat(frame.friction).isEqualTo(0.5f);
+        assertThat(frame.rollingResistance).isEqualTo(0.1f);
+        assertThat(session.world().wallFriction(Wall.MIN_Y)).isEqualTo(0.5f);
+        for (int k = 0; k < 15; k++) {
+            session.stepBack();
+        }
+        frames(1);
+        assertThat(frame.friction).isZero();
+        assertThat(frame.rollingResistance).isZero();
+    }
+
+    @Test
+    void inSlopesAndBeltsBallsRollDownAreCarriedUpAndTheFloorTakesThemToTheRight() {
+        session.load(Stages.named("slopes-and-belts"));
+        frames(600);
+        assertThat(frame.friction).isEqualTo(0.6f);
+        assertThat(frame.colour).contains(Theme.BELT);
+        int right = 0;
+        int low = 0;
+        int turning = 0;
+        for (int k = 0; k < frame.circles; k++) {
+            if (frame.colour[k] != Theme.STATIC && frame.y[k] < 30) {
+                low++;
+                right += frame.x[k] > 80 ? 1 : 0;
+            }
+            turning += frame.colour[k] == Theme.STATIC && frame.angle[k] == frame.angle[k] ? 1 : 0;
+        }
+        assertThat(right).isGreaterThan(low * 3 / 4).isGreaterThan(100);
+        assertThat(turning).as("rollers").isEqualTo(7);
+        long rightOfTheBelt = session.world().queries().overlapBox(110, 40, 158, 90, new long[0]);
+        assertThat(rightOfTheBelt)
+                .as("rollers and balls that the belt has carried up")
+                .isGreaterThan(20);
+        session.setFriction(0);
+        frames(1);
+        assertThat(session.world().wallBeltSpeed(Wall.MIN_Y)).as("belts stay").isEqualTo(16);
+    }
+
+    @Test
+    void theMarkIsOnTheSideToWhichTheCircleHasTurned() {
+        Frame one = new Frame();
+        one.arena = new Arena(0, 0, 100, 100);
+        one.ensure(1);
+        one.circles = 1;
+        one.x[0] = one.y[0] = 50;
+        one.radius[0] = 40;
+        one.colour[0] = 0xffffff;
+        int[][] places = {{130, 100}, {100, 70}, {70, 100}, {100, 130}}; // right, up, left, down
+        for (int turned = 0; turned < 4; turned++) {
+            one.angle[0] = (float) (turned * Math.PI / 2);
+            BufferedImage picture = Playground.picture(one, 200, 200);
+            for (int k = 0; k < 4; k++) {
+                int expected = k == turned ? Ramp.mark(0xffffff) : 0xffffff;
+                assertThat(picture.getRGB(places[k][0], places[k][1]) & 0xffffff)
+                        .as("side %d after %d quarters", k, turned)
+                        .isEqualTo(expected);
+            }
+        }
+        one.angle[0] = Float.NaN;
+        assertThat(Playground.picture(one, 200, 200).getRGB(130, 100) & 0xffffff)
+                .isEqualTo(0xffffff);
     }
 
     @Test

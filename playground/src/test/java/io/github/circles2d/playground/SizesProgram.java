@@ -154,7 +154,7 @@ final class SizesProgram {
     private static List<Rectangle> bounds(Container container) {
         List<Rectangle> bounds = new ArrayList<>();
         for (Component part : container.getComponents()) {
-            if (part instanceof FlatButton) {
+            if (part instanceof FlatButton || part instanceof FlatSlider) {
                 bounds.add(part.getBounds());
             }
         }

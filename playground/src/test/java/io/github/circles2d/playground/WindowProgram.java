@@ -72,6 +72,7 @@ final class WindowProgram {
         explode();
         switchBackends();
         drawAndErase();
+        slide();
         look();
         copy();
         saveTheRest();
@@ -188,6 +189,29 @@ final class WindowProgram {
         mouse(MouseEvent.MOUSE_RELEASED, 36, 35);
         say("and erased", becomesTrue(() -> ask(s -> s.world().size()) < drawn - 8));
         key(KeyEvent.VK_1);
+    }
+
+    private void slide() throws Exception {
+        FlatSlider slider = (FlatSlider) find(window.getContentPane(), FlatSlider.class);
+        say("nothing turns at first", !onEventThread(this::isMarked));
+        for (int type : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_DRAGGED, MouseEvent.MOUSE_RELEASED}) {
+            int x = slider.getWidth() * (type == MouseEvent.MOUSE_PRESSED ? 1 : 2) / 4;
+            SwingUtilities.invokeAndWait(() -> slider.dispatchEvent(
+                    new MouseEvent(slider, type, 0, InputEvent.BUTTON1_DOWN_MASK, x, 9, 1, false, MouseEvent.BUTTON1)));
+        }
+        say("a slider sets friction", ask(s -> s.sandbox().friction()) == 0.5f);
+        say("and circles show how they have turned", becomesTrue(() -> onEventThread(this::isMarked)));
+        save("8-friction");
+    }
+
+    private boolean isMarked() {
+        Frame newest = loop.latest();
+        for (int k = 0; k < newest.circles; k++) {
+            if (newest.angle[k] == newest.angle[k]) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void look() throws Exception {

@@ -6,6 +6,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.graphics.glutils.ShapeRenderer;
+import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.utils.ScreenUtils;
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
@@ -75,14 +76,15 @@ class MergeApplication extends ApplicationAdapter {
         box("f3b9a5", 0, Merge.LINE, Merge.WIDTH, 0.06f);
         if (game.isReady()) {
             box("f3b9a5", game.dropX() - 0.02f, 0, 0.04f, Merge.DROP_HEIGHT);
-            ball(game.next, game.dropX(), Merge.DROP_HEIGHT, Merge.RADII[game.next]);
+            ball(game.next, game.dropX(), Merge.DROP_HEIGHT, Merge.RADII[game.next], 0);
         }
         var positions = loop.positions(null);
         var radii = loop.radii();
+        var angles = loop.angles();
         game.world.readKindsById(kinds, null);
         for (int id = 0; id < game.world.idLimit(); id++) {
             if (!Float.isNaN(positions.get(2 * id))) {
-                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1), radii.get(id));
+                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1), radii.get(id), angles.get(id));
             }
         }
         shapes.end();
@@ -98,15 +100,18 @@ class MergeApplication extends ApplicationAdapter {
         shapes.rect(x, y, width, height);
     }
 
-    private void ball(int kind, float x, float y, float radius) {
+    /** A ball whose face has turned by an angle; the light on it has not. */
+    private void ball(int kind, float x, float y, float radius, float angle) {
         Color color = Color.valueOf(COLORS[kind]);
         disc(color.cpy().mul(0.8f, 0.8f, 0.8f, 1), x, y, radius);
         disc(color, x, y, 0.88f * radius);
+        float right = radius * MathUtils.cos(angle),
+                up = radius * MathUtils.sin(angle); // of a step to the face's right
+        disc(INK, x - 0.3f * right, y - 0.3f * up, 0.1f * radius); // eyes
+        disc(INK, x + 0.3f * right, y + 0.3f * up, 0.1f * radius);
+        disc(INK, x + 0.2f * up, y - 0.2f * right, 0.22f * radius); // the lower edge of a disc is a mouth
+        disc(color, x + 0.14f * up, y - 0.14f * right, 0.22f * radius);
         disc(Color.WHITE, x - 0.42f * radius, y + 0.5f * radius, 0.15f * radius); // shine
-        disc(INK, x - 0.3f * radius, y, 0.1f * radius); // eyes
-        disc(INK, x + 0.3f * radius, y, 0.1f * radius);
-        disc(INK, x, y - 0.2f * radius, 0.22f * radius); // the lower edge of a disc is a mouth
-        disc(color, x, y - 0.14f * radius, 0.22f * radius);
     }
 
     private void disc(Color color, float x, float y, float radius) {

@@ -121,7 +121,7 @@ public final class DevicePipeline implements Pipeline {
         if (turning) {
             readback.useTurning(loaded);
         }
-        plansOf(turning).forEach(each -> each.load(stages));
+        plans.forEach(each -> each.load(stages));
         loaded.bind(
                 arrays,
                 queue.slotsBehindPending(),
@@ -153,14 +153,9 @@ public final class DevicePipeline implements Pipeline {
                 key -> compile(anySettings, edges, turning, reporting, recording));
     }
 
-    /** Those whose kernels are compiled. */
-    private List<Plan> plansOf(boolean turning) {
-        return turning ? plans.stream().filter(Plan::turns).toList() : plans;
-    }
-
     private StageKernels compile(
             boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
-        KernelSource source = Plans.source(plansOf(turning), session.device());
+        KernelSource source = Plans.source(plans, session.device());
         source = anySettings ? source.define("TUNED", 1) : source;
         source = edges ? source.define("EDGES", 1) : source;
         source = turning ? source.define("TURNING", 1) : source;

@@ -123,10 +123,13 @@ final class CirclePasses {
                 }
             } else {
                 walls.solve(slot, X, minX, maxX, k, sub);
+                // each wall grips along the other axis
+                float gainedX = m[s + VX] - nextX;
+                nextY = m[s + VY];
                 walls.solve(slot, Y, minY, maxY, k, sub);
                 if (walls.touches != null) {
-                    walls.touches.solved(slot, X, sideX, vx, nextX, gapX, k, sub);
-                    walls.touches.solved(slot, Y, sideY, vy, nextY, gapY, k, sub);
+                    walls.touches.solved(slot, X, sideX, vx, gainedX, gapX, k, sub);
+                    walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, k, sub);
                 }
             }
         }

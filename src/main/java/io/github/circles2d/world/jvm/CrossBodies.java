@@ -79,11 +79,11 @@ final class CrossBodies {
     }
 
     /** As {@link LikeBodies#addToSums}. */
-    void addToSums(int c, float nx, float ny, float impulse) {
+    void addToSums(int c, float ofPairX, float ofPairY) {
         float[] load = state.load;
         int isB = contacts.isLightB(c);
-        float x = side(isB) * nx * impulse;
-        float y = side(isB) * ny * impulse;
+        float x = side(isB) * ofPairX;
+        float y = side(isB) * ofPairY;
         int light = contacts.pair[ContactRow.a(c) + isB];
         load[light + IMPULSE_X] -= x;
         load[light + IMPULSE_Y] -= y;

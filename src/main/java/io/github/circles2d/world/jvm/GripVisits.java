@@ -35,26 +35,31 @@ final class GripVisits {
         return Branchless.isNotZero(g[o + FRICTION_IMPULSE]) | Branchless.isNotZero(g[o + ROLLING_IMPULSE]);
     }
 
-    /** Adds what is accumulated to the sums of the circles. */
-    void addToSums(int c, int a, int b, float nx, float ny) {
+    boolean grips(int c) {
         float[] g = contacts.grip;
         int o = GripRow.of(c);
-        if (!(g[o + FRICTION] > 0f) && !(g[o + REACH] > 0f)) {
-            return;
-        }
-        float friction = g[o + FRICTION_IMPULSE];
-        float rolling = g[o + ROLLING_IMPULSE];
-        float ofA = -friction;
-        float ofB = -friction;
+        return g[o + FRICTION] > 0f || g[o + REACH] > 0f;
+    }
+
+    /** The impulse of friction that is accumulated. */
+    float friction(int c) {
+        return contacts.grip[GripRow.of(c) + FRICTION_IMPULSE];
+    }
+
+    /** Adds what is accumulated to the sums of impulses on the surface speeds. */
+    void addToSpinSums(int c, int a, int b) {
+        float[] g = contacts.grip;
+        int o = GripRow.of(c);
+        float ofA = -g[o + FRICTION_IMPULSE];
+        float ofB = ofA;
         if (g[o + REACH] > 0f) {
+            float rolling = g[o + ROLLING_IMPULSE];
             ofA -= rolling / state.circle[a + RADIUS];
             ofB += rolling / state.circle[b + RADIUS];
         }
         if (cross == null) {
-            like.addToSums(a, b, -ny, nx, friction);
             like.addToSpinSums(a, b, ofA, ofB);
         } else {
-            cross.addToSums(c, -ny, nx, friction);
             cross.addToSpinSums(c, ofA, ofB);
         }
     }

@@ -76,9 +76,13 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(ContactSettings settings, boolean edged, boolean turning) {
         if (turning) {
-            contacts.impulseCache().ensureGrips();
-            state.startTurning();
+            startTurning();
         }
+    }
+
+    private void startTurning() {
+        contacts.impulseCache().ensureGrips();
+        state.startTurning();
     }
 
     @Override
@@ -104,7 +108,6 @@ public final class JvmPipeline implements Pipeline {
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         if (constants.turning) {
-            state.startTurning();
             state.turning.kinds = input.surfaces.rows;
         }
         Touches touches = recorder == null ? null : recorder.touches(reports);

@@ -60,11 +60,11 @@ final class LikeBodies {
     }
 
     /** Takes an impulse from A's sum for the next sub-step and adds it to B's. */
-    void addToSums(int a, int b, float nx, float ny, float impulse) {
+    void addToSums(int a, int b, float x, float y) {
         float[] load = state.load;
-        load[a + IMPULSE_X] -= nx * impulse;
-        load[a + IMPULSE_Y] -= ny * impulse;
-        load[b + IMPULSE_X] += nx * impulse;
-        load[b + IMPULSE_Y] += ny * impulse;
+        load[a + IMPULSE_X] -= x;
+        load[a + IMPULSE_Y] -= y;
+        load[b + IMPULSE_X] += x;
+        load[b + IMPULSE_Y] += y;
     }
 }

@@ -98,11 +98,21 @@ final class PairVisits {
         }
     }
 
-    private void addToSums(CrossBodies cross, int c, int a, int b, float nx, float ny, float impulse) {
+    /** Adds what a contact pushes with, and grips with, to the sums of its circles for the next sub-step. */
+    private void addToSums(
+            CrossBodies cross, GripVisits grips, int c, int a, int b, float nx, float ny, float impulse) {
+        float x = nx * impulse;
+        float y = ny * impulse;
+        if (grips != null && grips.grips(c)) {
+            float friction = grips.friction(c);
+            x += -ny * friction;
+            y += nx * friction;
+            grips.addToSpinSums(c, a, b);
+        }
         if (cross == null) {
-            like.addToSums(a, b, nx, ny, impulse);
+            like.addToSums(a, b, x, y);
         } else {
-            cross.addToSums(c, nx, ny, impulse);
+            cross.addToSums(c, x, y);
         }
     }
 
@@ -122,10 +132,7 @@ final class PairVisits {
             int b = contacts.pair[ContactRow.b(c)];
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
-            addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
-            if (grips != null) {
-                grips.addToSums(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
-            }
+            addToSums(cross, grips, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
             if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
@@ -354,10 +361,7 @@ final class PairVisits {
             int o = ContactRow.of(c);
             int a = pair[ContactRow.a(c)];
             int b = pair[ContactRow.b(c)];
-            addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
-            if (grips != null) {
-                grips.addToSums(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
-            }
+            addToSums(cross, grips, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
             load(a, b);
         }
     }

@@ -173,8 +173,6 @@ public final class State {
                 ids = Math.max(ids, records[k + Commands.ID] + 1);
             } else if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 circles--;
-            } else if (Commands.turns(records[k + Commands.OPCODE])) {
-                startTurning();
             } else if (records[k + Commands.OPCODE] == Commands.FIELD) {
                 fields.ensure(field(records, k), records[k + Commands.ID] + 1);
             }

@@ -62,24 +62,25 @@ final class WallTouches {
         }
     }
 
-    /** A visit with bias: velocity before impulses, and before the visit; gap from where the wall is at the end of the step. */
-    void solved(int slot, int axis, float side, float before, float from, float gap, StepConstants k, int sub) {
+    /** A visit with bias: velocity before impulses, what the visit added to it; gap from where the wall is at the end of the step. */
+    void solved(int slot, int axis, float side, float before, float gained, float gap, StepConstants k, int sub) {
         int wall = WallMotion.of(axis, side);
         float r = state.circle[CircleRow.of(slot) + RADIUS];
         float now = (gap + k.walls.behind(wall, sub)) + k.walls.sweepFor(wall, r);
-        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), from, now);
+        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), gained, now);
     }
 
     /** A visit without bias: velocity and gap before it. */
     void relaxed(int slot, int axis, float side, float from, float gap, StepConstants k) {
         float r = state.circle[CircleRow.of(slot) + RADIUS];
-        visited(slot, axis, side, side * from - k.walls.speedFor(WallMotion.of(axis, side), r), from, gap);
+        float vn = side * from - k.walls.speedFor(WallMotion.of(axis, side), r);
+        visited(slot, axis, side, vn, state.motion[CircleRow.of(slot) + VX + axis] - from, gap);
     }
 
     /** vn: normal speed that the circle approached with. */
-    private void visited(int slot, int axis, float side, float vn, float from, float gap) {
+    private void visited(int slot, int axis, float side, float vn, float gained, float gap) {
         int t = row(slot, axis);
-        float impulse = side * (state.motion[CircleRow.of(slot) + VX + axis] - from);
+        float impulse = side * gained;
         rows[t + IMPULSE] += impulse;
         float approach = TouchRule.approach(vn);
         if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {

@@ -9,9 +9,7 @@ import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
@@ -25,11 +23,7 @@ class SurfacesAgreeTest {
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return new Pipeline[] {
-            new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false),
-            new JvmPipeline(2, 1, 0, false),
-            Pipelines.of(device, Plans.choose(device))
-        };
+        return PipelinesAgreeTest.pipelines(device);
     }
 
     /** From the first surface in mid-life on, in steps of several lengths, also with fast circles. */

@@ -108,7 +108,7 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Lets changes turn circles on devices, too. Those of other tests do not, since tiles take no worlds that turn. */
+    /** Lets changes turn circles on devices, too: the kernels of worlds that do not turn are others. */
     void letChangesTurn() {
         turns = true;
     }
@@ -516,34 +516,6 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Turns the circle that had an id last, and changes the surfaces of a kind and of a wall. */
-    private void turn(int id, SplittableRandom random) {
-        float angle = between(random, -9, 9);
-        float velocity = between(random, -9, 9);
-        float impulse = between(random, -1, 1);
-        long[] some = random.ints(5, 0, ids).mapToLong(k -> handles[k]).toArray();
-        float[] velocities = {velocity, -velocity, 0, angle, impulse};
-        int kind = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
-        int wall = random.nextInt(4);
-        float friction = random.nextInt(4) == 0 ? Float.NaN : between(random, 0, 1);
-        float resistance = between(random, 0, 0.5f);
-        int inertia = random.nextInt(3);
-        for (Simulation simulation : simulations) {
-            if (lives(id)) {
-                simulation.circles().setAngle(handles[id], angle);
-                simulation.circles().setAngularVelocity(handles[id], velocity);
-                simulation.circles().applyAngularImpulse(handles[id], impulse);
-            }
-            simulation.bulk().setAngularVelocities(some, some.length, velocities, true);
-            simulation.kinds().set(KindField.FRICTION, kind, friction);
-            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
-            simulation.kinds().set(KindField.BELT_SPEED, kind, impulse);
-            simulation.kinds().set(KindField.INERTIA, kind, inertia);
-            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, resistance);
-            simulation.setWallSurface(wall, resistance, resistance, impulse);
-        }
-    }
-
     /** Makes circles grip and turn: some kinds, some walls and some circles, each in some way. */
     void changeSurfaces(SplittableRandom random) {
         int kind = random.nextInt(3);
@@ -633,6 +605,34 @@ final class Twins implements AutoCloseable {
             assertThat(read).as(when).isEqualTo(angles);
             simulation.readings().readAngularVelocitiesById(read, null);
             assertThat(read).as(when).isEqualTo(velocities);
+        }
+    }
+
+    /** Turns the circle that had an id last, and changes the surfaces of a kind and of a wall. */
+    private void turn(int id, SplittableRandom random) {
+        float angle = between(random, -9, 9);
+        float velocity = between(random, -9, 9);
+        float impulse = between(random, -1, 1);
+        long[] some = random.ints(5, 0, ids).mapToLong(k -> handles[k]).toArray();
+        float[] velocities = {velocity, -velocity, 0, angle, impulse};
+        int kind = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int wall = random.nextInt(4);
+        float friction = random.nextInt(4) == 0 ? Float.NaN : between(random, 0, 1);
+        float resistance = between(random, 0, 0.5f);
+        int inertia = random.nextInt(3);
+        for (Simulation simulation : simulations) {
+            if (lives(id)) {
+                simulation.circles().setAngle(handles[id], angle);
+                simulation.circles().setAngularVelocity(handles[id], velocity);
+                simulation.circles().applyAngularImpulse(handles[id], impulse);
+            }
+            simulation.bulk().setAngularVelocities(some, some.length, velocities, true);
+            simulation.kinds().set(KindField.FRICTION, kind, friction);
+            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
+            simulation.kinds().set(KindField.BELT_SPEED, kind, impulse);
+            simulation.kinds().set(KindField.INERTIA, kind, inertia);
+            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, resistance);
+            simulation.setWallSurface(wall, resistance, resistance, impulse);
         }
     }
 

@@ -139,8 +139,23 @@ public enum DeviceArray {
             "friction, rolling resistance, belt speed, share of angular velocity that stays"),
     HEAVY_SPIN("long2", "heavySpin", Index.SLOT, "as heavySum: surface speed, impulse on it"),
     LIGHT_SPIN("float", "lightSpin", Index.SLOT, "as lightVelocity: surface speed"),
+    START_SPIN("float", "startSpin", Index.TILED_SLOT, "as drive: surface speed"),
+    SOLVED_SPIN("float", "solvedSpin", Index.TILED_SLOT, "as solvedMotion: surface speed"),
     PAIR_SKIN("float4", "pairSkin", Index.CONTACT, "friction, belt speed, tangent mass, reach of rolling resistance"),
     GRIP("float4", "grip", Index.CONTACT, "accumulated friction, accumulated rolling resistance, rolling mass"),
+    START_SPINS("float2", "startSpins", Index.TILED_CONTACT, "as startImpulses: impulses on surface speeds"),
+    HELD_GRIP(
+            "float2",
+            "heldGrip",
+            Index.TILED_CONTACT,
+            "as held: friction, rolling resistance; behind an even sub-step"),
+    ODD_GRIP("float2", "oddGrip", Index.TILED_CONTACT, "the same behind an odd one: neighbours read what was before"),
+    COPIED_GRIP(
+            "float2",
+            "copiedGrip",
+            Index.TILED_COPY,
+            "friction, tangent mass; negative where there is a belt or rolling resistance"),
+    COPIED_ROLL("float4", "copiedRoll", Index.TILED_COPY, "belt speed, reach of rolling resistance, rolling mass"),
     CACHED_GRIP("float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: friction, rolling resistance"),
     SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats");
 

@@ -194,10 +194,15 @@ public final class DeviceArrays {
         if (!turning) {
             turning = true;
             try {
-                grow(slotCapacity, index -> index == Index.HOME_SLOT || index == Index.SLOT ? slotCapacity : AS_IT_IS);
-                grow(
-                        contactCapacity,
-                        index -> index == Index.CONTACT || index == Index.OLD_CONTACT ? contactCapacity : AS_IT_IS);
+                grow(slotCapacity, index -> switch (index) {
+                    case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
+                    default -> AS_IT_IS;
+                });
+                grow(contactCapacity, index -> switch (index) {
+                    case CONTACT, TILED_CONTACT, OLD_CONTACT -> contactCapacity;
+                    case TILED_COPY -> copyCapacity;
+                    default -> AS_IT_IS;
+                });
                 DeviceBuffer tables = session.allocate(
                         "tables of kinds", (long) Float.BYTES * (DeviceArray.SURFACES_AT + SURFACE_FLOATS));
                 get(DeviceArray.KIND_MOTION).copyTo(tables, (long) Float.BYTES * DeviceArray.SURFACES_AT);

@@ -128,6 +128,15 @@ enum ElementField {
     ROLLING_IMPULSE(DeviceArray.GRIP, 1, 1),
     ROLLING_MASS(DeviceArray.GRIP, 2, 1),
 
+    COPIED_FRICTION(DeviceArray.COPIED_GRIP, 0, 1),
+    COPIED_TANGENT_MASS(DeviceArray.COPIED_GRIP, 1, 1),
+    COPIED_BELT(DeviceArray.COPIED_ROLL, 0, 1),
+    COPIED_REACH(DeviceArray.COPIED_ROLL, 1, 1),
+    COPIED_ROLLING_MASS(DeviceArray.COPIED_ROLL, 2, 1),
+
+    HELD_FRICTION(DeviceArray.HELD_GRIP, 0, 1),
+    HELD_ROLLING(DeviceArray.HELD_GRIP, 1, 1),
+
     CACHED_FRICTION(DeviceArray.CACHED_GRIP, 0, 1),
     CACHED_ROLLING(DeviceArray.CACHED_GRIP, 1, 1);
 

@@ -143,6 +143,7 @@ final class WorldTables {
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
         text.append("    int subStep; // the one that is made, where walls may move\n");
+        text.append("#ifdef TURNING\n    int relaxed; // the one whose contacts are visited\n#endif\n");
         text.append("#ifdef RECORDING\n    Recording recording;\n#endif\n");
         text.append("#ifdef REPORTING\n    Reporting reporting;\n#endif\n");
         return text.append("} World;\n").toString();

@@ -30,11 +30,6 @@ public final class ByColours implements Plan {
     }
 
     @Override
-    public boolean turns() {
-        return true;
-    }
-
-    @Override
     public void load(Stages shared) {
         stages = shared;
         fill = stages.kernel("contacts_fill");

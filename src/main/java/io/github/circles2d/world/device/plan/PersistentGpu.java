@@ -57,13 +57,9 @@ public final class PersistentGpu implements Plan {
         mostGroups = ResidentGroups.most(stages.device());
     }
 
-    /** Not steps that turn: tiles have no room for turning yet. */
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.turning()
-                && !wanted.thinning()
-                && wanted.circles() <= MOST_CIRCLES
-                && sizes.suitTogether(wanted);
+        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suitTogether(wanted);
     }
 
     @Override

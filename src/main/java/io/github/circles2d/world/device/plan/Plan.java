@@ -13,11 +13,6 @@ public interface Plan {
         return source;
     }
 
-    /** Whether kernels of worlds that turn have the plan. It suits no steps that turn otherwise. */
-    default boolean turns() {
-        return false;
-    }
-
     /** Whether the plan needs the arrays for tiles alone. */
     default boolean usesTileArrays() {
         return false;

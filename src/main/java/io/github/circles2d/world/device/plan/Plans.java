@@ -18,13 +18,14 @@ public enum Plans {
             device -> isGpu(device) && Tiles.fit(device) && ResidentGroups.fit(device),
             device -> gpu(device) + ", of a vendor whose work-groups can wait for each other",
             device -> {
-                TileSizes sizes = new TileSizes(device.computeUnits());
+                TileSizes sizes = new TileSizes(device.computeUnits(), Tiles.holdTurning(device));
                 return List.of(new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
             }),
     TILES(
             device -> isGpu(device) && Tiles.fit(device),
             Plans::gpu,
-            device -> List.of(new Tiles(new TileSizes(device.computeUnits())), new ByColours())),
+            device -> List.of(
+                    new Tiles(new TileSizes(device.computeUnits(), Tiles.holdTurning(device))), new ByColours())),
     COLOURS(
             device -> true,
             device -> isGpu(device) ? gpu(device) + ", too few for tiles" : "the others are for GPUs",
@@ -75,7 +76,7 @@ public enum Plans {
 
     /** One plan of each kind. */
     public static List<Plan> all() {
-        TileSizes sizes = new TileSizes(1);
+        TileSizes sizes = new TileSizes(1, true);
         return List.of(new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
     }
 

@@ -37,6 +37,9 @@ final class TileSizes {
 
     private final int computeUnits;
 
+    /** Whether tiles have room for circles that turn. */
+    private final boolean holdTurning;
+
     /** The largest size for work-groups that wait for each other: larger ones held too much. None does where it is the number of sizes. */
     private int largestSize;
 
@@ -61,13 +64,14 @@ final class TileSizes {
     private int size;
     private int tiles;
 
-    TileSizes(int computeUnits) {
+    TileSizes(int computeUnits, boolean holdTurning) {
         this.computeUnits = computeUnits;
+        this.holdTurning = holdTurning;
     }
 
     /** Whether tiles may do for such steps. */
     boolean suit(Steps steps) {
-        return givenUp == 0 && !(steps.thinning() && givenUpForCrowds > 0);
+        return (holdTurning || !steps.turning()) && givenUp == 0 && !(steps.thinning() && givenUpForCrowds > 0);
     }
 
     /** Whether there is a size that may do for such steps if work-groups wait for each other. */

@@ -15,6 +15,9 @@ public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
 
+    /** The same where circles turn. */
+    private static final int LOCAL_BYTES_TO_TURN = 44 << 10;
+
     /** The most work-items of a work-group that decides what steps report. */
     private static final int EVENT_GROUP = StageKernels.SMALL_GROUPS ? 16 : 512;
 
@@ -47,6 +50,11 @@ public final class Tiles implements Plan {
 
     public static boolean fit(Device device) {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
+    }
+
+    /** Whether tiles have room for circles that turn. */
+    static boolean holdTurning(Device device) {
+        return device.localMemoryBytes() >= LOCAL_BYTES_TO_TURN;
     }
 
     /** Many GPUs run no more than 256 work-items of events in a work-group, and their compilers refuse more. */
@@ -90,10 +98,9 @@ public final class Tiles implements Plan {
         deciders = Math.min(ResidentGroups.most(stages.device()), EventArrays.MOST_DECIDERS);
     }
 
-    /** Not steps that turn: tiles have no room for turning yet. */
     @Override
     public boolean suits(Steps steps) {
-        return !steps.turning() && sizes.suit(steps);
+        return sizes.suit(steps);
     }
 
     @Override

@@ -4,9 +4,11 @@ import io.github.circles2d.Backend;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.FixedStep;
+import io.github.circles2d.Inertia;
 import io.github.circles2d.Queries;
 import io.github.circles2d.Replay;
 import io.github.circles2d.Rewind;
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -32,6 +34,7 @@ final class Check {
         check.recordAndReplay();
         check.rewind();
         check.fixedStep();
+        check.turning();
         check.farAndFast();
         check.refusals();
         check.auto();
@@ -180,6 +183,41 @@ final class Check {
             }
         }
         say("fixed step", digest);
+    }
+
+    private void turning() {
+        Digest digest = new Digest();
+        World.Builder builder = World.builder().backend(Backend.JVM).bounds(0, 0, 100, 80);
+        builder.gravity(0, -20).friction(0.5f).rollingResistance(0.03f).wallSurface(Wall.MIN_Y, 0.9f, 0.1f, 4);
+        try (World world = builder.build()) {
+            world.kind(1).setInertia(Inertia.RING).setAngularDamping(0.5f);
+            world.kind(2).setInertia(Inertia.NONE).setFriction(0.9f);
+            world.kind(3).setBeltSpeed(-7);
+            Random random = new Random(13);
+            for (int i = 0; i < 300; i++) {
+                float u = random.nextFloat();
+                float x = 5 + 90 * random.nextFloat();
+                float y = 5 + 70 * random.nextFloat();
+                float mass = i % 30 == 0 ? Float.POSITIVE_INFINITY : 0.5f + u;
+                long circle = world.add(x, y, 0.3f + 2 * u * u, mass, 20 * u - 10, 0, i % 4);
+                world.setAngularVelocity(circle, 40 * random.nextFloat() - 20);
+                if (i % 7 == 0) {
+                    world.setTorque(circle, 30 * u);
+                }
+            }
+            FixedStep loop = new FixedStep(world, DT);
+            float[] velocities = new float[world.idLimit()];
+            for (int frame = 0; frame < 150; frame++) {
+                loop.advance(random.nextFloat() / 25, null);
+                FloatBuffer angles = loop.angles();
+                for (int i = 0; i < angles.limit(); i++) {
+                    digest.add(angles.get(i));
+                }
+                world.readAngularVelocitiesById(velocities, null);
+                digest.add(velocities).add(world.hash());
+            }
+        }
+        say("turning", digest);
     }
 
     private void farAndFast() {

@@ -3,14 +3,20 @@ package io.github.circles2d.toy;
 import io.github.circles2d.World;
 import org.teavm.jso.typedarrays.Float32Array;
 
-/** What the page draws: four numbers a circle, which are x, y, radius and shade. */
+/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned. */
 final class Picture {
     static final int PLAIN = 0;
     static final int SPEED = 1;
     static final int PRESSURE = 2;
 
+    /** Numbers a circle. */
+    private static final int STRIDE = 5;
+
     /** The shade of a circle that nothing moves. */
     private static final float STATIC = -1;
+
+    /** The same of one whose surface moves. */
+    private static final float BELT = -2;
 
     private static final int TINTS = 8;
 
@@ -22,6 +28,8 @@ final class Picture {
 
     private float[] circles = new float[0];
     private float[] more = new float[0];
+    private float[] angles = new float[0];
+    private int[] kinds = new int[0];
     private float meanPressure;
 
     /** Draws the world as it is. */
@@ -29,29 +37,48 @@ final class Picture {
         int ids = world.idLimit();
         circles = atLeast(circles, 4 * ids);
         more = atLeast(more, 2 * ids);
+        angles = atLeast(angles, ids);
+        if (kinds.length < ids) {
+            kinds = new int[ids + ids / 2];
+        }
         world.readById(circles, null);
+        world.readAnglesById(angles, null);
+        world.readKindsById(kinds, null);
+        boolean turns = turns(ids);
         if (mode == SPEED) {
             world.readVelocitiesById(more, null);
         } else if (mode == PRESSURE) {
             world.readLoadsById(more, null);
         }
-        int count = 0;
+        Float32Array picture = new Float32Array(STRIDE * world.size());
+        int at = 0;
         for (int id = 0; id < ids; id++) {
             if (!Float.isNaN(circles[4 * id])) {
-                float shade = circles[4 * id + 3] == Float.POSITIVE_INFINITY ? STATIC : shade(id, mode);
-                System.arraycopy(circles, 4 * id, circles, 4 * count, 3);
-                circles[4 * count + 3] = shade;
-                count++;
+                boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
+                boolean isBelt = isStatic && world.kind(kinds[id]).beltSpeed() != 0;
+                for (int k = 0; k < 3; k++) {
+                    picture.set(at + k, circles[4 * id + k]);
+                }
+                picture.set(at + 3, isBelt ? BELT : isStatic ? STATIC : shade(id, mode));
+                boolean isMarked = turns && (!isStatic || angles[id] != 0);
+                picture.set(at + 4, isMarked ? angles[id] : Float.NaN);
+                at += STRIDE;
             }
         }
         if (mode == PRESSURE) {
             follow(ids);
         }
-        Float32Array picture = new Float32Array(4 * count);
-        for (int k = 0; k < 4 * count; k++) {
-            picture.set(k, circles[k]);
-        }
         return picture;
+    }
+
+    /** Whether a circle has turned. */
+    private boolean turns(int ids) {
+        for (int id = 0; id < ids; id++) {
+            if (angles[id] != 0 && !Float.isNaN(angles[id])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static float[] atLeast(float[] array, int length) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.toy;
 
 import io.github.circles2d.Rewind;
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.util.Random;
 
@@ -88,6 +89,24 @@ final class Sandbox {
         if (world.size() < MOST_CIRCLES) {
             Stages.line(world, fromX, fromY, x, y, WALL_RADIUS);
         }
+    }
+
+    /** Gives walls and the circles of kind 0 a surface, which those that are poured have, too. Belts stay. */
+    void setSurface(float friction, float rollingResistance) {
+        world.kind(0).setFriction(friction).setRollingResistance(rollingResistance);
+        for (Wall wall : Wall.values()) {
+            world.setWallSurface(wall, friction, rollingResistance, world.wallBeltSpeed(wall));
+        }
+    }
+
+    float friction() {
+        float own = world.kind(0).friction();
+        return Float.isNaN(own) ? world.defaultFriction() : own;
+    }
+
+    float rollingResistance() {
+        float own = world.kind(0).rollingResistance();
+        return Float.isNaN(own) ? world.defaultRollingResistance() : own;
     }
 
     void step() {

@@ -1,12 +1,18 @@
 package io.github.circles2d.toy;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.util.Random;
 
 /** What there is to begin with. */
 final class Stages {
     private static final float FIXED = Float.POSITIVE_INFINITY;
+
+    // Kinds of static circles.
+    private static final int BELT = 1;
+    private static final int ROLLER = 2;
+    private static final int ICE = 3; // has the friction of the world, 0
 
     private Stages() {}
 
@@ -24,6 +30,7 @@ final class Stages {
             case "marbles" -> marbles(world);
             case "crowd" -> heap(world, 1, 1, 159, 99, 0.62f, 0.82f, 9, 5_000);
             case "ramps" -> ramps(world);
+            case "slopes" -> slopesAndBelts(world);
             default -> throw new IllegalArgumentException("there is no stage " + name);
         }
         return world;
@@ -36,6 +43,24 @@ final class Stages {
         heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3, 900);
         world.add(62, 7, 5, 60);
         world.add(120, 8, 7, 110);
+    }
+
+    /** Balls roll down a slope, and a belt takes them up to rollers; behind these they slide down ice onto the floor, which runs back. */
+    private static void slopesAndBelts(World world) {
+        world.kind(0).setFriction(0.6f).setRollingResistance(0.01f);
+        world.kind(BELT).setFriction(1).setBeltSpeed(-24);
+        world.kind(ROLLER).setFriction(1);
+        world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);
+        line(world, 2, 82, 52, 66, 0.8f);
+        line(world, 54, 62, 112, 72, 0.8f, BELT);
+        for (int k = 0; k < 7; k++) {
+            long roller = world.add(150 - 7.5f * k, 56 - 0.7f * k, 3.2f, FIXED, 0, 0, ROLLER);
+            world.setAngularVelocity(roller, 6);
+        }
+        line(world, 98, 46, 52, 28, 0.8f, ICE);
+        line(world, 156, 66, 156, 58, 0.8f);
+        heap(world, 4, 84, 48, 99, 1, 1.6f, 10, 120);
+        heap(world, 20, 2, 140, 12, 1, 1.6f, 11, 120);
     }
 
     private static void hourglass(World world) {
@@ -105,12 +130,16 @@ final class Stages {
 
     /** Static circles, each beside the next. */
     static void line(World world, float x, float y, float toX, float toY, float radius) {
+        line(world, x, y, toX, toY, radius, 0);
+    }
+
+    private static void line(World world, float x, float y, float toX, float toY, float radius, int kind) {
         float dx = toX - x;
         float dy = toY - y;
         int parts = (int) Math.ceil(Math.sqrt(dx * dx + dy * dy) / (1.2f * radius));
         for (int k = 0; k <= parts; k++) {
             float share = parts == 0 ? 0 : (float) k / parts;
-            world.add(x + dx * share, y + dy * share, radius, FIXED);
+            world.add(x + dx * share, y + dy * share, radius, FIXED, 0, 0, kind);
         }
     }
 }

@@ -85,7 +85,25 @@ public final class Toy {
         return "0".repeat(16 - digits.length()) + digits;
     }
 
-    /** Four numbers a circle: x, y, radius and shade. */
+    /** Gives walls and all circles that are no belts a surface. */
+    @JSExport
+    public static void setSurface(float friction, float rollingResistance) {
+        sandbox.setSurface(friction, rollingResistance);
+    }
+
+    /** The friction of that surface. */
+    @JSExport
+    public static float friction() {
+        return sandbox.friction();
+    }
+
+    /** Its rolling resistance. */
+    @JSExport
+    public static float rollingResistance() {
+        return sandbox.rollingResistance();
+    }
+
+    /** Five numbers a circle: x, y, radius, shade, and the angle by which it has turned, or NaN. */
     @JSExport
     public static Float32Array picture(int mode) {
         return picture.of(sandbox.world(), mode);

@@ -1,0 +1,71 @@
+package io.github.circles2d.reference;
+
+import static io.github.circles2d.reference.Numbers.limitSpeed;
+
+/** How a circle turns within a step, and what it touches others with. Speeds are those of its surface, positive to the left. */
+final class Turn {
+    private static final float UNITS_PER_RADIAN = 683565275.576f;
+    private static final float GREATEST_UNITS = 0x1p62f;
+
+    final float friction;
+    final float rollingResistance;
+    final float belt;
+    final float inverseInertia;
+    final float radius;
+
+    /** What is left of the speed after a sub-step's damping. */
+    private final float dampingFactor;
+
+    /** What a torque adds to the speed in a sub-step. */
+    private final float gain;
+
+    private final float speedAtFirst;
+    float speed;
+
+    /** The speed as a pass over the contacts of different levels begins. */
+    float speedBeforePass;
+
+    /** The sum of the impulses on the surface that the next sub-step begins with. */
+    float impulse;
+
+    /** The sum of the speeds of the sub-steps. */
+    private float turned;
+
+    Turn(Circle c, Kinds kinds, Surfaces surfaces, float h) {
+        friction = first(c.friction, kinds.getFloat(c.kind, Kinds.FRICTION), surfaces.friction());
+        rollingResistance = first(
+                c.rollingResistance, kinds.getFloat(c.kind, Kinds.ROLLING_RESISTANCE), surfaces.rollingResistance());
+        belt = kinds.getFloat(c.kind, Kinds.BELT_SPEED);
+        inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
+        radius = c.radius;
+        dampingFactor = 1f / (1f + kinds.getFloat(c.kind, Kinds.ANGULAR_DAMPING) * h);
+        gain = c.actingTorque == 0f ? 0f : limitSpeed(c.actingTorque / radius * inverseInertia * h);
+        speedAtFirst = c.angularVelocity * radius;
+        speed = speedAtFirst;
+    }
+
+    /** The first that is a number. */
+    private static float first(float own, float ofKind, float ofWorld) {
+        return !Float.isNaN(own) ? own : !Float.isNaN(ofKind) ? ofKind : ofWorld;
+    }
+
+    /** Begins a sub-step of a circle that is not static. */
+    void accelerate() {
+        speed = limitSpeed((speed + gain) * dampingFactor + inverseInertia * impulse);
+    }
+
+    void move() {
+        speed = limitSpeed(speed);
+        turned += speed;
+        impulse = 0f;
+    }
+
+    /** Ends the step. Who has not been turned keeps the angular velocity, as it was. */
+    void finish(Circle c, float h) {
+        float units = turned * h / radius * UNITS_PER_RADIAN;
+        c.angle += (int) (long) Numbers.clamp(units, -GREATEST_UNITS, GREATEST_UNITS);
+        if (speed != speedAtFirst) {
+            c.angularVelocity = limitSpeed(speed / radius);
+        }
+    }
+}
