@@ -8,7 +8,7 @@ INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) 
 
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls. l: load.
 void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
-                         bool *loaded AND_TURNING(Turning *turning)) {
+                         bool *loaded AND_TURNING(Turning *turning) AND_TURNING(float spinSum)) {
     const StepConstants *k = &w->k;
     if (t->INVERSE_MASS == 0.0f) {
         *before = (float2)(m->VX, m->VY);
@@ -25,7 +25,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     float next[2] = {afterImpulse(v[0], t->INVERSE_MASS, l.IMPULSES.x), afterImpulse(v[1], t->INVERSE_MASS, l.IMPULSES.y)};
     float wall[2] = {t->WALL_X, t->WALL_Y};
 #ifdef TURNING
-    startTurning(w, slot, c.RADIUS, turning);
+    turning->s = startedSpin(w, slot, c.RADIUS, turning->s, spinSum);
     startWallGrips(w, c, wall, next, turning);
 #endif
     float target[2];

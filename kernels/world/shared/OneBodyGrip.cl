@@ -3,19 +3,20 @@
 
 #ifdef TURNING
 typedef struct {
-    float4 spin, skin;
+    float4 skin;
+    float s;                       // surface speed
     float inertia;                 // inverse inertia by inverse mass
     float friction[2], rolling[2]; // accumulated, by axis of the wall
     float from[2], to[2];          // velocities across walls, before and after a visit: for those that record it
 } Turning;
 
-// t: traits.
-Turning turningOf(const World *w, int slot, float4 t) {
+// t: traits; s: surface speed.
+Turning turningOf(const World *w, int slot, float4 t, float s) {
     Turning turning;
     float4 held = w->wallGrip[slot];
-    turning.spin = w->spin[slot];
     turning.skin = w->skin[slot];
-    turning.inertia = turning.spin.INVERSE_INERTIA / t.INVERSE_MASS;
+    turning.s = s;
+    turning.inertia = w->inverseInertia[slot] / t.INVERSE_MASS;
     turning.friction[0] = held.FRICTION_X;
     turning.friction[1] = held.FRICTION_Y;
     turning.rolling[0] = held.ROLLING_X;
@@ -31,17 +32,6 @@ void keepWallGrip(const World *w, int slot, const Turning *t) {
     held.ROLLING_Y = t->rolling[1];
     w->wallGrip[slot] = held;
 }
-
-void keepTurning(const World *w, int slot, const Turning *t) {
-    w->spin[slot] = t->spin;
-    keepWallGrip(w, slot, t);
-}
-
-// One component of spin, where others read another.
-global float *surfaceSpeedAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + SURFACE_SPEED_AT; }
-global float *spinImpulseAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + SPIN_IMPULSE_AT; }
-global float *turnedAt(const World *w, uint slot) { return (global float *) (w->spin + slot) + TURNED_AT; }
-float inverseInertiaOf(const World *w, uint slot) { return ((global const float *) (w->spin + slot))[INVERSE_INERTIA_AT]; }
 
 // Of a circle and a wall.
 typedef struct {
@@ -69,7 +59,7 @@ void warmGripOfWall(const World *w, Turning *t, int axis, float side, int wall, 
     Between b = betweenWall(w, t, wall);
     t->friction[axis] = b.friction > 0.0f ? t->friction[axis] : 0.0f;
     t->rolling[axis] = b.resistance > 0.0f && t->inertia > 0.0f ? t->rolling[axis] : 0.0f;
-    t->spin.SURFACE_SPEED += t->inertia * (t->rolling[axis] - t->friction[axis]);
+    t->s += t->inertia * (t->rolling[axis] - t->friction[axis]);
     *along += tangentAlong(axis, side) * t->friction[axis];
 }
 
@@ -79,15 +69,15 @@ void gripWall(const World *w, Turning *t, int axis, float side, int wall, float 
     if (!(b.friction > 0.0f || b.resistance > 0.0f)) return;
     float impulse = 0.0f;
     if (b.resistance > 0.0f && t->inertia > 0.0f) {
-        float next = rolling(t->rolling[axis], 1.0f / t->inertia, t->spin.SURFACE_SPEED, b.resistance * normalImpulse);
-        t->spin.SURFACE_SPEED += t->inertia * (next - t->rolling[axis]);
+        float next = rolling(t->rolling[axis], 1.0f / t->inertia, t->s, b.resistance * normalImpulse);
+        t->s += t->inertia * (next - t->rolling[axis]);
         t->rolling[axis] = keep ? next : 0.0f;
     }
     if (b.friction > 0.0f) {
-        float slip_ = slip(tangentAlong(axis, side) * (*along - b.belt), 0.0f, t->spin.SURFACE_SPEED, t->skin.BELT);
+        float slip_ = slip(tangentAlong(axis, side) * (*along - b.belt), 0.0f, t->s, t->skin.BELT);
         float next = grip(t->friction[axis], tangentMass(0.0f, 0.0f, 1.0f, t->inertia), slip_, b.friction * normalImpulse);
         impulse = next - t->friction[axis];
-        t->spin.SURFACE_SPEED += t->inertia * -impulse;
+        t->s += t->inertia * -impulse;
         t->friction[axis] = keep ? next : 0.0f;
     }
     *along += tangentAlong(axis, side) * impulse;

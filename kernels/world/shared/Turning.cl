@@ -7,32 +7,33 @@ float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
 // Makes a circle ready for a step. c: circle; from: the slot at home.
 void gatherTurning(const World *w, int slot, int from, int id, float4 c, float inverseMass) {
     global const float *kind = w->surfaces + SURFACE_STRIDE * w->fields[id].kind;
+    bool any = w->surfaces[SURFACE_OWN] != 0.0f;
     int2 turn_ = w->homeTurn[from];
-    float4 own = w->homeOwn[from];
-    float4 spin = (float4)(0.0f);
+    float4 own = any ? w->homeOwn[from] : INITIAL_OWN;
     float4 skin = (float4)(0.0f);
-    spin.SURFACE_SPEED = as_float(turn_.ANGULAR_VELOCITY) * c.RADIUS;
-    spin.INVERSE_INERTIA = inverseMass * kind[SURFACE_INERTIA];
     skin.FRICTION = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
     skin.ROLLING_RESISTANCE = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
     skin.BELT = kind[SURFACE_BELT];
     skin.ANGULAR_FACTOR = kind[SURFACE_DAMPING_FACTOR];
     w->turn[slot] = turn_;
-    w->own[slot] = own;
+    if (any) w->own[slot] = own;
     w->wallGrip[slot] = w->homeWallGrip[from];
-    w->spin[slot] = spin;
+    w->surfaceSpeed[slot] = as_float(turn_.ANGULAR_VELOCITY) * c.RADIUS;
+    w->spinImpulse[slot] = 0.0f;
+    w->turned[slot] = 0.0f;
+    w->inverseInertia[slot] = inverseMass * kind[SURFACE_INERTIA];
     w->skin[slot] = skin;
 }
 
 // The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
-float startedSpin(const World *w, int slot, float r, float s, float impulse, float inverseInertia, float angularFactor) {
-    float gain_ = torqueGain(w->own[slot].OWN_TORQUE, inverseInertia, r, w->k.h);
-    return afterImpulse(beforeImpulse(s, gain_, angularFactor), inverseInertia, impulse);
-}
-
-void startTurning(const World *w, int slot, float r, Turning *t) {
-    t->spin.SURFACE_SPEED = startedSpin(w, slot, r, t->spin.SURFACE_SPEED, t->spin.SPIN_IMPULSE, t->spin.INVERSE_INERTIA,
-                                        t->skin.ANGULAR_FACTOR);
+float startedSpin(const World *w, int slot, float r, float s, float impulse) {
+    float inertia = w->inverseInertia[slot];
+    float before = s + 0.0f;
+    if (w->surfaces[SURFACE_DRIVES] != 0.0f) {
+        float torque = w->surfaces[SURFACE_OWN] != 0.0f ? w->own[slot].OWN_TORQUE : 0.0f;
+        before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), w->skin[slot].ANGULAR_FACTOR);
+    }
+    return afterImpulse(before, inertia, impulse);
 }
 
 // The warm start of walls that press. stored: their impulses; v: velocity.
@@ -53,23 +54,22 @@ void startWallGrips(const World *w, float4 c, const float *stored, float *v, Tur
     }
 }
 
-// In a sub-step.
-void moveTurning(Turning *t) {
-    t->spin.SURFACE_SPEED = limitSpeed(t->spin.SURFACE_SPEED);
-    t->spin.TURNED += t->spin.SURFACE_SPEED;
-    t->spin.SPIN_IMPULSE = 0.0f;
+// In a sub-step. Returns the surface speed.
+float moveTurning(const World *w, int slot, float s) {
+    s = limitSpeed(s);
+    w->turned[slot] += s;
+    return s;
 }
 
 // Ends the step; all goes home.
 void finalizeTurning(const World *w, int slot, float r) {
     int2 old = w->turn[slot];
-    float4 spin = w->spin[slot];
     float omega = as_float(old.ANGULAR_VELOCITY);
     int2 next = (int2)(0);
-    next.ANGLE = turn(old.ANGLE, spin.TURNED, w->k.h, r);
-    next.ANGULAR_VELOCITY = as_int(angularVelocity(omega, omega * r, spin.SURFACE_SPEED, r));
+    next.ANGLE = turn(old.ANGLE, w->turned[slot], w->k.h, r);
+    next.ANGULAR_VELOCITY = as_int(angularVelocity(omega, omega * r, w->surfaceSpeed[slot], r));
     w->homeTurn[slot] = next;
     w->homeWallGrip[slot] = w->wallGrip[slot];
-    w->homeOwn[slot] = w->own[slot];
+    if (w->surfaces[SURFACE_OWN] != 0.0f) w->homeOwn[slot] = w->own[slot];
 }
 #endif

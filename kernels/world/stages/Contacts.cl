@@ -18,8 +18,8 @@ void gatherSpin(const World *w, int c, uint2 p) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
     float2 of = spinImpulses(w, p, skin, w->grip[c]);
-    w->spin[p.LOWER].SPIN_IMPULSE += of.x;
-    w->spin[p.HIGHER].SPIN_IMPULSE += of.y;
+    w->spinImpulse[p.LOWER] += of.x;
+    w->spinImpulse[p.HIGHER] += of.y;
 }
 #endif
 

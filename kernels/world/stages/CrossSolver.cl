@@ -59,12 +59,12 @@ void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
 
 #ifdef TURNING
 // By tiles, tiles leave it apart, as the circles' motion.
-global float *crossSpeedAt(const World *w, uint slot) { return w->k.tiled ? w->solvedSpin + slot : surfaceSpeedAt(w, slot); }
+global float *crossSpeeds(const World *w) { return w->k.tiled ? w->solvedSpin : w->surfaceSpeed; }
 
 void fillCrossGrip(const World *w, int c, const Cross *x) {
     float share = crossShare(w->crossLoad[x->heavy]);
-    float iLight = inverseInertiaOf(w, x->light);
-    float iHeavy = inverseInertiaOf(w, x->heavy);
+    float iLight = w->inverseInertia[x->light];
+    float iHeavy = w->inverseInertia[x->heavy];
     float4 skin = skinOfPair(w, x->light, x->heavy);
     skin.TANGENT_MASS =
         crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
@@ -77,7 +77,7 @@ void gatherCrossSpin(const World *w, int c, const Cross *x) {
     float4 skin = w->pairSkin[c];
     if (!doesGrip(skin)) return;
     float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
-    *spinImpulseAt(w, x->light) += x->isLightLower ? of.x : of.y;
+    w->spinImpulse[x->light] += x->isLightLower ? of.x : of.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addFixed((global long *) (w->heavySpin + x->heavy) + 1,
                  toFixed(x->isLightLower ? of.y : of.x, scaleOf(impulseRangeOf(w, x->heavy))));
@@ -93,11 +93,11 @@ void gripCross(const World *w, int c, const Cross *x, float2 n, float normalImpu
     uint2 pr = w->pair[c];
     bool lower = x->isLightLower;
     float2 vHeavy = w->motion[x->heavy].VELOCITY;
-    float sHeavy = *crossSpeedAt(w, x->heavy);
+    float sHeavy = crossSpeeds(w)[x->heavy];
     bool moves = w->traits[x->heavy].INVERSE_MASS != 0.0f;
     Bodies b = {.va = lower ? *v : vHeavy, .vb = lower ? vHeavy : *v, .sa = lower ? *s : sHeavy, .sb = lower ? sHeavy : *s,
-                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = inverseInertiaOf(w, pr.LOWER),
-                .ib = inverseInertiaOf(w, pr.HIGHER), .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS,
+                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
+                .ib = w->inverseInertia[pr.HIGHER], .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS,
                 .isHeavyA = !lower, .isHeavyB = lower, .scale = scaleOf(velocityRangeOf(w, x->heavy)),
                 .velocitySums = moves ? sumsOf(w, x->heavy) : 0,
                 .spinSum = moves ? (global long *) (w->heavySpin + x->heavy) : 0};
@@ -207,7 +207,7 @@ void leaveLight(const World *w, int slot, float2 v AND_TURNING(float s)) {
     } else {
         w->motion[slot].VELOCITY = v;
 #ifdef TURNING
-        *crossSpeedAt(w, (uint) slot) = s;
+        crossSpeeds(w)[slot] = s;
 #endif
     }
 }
@@ -219,7 +219,7 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     if (from == to) return;
     float2 v = w->motion[slot].VELOCITY;
 #ifdef TURNING
-    float s = *crossSpeedAt(w, (uint) slot);
+    float s = crossSpeeds(w)[slot];
 #endif
     for (int c = from; c < to; c++) {
         if (relaxing) {
@@ -282,10 +282,10 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
 void takeSpinSums(const World *w, int slot, bool speeds, bool impulses) {
     long2 sum = w->heavySpin[slot];
     if (speeds) {
-        global float *s = crossSpeedAt(w, (uint) slot);
+        global float *s = crossSpeeds(w) + slot;
         *s = (isLight(w, slot) ? w->lightSpin[slot] : *s) + fromFixed(sum.x, unitOf(velocityRangeOf(w, (uint) slot)));
     }
-    if (impulses) *spinImpulseAt(w, (uint) slot) += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
+    if (impulses) w->spinImpulse[slot] += fromFixed(sum.y, unitOf(impulseRangeOf(w, (uint) slot)));
     w->heavySpin[slot] = (long2)(0);
 }
 #endif

@@ -75,20 +75,17 @@ void gripContact(const World *w, int c, uint2 pr, float2 n, float normalImpulse,
     float4 q = w->masses[c];
     float4 ma = w->motion[pr.LOWER];
     float4 mb = w->motion[pr.HIGHER];
-    float4 spinA = w->spin[pr.LOWER];
-    float4 spinB = w->spin[pr.HIGHER];
-    Bodies b = {.va = ma.VELOCITY, .vb = mb.VELOCITY, .sa = spinA.SURFACE_SPEED, .sb = spinB.SURFACE_SPEED,
-                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = spinA.INVERSE_INERTIA, .ib = spinB.INVERSE_INERTIA,
+    Bodies b = {.va = ma.VELOCITY, .vb = mb.VELOCITY, .sa = w->surfaceSpeed[pr.LOWER], .sb = w->surfaceSpeed[pr.HIGHER],
+                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
+                .ib = w->inverseInertia[pr.HIGHER],
                 .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS, .isHeavyA = false, .isHeavyB = false};
     gripPair(&b, skin, &g, n, normalImpulse, keep);
     ma.VELOCITY = b.va;
     mb.VELOCITY = b.vb;
-    spinA.SURFACE_SPEED = b.sa;
-    spinB.SURFACE_SPEED = b.sb;
     w->motion[pr.LOWER] = ma;
     w->motion[pr.HIGHER] = mb;
-    w->spin[pr.LOWER] = spinA;
-    w->spin[pr.HIGHER] = spinB;
+    w->surfaceSpeed[pr.LOWER] = b.sa;
+    w->surfaceSpeed[pr.HIGHER] = b.sb;
     w->grip[c] = g;
 }
 
@@ -130,8 +127,8 @@ void fillGrip(const World *w, int c, uint2 p, int higherId, float4 skin, float r
 // Of a contact of one level.
 void fillLikeGrip(const World *w, int c, uint2 p, int higherId) {
     float4 skin = skinOfPair(w, p.LOWER, p.HIGHER);
-    float ia = inverseInertiaOf(w, p.LOWER);
-    float ib = inverseInertiaOf(w, p.HIGHER);
+    float ia = w->inverseInertia[p.LOWER];
+    float ib = w->inverseInertia[p.HIGHER];
     skin.TANGENT_MASS = tangentMass(w->traits[p.LOWER].INVERSE_MASS, ia, w->traits[p.HIGHER].INVERSE_MASS, ib);
     fillGrip(w, c, p, higherId, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib));
 }

@@ -9,11 +9,13 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     float2 before, bounce;
     bool loaded;
 #ifdef TURNING
-    Turning turning = turningOf(w, slot, t);
+    Turning turning = turningOf(w, slot, t, w->surfaceSpeed[slot]);
 #endif
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded AND_TURNING(&turning));
+    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce,
+                        &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
 #ifdef TURNING
-    keepTurning(w, slot, &turning);
+    w->surfaceSpeed[slot] = turning.s;
+    keepWallGrip(w, slot, &turning);
 #endif
     w->motion[slot] = m;
     w->traits[slot] = t;
@@ -32,14 +34,15 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     float4 t = w->traits[slot];
     bool isStatic = t.INVERSE_MASS == 0.0f;
 #ifdef TURNING
-    Turning turning = turningOf(w, slot, t);
-    moveTurning(&turning);
+    Turning turning = turningOf(w, slot, t, moveTurning(w, slot, w->surfaceSpeed[slot]));
+    w->spinImpulse[slot] = 0.0f;
 #endif
     m = integratePositions(w, slot, c, m, isStatic);
     float2 moving = m.VELOCITY;
     if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f AND_TURNING(&turning));
 #ifdef TURNING
-    keepTurning(w, slot, &turning);
+    w->surfaceSpeed[slot] = turning.s;
+    keepWallGrip(w, slot, &turning);
 #endif
     w->motion[slot] = m;
     w->traits[slot] = t;

@@ -42,8 +42,7 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
     float2 before, next;
     if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
 #ifdef TURNING
-    float inertia = inverseInertiaOf(w, (uint) slot);
-    w->startSpin[slot] = startedSpin(w, slot, c.RADIUS, s, spinSum, inertia, w->skin[slot].ANGULAR_FACTOR);
+    w->startSpin[slot] = startedSpin(w, slot, c.RADIUS, s, spinSum);
 #endif
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
@@ -67,14 +66,12 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     float4 old = m;
 #endif
 #ifdef TURNING
-    Turning turning = turningOf(w, slot, t);
-    turning.spin.SURFACE_SPEED = s;
-    turning.spin.SPIN_IMPULSE = spinSum;
+    Turning turning = turningOf(w, slot, t, s);
 #endif
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce,
-                        &loaded AND_TURNING(&turning));
+                        &loaded AND_TURNING(&turning) AND_TURNING(spinSum));
 #ifdef TURNING
-    w->startSpin[slot] = turning.spin.SURFACE_SPEED;
+    w->startSpin[slot] = turning.s;
     keepWallGrip(w, slot, &turning);
 #endif
 #ifdef RECORDING
@@ -96,8 +93,7 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden AND_TURNING(float s)) {
     bool isStatic = burden == 0.0f;
 #ifdef TURNING
-    s = limitSpeed(s);
-    *turnedAt(w, (uint) slot) += s;
+    s = moveTurning(w, slot, s);
 #endif
     float4 m = integratePositions(w, slot, c, (float4)(started.DX, started.DY, v.x, v.y), isStatic);
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
@@ -107,12 +103,11 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         float2 moving = m.VELOCITY;
 #endif
 #ifdef TURNING
-        Turning turning = turningOf(w, slot, t);
-        turning.spin.SURFACE_SPEED = s;
+        Turning turning = turningOf(w, slot, t, s);
 #endif
         relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden) AND_TURNING(&turning));
 #ifdef TURNING
-        s = turning.spin.SURFACE_SPEED;
+        s = turning.s;
         keepWallGrip(w, slot, &turning);
 #endif
 #ifdef RECORDING

@@ -12,7 +12,7 @@ void startSlot(const World *w, int slot, bool first) {
     for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w->recording.touch, c);
 #endif
 #ifdef TURNING
-    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+    w->surfaceSpeed[slot] = w->solvedSpin[slot];
 #endif
     startCircleAt(w, slot, m, l);
 }
@@ -22,7 +22,7 @@ void moveSlot(const World *w, int slot) {
     float4 l = w->load[slot];
     takeSums(w, slot, true, false, &m, &l);
 #ifdef TURNING
-    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+    w->surfaceSpeed[slot] = w->solvedSpin[slot];
 #endif
     moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
@@ -33,7 +33,7 @@ void finishSlot(const World *w, int slot) {
     float4 l = w->load[slot];
     takeSums(w, slot, true, false, &m, &l);
 #ifdef TURNING
-    *surfaceSpeedAt(w, (uint) slot) = w->solvedSpin[slot];
+    w->surfaceSpeed[slot] = w->solvedSpin[slot];
 #endif
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }

@@ -297,8 +297,8 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
         w->solvedMotion[slot] = w->motion[slot];
         w->load[slot] = (float4)(a->load[i].x, a->load[i].y, 0.0f, progress & HAS_CARRIED ? 1.0f : 0.0f);
 #ifdef TURNING
-        *spinImpulseAt(w, (uint) slot) = a->spin[i];
-        w->solvedSpin[slot] = *surfaceSpeedAt(w, (uint) slot);
+        w->spinImpulse[slot] = a->spin[i];
+        w->solvedSpin[slot] = w->surfaceSpeed[slot];
 #endif
         if (metSoFar(progress) + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
 #ifdef RECORDING
@@ -337,7 +337,7 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 #endif
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 bool atWall = startCircle(w, slot, c[n], m[n], t[n], a->load[i],
-                                          carried AND_TURNING(*surfaceSpeedAt(w, (uint) slot)) AND_TURNING(a->spin[i]));
+                                          carried AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]));
                 if (atWall) entry[i] = slot | AT_WALL;
             }
             a->load[i] = c[n].xy;

@@ -36,8 +36,8 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
             t->velocity[i] = m[n].VELOCITY;
             t->load[i] = relaxing ? m[n].DISPLACEMENT : before[n];
 #ifdef TURNING
-            t->spin[i] = *surfaceSpeedAt(w, (uint) slot[n]);
-            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+            t->spin[i] = w->surfaceSpeed[slot[n]];
+            t->inertia[i] = w->inverseInertia[slot[n]];
             t->spinLoad[i] = 0.0f;
 #endif
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
@@ -64,7 +64,7 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             w->solvedMotion[slot] = (float4)(d[n].x, d[n].y, v.x, v.y);
 #ifdef TURNING
             w->solvedSpin[slot] = t->spin[i];
-            if (loads) *spinImpulseAt(w, (uint) slot) = t->spinLoad[i];
+            if (loads) w->spinImpulse[slot] = t->spinLoad[i];
 #endif
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
@@ -99,7 +99,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             t->burden[i] = burden[n];
 #ifdef TURNING
             t->spin[i] = w->startSpin[slot[n]];
-            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+            t->inertia[i] = w->inverseInertia[slot[n]];
 #endif
         }
     }
@@ -200,7 +200,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
             t->burden[i] = burden[n];
 #ifdef TURNING
             t->spin[i] = w->solvedSpin[slot[n]];
-            t->inertia[i] = inverseInertiaOf(w, (uint) slot[n]);
+            t->inertia[i] = w->inverseInertia[slot[n]];
             t->spinLoad[i] = 0.0f;
 #endif
             if ((i & 31) == 0) t->carried[i >> 5] = 0;
@@ -234,7 +234,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             if (last) {
 #ifdef TURNING
-                *surfaceSpeedAt(w, (uint) slot) = t->spin[i];
+                w->surfaceSpeed[slot] = t->spin[i];
 #endif
                 finalizePositions(w, slot, c[n], m, w->traits[slot]);
             } else if ((entry[n] & AT_WALL) == 0) {

@@ -395,13 +395,14 @@ public final class FixedStep {
     }
 
     /**
-     * The angles to draw, by id: element k is the angle of the circle with the id k. It lies on the short way from that before the last step
-     * to that after it, as far as {@link #alpha} says; a circle that turns by more than half a turn in a step seems to turn the other way. The
-     * same ids have NaN as in {@link #positions}. The loop keeps angles from the first call of this method on, and reads them around the last
-     * step of each frame, so on an OpenCL device {@link #advance} waits for that step from then on. That call, and those before the first step, give the present angles.
+     * The angles to draw, by id: element k is the angle of the circle with the id k. It lies on the short way from that before the last
+     * step to that after it, as far as {@link #alpha} says; a circle that turns by more than half a turn in a step seems to turn the other
+     * way. The same ids have NaN as in {@link #positions}. The loop keeps angles from the first call of this method on, and reads them
+     * around the last step of each frame, so on an OpenCL device {@link #advance} waits for that step from then on. That call, and those
+     * before the first step, give the present angles.
      *
-     * @return an element an id, radians to the left from -pi to pi, from position 0 to the limit, in direct memory of the loop's own. Read-only,
-     *     and often the same object: the next call overwrites it
+     * @return an element an id, radians to the left from -pi to pi, from position 0 to the limit, in direct memory of the loop's own.
+     *     Read-only, and often the same object: the next call overwrites it
      * @throws IllegalStateException if the game has requested positions of its own since the last step
      */
     public FloatBuffer angles() {

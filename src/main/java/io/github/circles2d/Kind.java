@@ -41,8 +41,8 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>How circles move:</b> a kind scales gravity, damps velocities and limits the speed of its circles, unless they are static.
  * The initial values change no bit.
  *
- * <p><b>How circles grip and turn:</b> a kind has friction, rolling resistance and the speed of a belt, and says how hard its circles are to
- * turn; see <b>Surfaces</b> of {@link World}. Static circles have these too.
+ * <p><b>How circles grip and turn:</b> a kind has friction, rolling resistance and the speed of a belt, and says how hard its circles are
+ * to turn; see <b>Surfaces</b> of {@link World}. Static circles have these too.
  *
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
@@ -252,8 +252,9 @@ public final class Kind {
     }
 
     /**
-     * Sets the speed of the surface of circles of the kind, as that of a belt which runs around the circle: it carries what grips it, as the
-     * surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor.
+     * Sets the speed of the surface of circles of the kind, as that of a belt which runs around the circle: it carries what grips it, as
+     * the surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor: what lies
+     * on it goes to the left at a positive speed, and to the right at a negative one. It carries nothing without friction.
      *
      * @param speed lengths per second to the left, anticlockwise where y points up, up to 1e9 in magnitude
      * @return this

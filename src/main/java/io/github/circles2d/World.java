@@ -21,7 +21,7 @@ import java.nio.LongBuffer;
 import java.util.Arrays;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up. A replay of the same calls gives the same bits.
+ * The engine for games: rigid circles that fall, collide, bounce, roll and pile up. A replay of the same calls gives the same bits.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
@@ -72,10 +72,14 @@ import java.util.Arrays;
  * {@link Kind}.
  *
  * <p><b>Surfaces:</b> circles grip others and walls by friction, roll and stop by rolling resistance, and turn. Nothing grips at first.
- * {@link Builder#friction} makes all circles and walls grip, {@link Kind#setFriction} those of a kind, {@link #setFriction} one. A pair
- * has the geometric mean of both frictions, sqrt(a b), so without friction on one side there is none; it has the greater rolling resistance of both,
- * and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). Angles and angular velocities grow to the left, anticlockwise where y
- * points up. A world in which nothing ever gripped or turned pays nothing for all this.
+ * {@link Builder#friction} makes all circles and walls grip, {@link Kind#setFriction} those of a kind, {@link #setFriction} one. A pair has
+ * the geometric mean of both frictions, sqrt(a b), so without friction on one side there is none; it has the greater rolling resistance of
+ * both, and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). A circle and a wall are a pair, too. Angles and angular
+ * velocities grow to the left, anticlockwise where y points up. A world in which nothing ever gripped or turned pays nothing for all this.
+ *
+ * <p>The impulse of friction is at most the friction of the pair times the impulse that presses its surfaces together, that of a bounce
+ * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth:
+ * let {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
  *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
@@ -540,8 +544,9 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle rolling resistance of its own, in place of that of its kind or of the world. It acts from the next step on. Where a circle
-     * rolls on another or on a wall, a torque of up to this times the load times the greater radius holds their turning against each other.
+     * Gives a circle rolling resistance of its own, in place of that of its kind or of the world. It acts from the next step on. Where a
+     * circle rolls on another or on a wall, a torque of up to this times the load times the greater radius holds their turning against each
+     * other.
      *
      * @param handle the circle
      * @param resistance 0 (rolls on) to 1,000, or {@link Float#NaN} for none of its own; a pair has the greater of its two
@@ -552,8 +557,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Turns a circle to an angle; its angular velocity stays. The angle of a circle is a number for the caller, who draws the circle by it: no
-     * collision depends on it.
+     * Turns a circle to an angle; its angular velocity stays. The angle of a circle is a number for the caller, who draws the circle by it:
+     * no collision depends on it.
      *
      * @param handle the circle
      * @param angle radians to the left, up to 1e6 in magnitude. Whole turns are dropped, and the rest is rounded to 2^-32 of a turn
@@ -565,8 +570,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Gives a circle an angular velocity. A static circle keeps it until another call changes it, and drives the circles that grip it. Any
-     * other circle keeps it until friction, rolling resistance, a torque, an angular impulse or {@link Kind#setAngularDamping} changes it; {@link #setRadius}
-     * and {@link #setMass} do not.
+     * other circle keeps it until friction, rolling resistance, a torque, an angular impulse or {@link Kind#setAngularDamping} changes it;
+     * {@link #setRadius} and {@link #setMass} do not.
      *
      * @param handle the circle
      * @param velocity radians per second to the left, up to 1e9 in magnitude. Times the radius it counts as at most 1e9
@@ -577,8 +582,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Turns a circle by a push: its angular velocity changes by the impulse over its inertia. That of a static circle stays, and so does that
-     * of a circle whose kind has {@link Inertia#NONE}.
+     * Turns a circle by a push: its angular velocity changes by the impulse over its inertia. That of a static circle stays, and so does
+     * that of a circle whose kind has {@link Inertia#NONE}.
      *
      * @param handle the circle
      * @param impulse mass times length squared per second, to the left, up to 1e18 in magnitude
@@ -898,7 +903,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The friction of circles that have none of their own, nor by their kind, as {@link Builder#friction} has set it, or a restored snapshot.
+     * The friction of circles that have none of their own, nor by their kind, as {@link Builder#friction} has set it, or a restored
+     * snapshot.
      *
      * @return 0 to 1,000
      */
@@ -907,8 +913,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The rolling resistance of circles that have none of their own, nor by their kind, as {@link Builder#rollingResistance} has set it, or a
-     * restored snapshot.
+     * The rolling resistance of circles that have none of their own, nor by their kind, as {@link Builder#rollingResistance} has set it, or
+     * a restored snapshot.
      *
      * @return 0 to 1,000
      */
@@ -923,8 +929,8 @@ public final class World implements AutoCloseable {
      * @param wall which wall
      * @param friction 0 to 1,000
      * @param rollingResistance 0 to 1,000
-     * @param beltSpeed speed of the surface along the wall, as that of a conveyor belt: lengths per second towards greater coordinates, up to
-     *     1e9 in magnitude
+     * @param beltSpeed speed of the surface along the wall, as that of a conveyor belt: lengths per second towards greater coordinates, up
+     *     to 1e9 in magnitude
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
@@ -1666,8 +1672,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds, gravity,
-     * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give equal bytes,
-     * on every back end.
+     * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
+     * equal bytes, on every back end.
      *
      * <pre>{@code
      * ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
@@ -1850,13 +1856,13 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * The surface of a wall, in place of {@link #friction} and {@link #rollingResistance}; {@link World#setWallSurface} changes it later.
+         * The surface of a wall, in place of {@link #friction} and {@link #rollingResistance}; {@link World#setWallSurface} changes it
+         * later.
          *
          * @param wall which wall
          * @param friction 0 to 1,000
          * @param rollingResistance 0 to 1,000
-         * @param beltSpeed speed of the surface along the wall, lengths per second towards greater coordinates, up to 1e9 in magnitude; 0 by
-         *     default
+         * @param beltSpeed speed of the surface along the wall, lengths per second towards greater coordinates, up to 1e9 in magnitude
          * @return this
          * @throws IllegalArgumentException if a value is out of range
          */

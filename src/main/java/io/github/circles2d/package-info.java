@@ -5,7 +5,7 @@
  *
  * <ul>
  *   <li>{@link io.github.circles2d.World} is <b>the engine for games; start with it.</b> Thousands to a million circles fall,
- *       bounce, pile up and come to rest. They may be added and removed at any time, and a replay gives the same bits on every back
+ *       bounce, roll, pile up and come to rest. They may be added and removed at any time, and a replay gives the same bits on every back
  *       end. It needs no OpenCL.
  *   <li>{@link io.github.circles2d.Circles2D} is the engine of a thesis on pair indexing, reproduced. It tests every pair of
  *       circles in every step. Take it to study, to teach and to measure.

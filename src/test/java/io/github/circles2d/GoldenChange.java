@@ -151,6 +151,56 @@ interface GoldenChange {
         }
     }
 
+    /** Some circles, static ones among them, get other angular velocities, and some are spun. */
+    static void spin(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        SplittableRandom random = run.random();
+        int n = world.size();
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        for (int k = 0; k <= n / 16; k++) {
+            int some = random.nextInt(n);
+            world.setAngularVelocity(handles[some], 60 * (unit(random) - 0.5f));
+            some = random.nextInt(n);
+            if (circles[4 * some + 3] < Float.POSITIVE_INFINITY) {
+                float inertia = circles[4 * some + 3] * circles[4 * some + 2] * circles[4 * some + 2];
+                world.applyAngularImpulse(handles[some], 5 * inertia * (unit(random) - 0.5f));
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            if (circles[4 * i + 3] == Float.POSITIVE_INFINITY && random.nextInt(4) == 0) {
+                world.setAngularVelocity(handles[i], 20 * (unit(random) - 0.5f));
+            }
+        }
+    }
+
+    /** Circles get surfaces of their own or other kinds, torques and angles, and kinds and walls other surfaces, belts and inertias. */
+    static void belts(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        SplittableRandom random = run.random();
+        int n = world.size();
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        for (int k = 0; k < n / 16; k++) {
+            int some = random.nextInt(n);
+            float inertia = circles[4 * some + 3] * circles[4 * some + 2] * circles[4 * some + 2];
+            switch (random.nextInt(6)) {
+                case 0 -> world.setFriction(handles[some], random.nextInt(3) == 0 ? Float.NaN : 1.5f * unit(random));
+                case 1 -> world.setRollingResistance(handles[some], random.nextInt(3) == 0 ? Float.NaN : unit(random));
+                case 2 -> world.setTorque(handles[some], 100 * inertia * (unit(random) - 0.5f));
+                case 3 -> world.applyTorque(handles[some], 1000 * inertia * (unit(random) - 0.5f));
+                case 4 -> world.setAngle(handles[some], 10 * (unit(random) - 0.5f));
+                default -> world.setKind(handles[some], random.nextInt(4));
+            }
+        }
+        float speed = 0.4f * (unit(random) - 0.5f);
+        switch (random.nextInt(3)) {
+            case 0 -> world.setWallSurface(Wall.values()[random.nextInt(4)], unit(random), 0.1f * unit(random), speed);
+            case 1 -> world.setSurface(1 + random.nextInt(3), unit(random), 0.1f * unit(random), speed);
+            default -> world.setTurning(1 + random.nextInt(3), Inertia.values()[random.nextInt(3)], unit(random));
+        }
+    }
+
     /** Every wall goes to a place beside its own: some way in, farther than some circles are large. */
     static void walls(GoldenScene.Run run) {
         Scene scene = run.scene();

@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** The hashes on record: by scene and number of steps. {@link #main} computes them anew on the JVM back end. */
+/**
+ * The hashes on record: by scene and number of steps. {@link #main} computes them anew on the JVM back end; if scenes are named, only theirs,
+ * and without the line above all, so that they can be added to the file.
+ */
 final class GoldenHashes {
     /** The numbers of steps at which there is a hash on record. */
     static final int[] MARKS = {1, 10, 100, 300, 1000};
@@ -31,6 +35,14 @@ final class GoldenHashes {
         return golden;
     }
 
+    /** The scenes on record. */
+    static List<GoldenScene> scenes() throws IOException {
+        GoldenHashes golden = load();
+        return GoldenScene.all().stream()
+                .filter(scene -> golden.hashes.containsKey(scene.name() + " 1"))
+                .toList();
+    }
+
     /** The hash of a scene after so many steps. */
     long hash(GoldenScene scene, int steps) {
         return hashes.get(scene.name() + " " + steps);
@@ -39,8 +51,14 @@ final class GoldenHashes {
     /** Prints the file. */
     public static void main(String[] arguments) {
         PrintStream out = System.out;
-        out.println("# Hashes of the state of World: scene, steps, World.hash(). Every back end must give these.");
+        List<String> names = List.of(arguments);
+        if (names.isEmpty()) {
+            out.println("# Hashes of the state of World: scene, steps, World.hash(). Every back end must give these.");
+        }
         for (GoldenScene scene : GoldenScene.all()) {
+            if (!names.isEmpty() && !names.contains(scene.name())) {
+                continue;
+            }
             try (GoldenScene.Run run = scene.start(scene.builder().build())) {
                 for (int mark : MARKS) {
                     run.advanceTo(mark);

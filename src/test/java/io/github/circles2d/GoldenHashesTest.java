@@ -29,17 +29,17 @@ class GoldenHashesTest {
 
     private static final long LONG = FULL ? Long.MAX_VALUE : 13_000_000;
 
-    static List<Arguments> scenesAndTwoNumbersOfThreads() {
+    static List<Arguments> scenesAndTwoNumbersOfThreads() throws IOException {
         return scenesAndThreads(1, 7);
     }
 
-    static List<Arguments> scenesAndThreadsOfLongRuns() {
+    static List<Arguments> scenesAndThreadsOfLongRuns() throws IOException {
         return FULL ? scenesAndThreads(1, 2, 7) : scenesAndThreads(3);
     }
 
-    private static List<Arguments> scenesAndThreads(int... numbers) {
+    private static List<Arguments> scenesAndThreads(int... numbers) throws IOException {
         List<Arguments> runs = new ArrayList<>();
-        for (GoldenScene scene : GoldenScene.all()) {
+        for (GoldenScene scene : GoldenHashes.scenes()) {
             for (int threads : numbers) {
                 runs.add(Arguments.of(scene, threads));
             }
@@ -47,10 +47,10 @@ class GoldenHashesTest {
         return runs;
     }
 
-    static List<Arguments> scenesAndDevices() {
+    static List<Arguments> scenesAndDevices() throws IOException {
         List<Arguments> runs = new ArrayList<>();
         for (Device device : TestDevices.all()) {
-            for (GoldenScene scene : GoldenScene.all()) {
+            for (GoldenScene scene : GoldenHashes.scenes()) {
                 runs.add(Arguments.of(scene, device));
             }
         }

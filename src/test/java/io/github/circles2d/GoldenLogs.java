@@ -27,7 +27,7 @@ final class GoldenLogs {
         try (PrintStream expected =
                 new PrintStream(folder.resolve("expected.txt").toFile(), StandardCharsets.US_ASCII)) {
             int number = 100; // three digits, so that the files have the order of the lines
-            for (GoldenScene scene : GoldenScene.all()) {
+            for (GoldenScene scene : GoldenHashes.scenes()) {
                 int steps = 0;
                 for (int mark : GoldenHashes.MARKS) {
                     steps = (long) mark * scene.scene().size() <= AFFORDABLE ? mark : steps;

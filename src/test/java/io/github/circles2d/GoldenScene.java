@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.reference.Surfaces;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
@@ -15,11 +16,22 @@ import java.util.SplittableRandom;
  * @param change what a caller does every few steps
  * @param edgeX what there is at the left and the right edge
  * @param edgeY what there is at the lower and the upper edge
+ * @param surfaces what circles and walls touch each other with
  */
-record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY) {
+record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
     /** A scene with walls all around. */
     GoldenScene(String name, Scene scene, GoldenChange change) {
-        this(name, scene, change, Edge.WALL, Edge.WALL);
+        this(name, scene, change, Surfaces.NONE);
+    }
+
+    /** A scene with walls all around, in which surfaces grip. */
+    GoldenScene(String name, Scene scene, GoldenChange change, Surfaces surfaces) {
+        this(name, scene, change, Edge.WALL, Edge.WALL, surfaces);
+    }
+
+    /** A scene in which nothing grips. */
+    GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY) {
+        this(name, scene, change, edgeX, edgeY, Surfaces.NONE);
     }
 
     static List<GoldenScene> all() {
@@ -62,7 +74,39 @@ record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Ed
                         Edge.OPEN),
                 new GoldenScene("mixed-10", Scenes.mixed(100_000, 10, Scenes.SEED), GoldenChange.NONE),
                 new GoldenScene("mixed-100", Scenes.mixed(10_000, 100, Scenes.SEED), GoldenChange.NONE),
-                new GoldenScene("boulder", Scenes.boulder(10_000, Scenes.SEED), GoldenChange.NONE));
+                new GoldenScene("boulder", Scenes.boulder(10_000, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene(
+                        "slope", HardScenes.slope(40, 20, Scenes.SEED), GoldenChange.NONE, Surfaces.of(0.6f, 0.02f)),
+                new GoldenScene(
+                        "heap", HardScenes.heap(1_000, Scenes.SEED), GoldenChange.NONE, Surfaces.of(0.6f, 0.1f)),
+                new GoldenScene("billiards-spin", Scenes.billiards(5), GoldenChange::spin, Surfaces.of(0.2f, 0f)),
+                new GoldenScene(
+                        "rollers",
+                        HardScenes.paddles(20, 30, Scenes.SEED),
+                        GoldenChange::spin,
+                        Surfaces.of(0.8f, 0f).withWall(2, 0.5f, 0f, 0.3f)),
+                new GoldenScene(
+                        "mixed-gripping-churned",
+                        Scenes.mixed(4_000, Scenes.SEED),
+                        GoldenChange::churn,
+                        Surfaces.of(0.6f, 0.05f)),
+                new GoldenScene(
+                        "pile-gripping-time-steps",
+                        HardScenes.pile(40, 30, Scenes.SEED),
+                        GoldenChange::timeStep,
+                        Surfaces.of(0.6f, 0.1f)),
+                new GoldenScene(
+                        "belts",
+                        HardScenes.pile(40, 30, Scenes.SEED),
+                        GoldenChange::belts,
+                        Surfaces.of(0.5f, 0.02f).withWall(2, 0.7f, 0.01f, -0.2f)),
+                new GoldenScene(
+                        "wrapped-gripping",
+                        Scenes.gas(2_500, Scenes.SEED),
+                        GoldenChange::spin,
+                        Edge.WRAP,
+                        Edge.WALL,
+                        Surfaces.of(0.3f, 0f)));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
@@ -78,7 +122,7 @@ record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Ed
     }
 
     World.Builder builder() {
-        return WorldScenes.builder(scene).edges(edgeX, edgeY);
+        return WorldScenes.with(surfaces, WorldScenes.builder(scene).edges(edgeX, edgeY));
     }
 
     @Override

@@ -104,17 +104,13 @@ class ReferenceFuzzTest {
 
         private World newWorld() {
             int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-            World built = WorldScenes.onThreads(
-                    threads[(int) (seed % threads.length)],
-                    with(
-                                    surfaces,
-                                    with(
-                                            settings,
-                                            WorldScenes.jvm()
-                                                    .restitution(restitution)
-                                                    .subSteps(subSteps)))
-                            .bounds(0, 0, size, size)
-                            .edges(edgeX, edgeY));
+            World.Builder builder = WorldScenes.jvm()
+                    .bounds(0, 0, size, size)
+                    .edges(edgeX, edgeY)
+                    .restitution(restitution)
+                    .subSteps(subSteps);
+            WorldScenes.with(surfaces, with(settings, builder));
+            World built = WorldScenes.onThreads(threads[(int) (seed % threads.length)], builder);
             reports.forEach(report -> report.accept(WorldCalls.of(built)));
             return built;
         }
@@ -123,14 +119,6 @@ class ReferenceFuzzTest {
             ReferenceWorld fresh = new ReferenceWorld(restitution, subSteps, settings);
             fresh.setBounds(0, 0, size, size);
             return fresh.edges(edgeX, edgeY).surfaces(surfaces);
-        }
-
-        private static World.Builder with(Surfaces surfaces, World.Builder builder) {
-            for (Wall wall : Wall.values()) {
-                float[] its = surfaces.walls()[wall.ordinal()];
-                builder.wallSurface(wall, its[0], its[1], its[2]);
-            }
-            return builder.friction(surfaces.friction()).rollingResistance(surfaces.rollingResistance());
         }
 
         private static World.Builder with(Settings settings, World.Builder builder) {

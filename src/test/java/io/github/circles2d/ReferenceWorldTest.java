@@ -29,7 +29,7 @@ class ReferenceWorldTest {
         ReferenceWorld reference =
                 new ReferenceWorld(scene.restitution(), World.builder().build().subSteps());
         reference.setBounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
-        reference.edges(golden.edgeX(), golden.edgeY());
+        reference.edges(golden.edgeX(), golden.edgeY()).surfaces(golden.surfaces());
         reference.setGravity(scene.gravityX(), scene.gravityY());
         try (GoldenScene.Run run =
                         golden.start(golden.builder().subSteps(SUB_STEPS).build());

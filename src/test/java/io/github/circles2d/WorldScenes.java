@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.reference.Surfaces;
 import io.github.circles2d.scenes.Quality;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
@@ -19,6 +20,15 @@ public final class WorldScenes {
         World.Builder builder = jvm();
         SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
         return builder;
+    }
+
+    /** The same builder, for worlds with such surfaces. */
+    static World.Builder with(Surfaces surfaces, World.Builder builder) {
+        for (Wall wall : Wall.values()) {
+            float[] its = surfaces.walls()[wall.ordinal()];
+            builder.wallSurface(wall, its[0], its[1], its[2]);
+        }
+        return builder.friction(surfaces.friction()).rollingResistance(surfaces.rollingResistance());
     }
 
     /** A world with a scene's circles, in the scene's order. */

@@ -17,6 +17,8 @@ import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The calls by which circles turn, grip and roll: what they take, what they keep, and what a world that never turned pays for them. */
 class WorldTurningTest {
@@ -579,6 +581,14 @@ class WorldTurningTest {
                 turned.step(STEP);
                 assertThat(turned.hash()).isEqualTo(straight.hash());
             }
+            straight.kind(0).setFriction(0.5f);
+            turned.kind(0).setFriction(0.5f);
+            for (int step = 0; step < 20; step++) {
+                straight.step(STEP);
+                turned.step(STEP);
+                assertThat(turned.hash()).isEqualTo(straight.hash());
+            }
+            straight.kind(0).setFriction(Float.NaN);
             for (int k = 0; k < 100; k++) {
                 turn(cleared, cleared.handle(k));
             }
@@ -595,6 +605,23 @@ class WorldTurningTest {
                 assertThat(cleared.hash()).isEqualTo(straight.hash());
             }
             assertThat(cleared.angle(cleared.handle(0))).isZero();
+        }
+    }
+
+    /** Its circles have not turned yet, so that a snapshot has only their surfaces. */
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldByIdTest#backends")
+    void aWorldThatIsToGripIsRestoredIntoOneThatNeverTurned(Backend backend) {
+        try (World gripping = rolling(1);
+                World target = World.builder().backend(backend).build()) {
+            for (int k = 0; k < 20; k++) {
+                gripping.setFriction(gripping.handle(k), 0.1f * k);
+            }
+            target.add(0.5f, 0.5f, 0.1f, 1);
+            target.step(STEP);
+            target.restore(RecordedCallsTest.snapshot(gripping));
+            assertThat(target.hash()).isEqualTo(gripping.hash());
+            assertThat(RecordedCallsTest.snapshot(target)).isEqualTo(RecordedCallsTest.snapshot(gripping));
         }
     }
 

@@ -8,6 +8,8 @@ import io.github.circles2d.world.changes.Growth;
 import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.changes.PreparedChanges;
 import io.github.circles2d.world.changes.Travels;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
@@ -353,7 +355,10 @@ public final class Simulation implements AutoCloseable {
         }
         constants.turning = turning.isOn();
         if (constants.turning) {
-            input.surfaces.update(constants, kindTable, kindTable.version());
+            CircleFields fields = handles.fields();
+            boolean own = fields.isUsed(CircleField.FRICTION) || fields.isUsed(CircleField.ROLLING_RESISTANCE);
+            boolean torques = fields.isUsed(CircleField.TORQUE) || fields.isUsed(CircleField.APPLIED_TORQUE);
+            input.surfaces.update(constants, kindTable, kindTable.version(), own, torques);
         }
         events.prepare(kindTable, input.reports);
     }

@@ -11,6 +11,12 @@ public record Surfaces(float friction, float rollingResistance, float[][] walls)
     /** Nothing grips. */
     public static final Surfaces NONE = new Surfaces(0f, 0f, new float[4][3]);
 
+    /** All walls and circles with the same. */
+    public static Surfaces of(float friction, float rollingResistance) {
+        float[] wall = {friction, rollingResistance, 0f};
+        return new Surfaces(friction, rollingResistance, new float[][] {wall, wall, wall, wall});
+    }
+
     private static final long SURFACES = 0x7375726661636573L;
 
     /** The world's part of the hash; 0 if nothing grips. */
@@ -24,7 +30,7 @@ public record Surfaces(float friction, float rollingResistance, float[][] walls)
         return sum == 0f ? 0 : h;
     }
 
-    Surfaces withWall(int wall, float itsFriction, float itsRollingResistance, float belt) {
+    public Surfaces withWall(int wall, float itsFriction, float itsRollingResistance, float belt) {
         float[][] next = walls.clone();
         next[wall] = new float[] {itsFriction, itsRollingResistance, belt};
         return new Surfaces(friction, rollingResistance, next);

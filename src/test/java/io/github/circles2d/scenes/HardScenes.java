@@ -39,6 +39,33 @@ public final class HardScenes {
     }
 
     /**
+     * A slope: rows of circles, the largest three times as large as the least, above a floor that leans to the right by 20 degrees;
+     * gravity 1, restitution 0.
+     */
+    public static Scene slope(int columns, int rows, long seed) {
+        Scene.Builder b = new Scene.Builder("slope", columns * rows).gravity(0.34202014f, -0.9396926f);
+        Random random = new Random(seed);
+        float pitch = 1f / columns;
+        for (int i = 0; i < columns * rows; i++) {
+            float r = pitch * (0.15f + 0.3f * random.nextFloat());
+            b.circle(i, (i % columns + 0.5f) * pitch, (i / columns + 0.5f) * pitch, r, 1e3f * r * r);
+        }
+        return b.build();
+    }
+
+    /** A heap: circles in a narrow column fall on one place, all at once; masses by area, gravity (0, -1), restitution 0. */
+    public static Scene heap(int n, long seed) {
+        Scene.Builder b = new Scene.Builder("heap", n).gravity(0, -1);
+        Random random = new Random(seed);
+        for (int i = 0; i < n; i++) {
+            float r = 0.005f + 0.0025f * random.nextFloat();
+            float x = 0.38f + 0.0155f * (i % 16) + 0.0005f * random.nextFloat();
+            b.circle(i, x, 0.008f + 0.0155f * (i / 16), r, 1e4f * r * r);
+        }
+        return b.build();
+    }
+
+    /**
      * A fence: side by side balls, r = 0.24 / side, that move 0.5 to 64 radii a step between two rows of static circles of a
      * twentieth of the radius, a radius apart, which cross in the middle. No gravity, restitution 1.
      *

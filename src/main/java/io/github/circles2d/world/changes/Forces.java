@@ -10,9 +10,9 @@ import io.github.circles2d.world.model.Limits;
 import java.util.Arrays;
 
 /**
- * The forces and torques on circles. The one that is set for a circle is a field that steps read. What is applied for one step waits on the host: the
- * pipelines get the sum for that step, and then what was set again. If a step fails before it has begun, the next one does the same once
- * more.
+ * The forces and torques on circles. The one that is set for a circle is a field that steps read. What is applied for one step waits on the
+ * host: the pipelines get the sum for that step, and then what was set again. If a step fails before it has begun, the next one does the
+ * same once more.
  */
 public final class Forces {
     private final CircleFields fields;

@@ -13,13 +13,13 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * not the default, and one per circle and per impulse that has what circles turn by. A sum of
  * integers does not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
- * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
- * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
- * and the lower and the upper half of its value; a field of a kind with its number, the kind and its value; a pair of kinds with
- * the lesser one, the greater one and 1 for solid, 2 for ignored, 3 for sensed; walls with where they start: min x, min y, max x,
- * max y; edges, if not all are walls, with those of x and y ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle
- * that turns with its id, angle, angular velocity and the grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the
- * higher id, friction and rolling resistance. All floats enter as their bits.
+ * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses x and y; an
+ * impulse with the lower id, the higher id and itself; a field with its number, the id, and the lower and the upper half of its value; a
+ * field of a kind with its number, the kind and its value; a pair of kinds with the lesser one, the greater one and 1 for solid, 2 for
+ * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
+ * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
+ * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, friction and rolling resistance. All floats
+ * enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;

@@ -16,6 +16,12 @@ public final class KindSurface {
 
     public static final int ROLLING_RESISTANCE = 4;
 
+    /** In the first row: 1 if circles have surfaces or torques of their own. */
+    public static final int OWN = 5;
+
+    /** In the first row: 1 if something else than contacts changes angular velocities: a torque, or damping. */
+    public static final int DRIVES = 6;
+
     public static final int STRIDE = 8;
 
     /** Meaningless unless {@link StepConstants#turning}. */
@@ -27,6 +33,8 @@ public final class KindSurface {
     private float h;
     private SurfaceSettings settings;
     private int kindsVersion = -1;
+    private boolean torques;
+    private boolean own;
 
     public interface Values {
         float beltSpeed(int kind);
@@ -48,19 +56,29 @@ public final class KindSurface {
         return STRIDE * kind;
     }
 
-    /** Does nothing if nothing has changed. */
-    public void update(StepConstants k, Values kinds, int ofVersion) {
-        if (kindsVersion == ofVersion && h == k.h && settings == k.surfaces) {
+    /** Does nothing if nothing has changed. The last two: whether circles have surfaces, and torques, of their own. */
+    public void update(StepConstants k, Values kinds, int ofVersion, boolean ofCircles, boolean someTorques) {
+        if (kindsVersion == ofVersion
+                && h == k.h
+                && settings == k.surfaces
+                && own == (ofCircles || someTorques)
+                && torques == someTorques) {
             return;
         }
+        own = ofCircles || someTorques;
+        torques = someTorques;
+        boolean drives = torques;
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             int row = of(kind);
             rows[row + BELT] = kinds.beltSpeed(kind);
             rows[row + INERTIA] = kinds.inertia(kind);
             rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.angularDamping(kind) * k.h);
+            drives |= rows[row + DAMPING_FACTOR] != 1f;
             rows[row + FRICTION] = or(kinds.friction(kind), k.surfaces.friction);
             rows[row + ROLLING_RESISTANCE] = or(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
         }
+        rows[OWN] = own ? 1f : 0f;
+        rows[DRIVES] = drives ? 1f : 0f;
         h = k.h;
         settings = k.surfaces;
         kindsVersion = ofVersion;

@@ -147,8 +147,8 @@ public final class Snapshots {
         forces.makeRoom(saved);
         travels.makeRoom(saved);
         growth.makeRoom(saved);
+        turning.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
-        turning.prepare(saved);
         events.makeRoom(saved.touches, saved.ids);
         copies.forget();
         log.restore(saved);

@@ -26,8 +26,8 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
-     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands
-     * and steps that turn circles come after this.
+     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands,
+     * steps and saved states of such worlds come after this. What a pipeline is ready for once, it stays ready for.
      */
     default void prepare(ContactSettings contacts, boolean edged, boolean turning) {}
 
@@ -89,7 +89,7 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
-    /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step would start from. The ids are there already. */
+    /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
     void save(SavedState into);
 
     /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */

@@ -26,6 +26,7 @@ final class PhysicsPage {
         return template()
                 .replace("{{summary}}\n", summary(table))
                 .replace("{{table}}\n", table(table))
+                .replace("{{surfaces}}\n", SurfaceTable.of(folder))
                 .replace("{{charts}}\n", charts(folder));
     }
 

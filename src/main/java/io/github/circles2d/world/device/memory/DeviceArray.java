@@ -127,11 +127,10 @@ public enum DeviceArray {
     TURN("int2", "turn", Index.SLOT, "as homeTurn"),
     WALL_GRIP("float4", "wallGrip", Index.SLOT, "as homeWallGrip"),
     OWN("float4", "own", Index.SLOT, "as homeOwn"),
-    SPIN(
-            "float4",
-            "spin",
-            Index.SLOT,
-            "surface speed, sum of impulses on it, sum of the surface speeds of sub-steps, inverse inertia"),
+    SURFACE_SPEED("float", "surfaceSpeed", Index.SLOT, "angular velocity times radius"),
+    SPIN_IMPULSE("float", "spinImpulse", Index.SLOT, "sum of impulses on it"),
+    TURNED("float", "turned", Index.SLOT, "sum of the surface speeds of sub-steps"),
+    INVERSE_INERTIA("float", "inverseInertia", Index.SLOT, "what a surface speed gains by an impulse"),
     SKIN(
             "float4",
             "skin",

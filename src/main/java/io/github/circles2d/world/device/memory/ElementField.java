@@ -109,11 +109,6 @@ enum ElementField {
     OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
     OWN_TORQUE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.TORQUE), 1),
 
-    SURFACE_SPEED(DeviceArray.SPIN, CircleRow.SURFACE_SPEED, 1),
-    SPIN_IMPULSE(DeviceArray.SPIN, CircleRow.SPIN_IMPULSE, 1),
-    TURNED(DeviceArray.SPIN, CircleRow.TURNED, 1),
-    INVERSE_INERTIA(DeviceArray.SPIN, CircleRow.INVERSE_INERTIA, 1),
-
     FRICTION(DeviceArray.SKIN, CircleRow.FRICTION, 1),
     ROLLING_RESISTANCE(DeviceArray.SKIN, CircleRow.ROLLING_RESISTANCE, 1),
     BELT(DeviceArray.SKIN, CircleRow.BELT, 1),

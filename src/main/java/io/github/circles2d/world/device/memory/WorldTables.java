@@ -90,6 +90,8 @@ final class WorldTables {
         define(text, "SURFACE_DAMPING_FACTOR", KindSurface.DAMPING_FACTOR, "share that stays in a sub-step");
         define(text, "SURFACE_FRICTION", KindSurface.FRICTION, "friction");
         define(text, "SURFACE_ROLLING_RESISTANCE", KindSurface.ROLLING_RESISTANCE, "rolling resistance");
+        define(text, "SURFACE_OWN", KindSurface.OWN, "1 if circles have surfaces or torques of their own, else 0");
+        define(text, "SURFACE_DRIVES", KindSurface.DRIVES, "1 if torques or damping change angular velocities, else 0");
         define(text, "SURFACE_OF_WALLS", PairTable.KINDS, "the row of the first wall");
     }
 
