@@ -200,7 +200,7 @@ public final class DevicePipeline implements Pipeline {
         if (home.slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
-        if (needTurning(changes)) {
+        if (!arrays.turning() && needTurning(changes)) {
             startTurning();
         }
         commands.makeRoom(changes, home.slots);

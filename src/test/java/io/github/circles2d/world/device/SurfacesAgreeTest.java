@@ -9,8 +9,10 @@ import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -195,6 +197,23 @@ class SurfacesAgreeTest {
                     twins.exchange();
                 }
             }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
+        try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS)) {
+            long still = pipeline.bytesHeld();
+            pipeline.prepare(ContactSettings.DEFAULT, true, false);
+            assertThat(pipeline.bytesHeld()).isEqualTo(still);
+            pipeline.prepare(ContactSettings.DEFAULT, true, true);
+            long turning = pipeline.bytesHeld();
+            // at home: angle, angular velocity, grips of walls, fields; in a step: as at home, spin and skin; by
+            // contact
+            assertThat(turning - still).isGreaterThan((2 * (8 + 16 + 16) + 16 + 16 + 16 + 16 + 8) * 1024);
+            pipeline.prepare(ContactSettings.DEFAULT, true, true);
+            assertThat(pipeline.bytesHeld()).isEqualTo(turning);
         }
     }
 

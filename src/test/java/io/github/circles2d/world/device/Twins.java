@@ -108,7 +108,7 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Lets changes turn circles on devices, too. Those of other tests do not, since tiles take no worlds that turn. */
+    /** Lets changes turn circles on devices, too: the kernels of worlds that do not turn are others. */
     void letChangesTurn() {
         turns = true;
     }
