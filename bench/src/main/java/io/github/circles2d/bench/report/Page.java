@@ -60,6 +60,8 @@ public final class Page {
         parts.put(
                 "series charts",
                 () -> Stream.of(Series.values()).map(this::seriesChart).collect(Collectors.joining()));
+        part("surfaces cost", () -> surfaces(SurfaceTables::cost));
+        part("surfaces engines", () -> surfaces(SurfaceTables::engines));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
         parts.put("series outside", () -> SeriesTables.outside(folders));
         parts.put("world chart", () -> chart(folders.get(0).name() + "/", WorldCharts.FILE));
@@ -154,6 +156,11 @@ public final class Page {
                 .map(place -> place.group(1).trim().split("\\s+")[0])
                 .allMatch(names::contains);
         return machinesAreThere ? fill(conclusions) : "";
+    }
+
+    /** A table from the folder beside those of the machines. */
+    private String surfaces(Function<Path, String> table) {
+        return folders.isEmpty() ? "" : table.apply(folders.get(0).path().resolveSibling("surfaces"));
     }
 
     private static String engines() {
