@@ -14,6 +14,9 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
         *before = (float2)(m->VX, m->VY);
         *bounce = (float2)(0.0f);
         *loaded = false;
+#if defined(TURNING) && defined(RECORDING)
+        w->spinImpulse[slot] = turning->s;
+#endif
         return;
     }
     *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
@@ -36,6 +39,12 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     for (int axis = 0; axis < 2; axis++) {
 #ifdef TURNING
         turning->from[axis] = next[axis];
+#ifdef RECORDING
+        if (w->recording.walls) {
+            float side = wallSide(x[axis], low[axis], high[axis]);
+            turning->slid[axis] = slipAtWall(w, turning, axis, side, wallOf(axis, side), v[1 - axis], w->spinImpulse[slot]);
+        }
+#endif
 #endif
         next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.RADIUS, t->RESTITUTION, *loaded, low[axis], high[axis],
                                rate[axis], &wall[axis], &target[axis] AND_TURNING(turning) AND_TURNING(next + (1 - axis)));
@@ -142,6 +151,12 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
     for (int axis = 0; axis < 2; axis++) {
 #ifdef TURNING
         turning->from[axis] = v[axis];
+#ifdef RECORDING
+        if (w->recording.walls) {
+            float side = wallSide(x[axis], low[axis], high[axis]);
+            turning->slid[axis] = slipAtWall(w, turning, axis, side, wallOf(axis, side), v[1 - axis], turning->s);
+        }
+#endif
 #endif
         v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.RADIUS, t->RESTITUTION, loaded, target[axis], low[axis], high[axis],
                             rate[axis], &wall[axis] AND_TURNING(turning) AND_TURNING(v + (1 - axis)));

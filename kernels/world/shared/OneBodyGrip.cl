@@ -8,6 +8,9 @@ typedef struct {
     float inertia;                 // inverse inertia by inverse mass
     float friction[2], rolling[2]; // accumulated, by axis of the wall
     float from[2], to[2];          // velocities across walls, before and after a visit: for those that record it
+#ifdef RECORDING
+    float slid[2]; // how fast surfaces slid before it
+#endif
 } Turning;
 
 // t: traits; s: surface speed.
@@ -54,6 +57,17 @@ bool isHeld(const Turning *t, int axis) { return t->friction[axis] != 0.0f || t-
 // The part of the tangent along a wall.
 float tangentAlong(int axis, float side) { return axis == 0 ? side : -side; }
 
+// v: velocity along the wall; belt: of the wall.
+float againstWall(int axis, float side, float v, float belt) { return tangentAlong(axis, side) * (v - belt); }
+
+#ifdef RECORDING
+// How fast surfaces slide that grip. v: velocity along the wall; s: surface speed.
+float slipAtWall(const World *w, const Turning *t, int axis, float side, int wall, float v, float s) {
+    Between b = betweenWall(w, t, wall);
+    return hitSlip(b.friction, againstWall(axis, side, v, b.belt), 0.0f, s, t->skin.BELT);
+}
+#endif
+
 // Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. along: velocity along the wall.
 void warmGripOfWall(const World *w, Turning *t, int axis, float side, int wall, float *along) {
     Between b = betweenWall(w, t, wall);
@@ -74,7 +88,7 @@ void gripWall(const World *w, Turning *t, int axis, float side, int wall, float 
         t->rolling[axis] = keep ? next : 0.0f;
     }
     if (b.friction > 0.0f) {
-        float slip_ = slip(tangentAlong(axis, side) * (*along - b.belt), 0.0f, t->s, t->skin.BELT);
+        float slip_ = slip(againstWall(axis, side, *along, b.belt), 0.0f, t->s, t->skin.BELT);
         float next = grip(t->friction[axis], tangentMass(0.0f, 0.0f, 1.0f, t->inertia), slip_, b.friction * normalImpulse);
         impulse = next - t->friction[axis];
         t->s += t->inertia * -impulse;

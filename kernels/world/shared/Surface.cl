@@ -11,6 +11,10 @@ float crossTangentMass(float wLight, float iLight, float wHeavy, float iHeavy, f
 
 float slip(float along, float sA, float sB, float belt) { return (along - (sA + sB)) - belt; }
 
+float hitSlip(float friction_, float along, float sA, float sB, float belt) {
+    return friction_ > 0.0f ? fabs(slip(along, sA, sB, belt)) : 0.0f;
+}
+
 float grip(float accumulated, float mass, float slip_, float limit) {
     return limit > 0.0f ? clampf(accumulated - mass * slip_, -limit, limit) : 0.0f;
 }

@@ -25,7 +25,8 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     w->skin[slot] = skin;
 }
 
-// The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
+// The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before. Who records
+// touches finds what it was before impulses in their place, until the move.
 float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     float inertia = w->inverseInertia[slot];
     float before = s + 0.0f;
@@ -33,6 +34,9 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
         float torque = w->surfaces[SURFACE_OWN] != 0.0f ? w->own[slot].OWN_TORQUE : 0.0f;
         before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), w->skin[slot].ANGULAR_FACTOR);
     }
+#ifdef RECORDING
+    w->spinImpulse[slot] = before;
+#endif
     return afterImpulse(before, inertia, impulse);
 }
 

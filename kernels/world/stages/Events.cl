@@ -88,7 +88,7 @@ bool concerns(const World *w, int lower, int higher, bool touches, float approac
 }
 
 // rank: of EventRow.
-void draft(const World *w, int lower, int higher, int types, int type, int rank, float4 values, float2 point) {
+void draft(const World *w, int lower, int higher, int types, int type, int rank, float4 values, float2 point, float slid) {
     const Reporting *r = &w->reporting;
     if (!(types & type)) return;
     int k = atomic_inc(&w->status[DRAFTS]);
@@ -96,34 +96,35 @@ void draft(const World *w, int lower, int higher, int types, int type, int rank,
     global int4 *event = r->drafts + 3 * k;
     event[0] = (int4)(lower, higher, rank, r->step);
     event[1] = as_int4(values);
-    event[2] = (int4)(as_int(point.x), as_int(point.y), atomic_inc(&r->eventTally[lower]), 0);
+    event[2] = (int4)(as_int(point.x), as_int(point.y), as_int(slid), atomic_inc(&r->eventTally[lower]));
     r->eventOrder[k] = 0; // for those who find the place otherwise
 }
 
-// vn: normal speed after the step.
-void tell(const World *w, const Told *told, float approach, float impulse, float vn, float2 normal, float2 point) {
+// vn: normal speed after the step; slid: how fast the surfaces did.
+void tell(const World *w, const Told *told, float approach, float impulse, float vn, float2 normal, float2 point, float slid) {
     const Reporting *r = &w->reporting;
     float4 values = (float4)(approach, impulse > 0.0f ? impulse : 0.0f, normal.x, normal.y);
     int open = NONE;
-    if (told->flags & BEGINS) draft(w, told->lower, told->higher, told->types, TYPE_BEGIN, RANK_BEGIN, values, point);
+    if (told->flags & BEGINS) draft(w, told->lower, told->higher, told->types, TYPE_BEGIN, RANK_BEGIN, values, point, slid);
     if (told->flags & GOES_ON) {
         global const float4 *before = openHit(w, r->touching[told->place].w >> 2, r->step - 1);
         float sum = before[0].y + values.y;
         if (!(approach > before[0].x)) {
             values = before[0];
             point = before[1].xy;
+            slid = before[1].z;
         }
         values.y = sum;
-        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point);
+        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point, slid);
     } else if ((told->flags & HITS) && isIncomplete(vn, approach)) {
         int hit = atomic_inc(&w->status[OPEN_HITS]);
         if (hit < r->openRoom) {
             openHit(w, hit, r->step)[0] = values;
-            openHit(w, hit, r->step)[1] = (float4)(point.x, point.y, 0.0f, 0.0f);
+            openHit(w, hit, r->step)[1] = (float4)(point.x, point.y, slid, 0.0f);
             open = openOf(hit, r->step);
         }
     } else if (told->flags & HITS) {
-        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point);
+        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point, slid);
     }
     if (told->flags & BEGINS) {
         int k = atomic_inc(&w->status[NEWCOMERS]);
@@ -159,9 +160,9 @@ void tellOfEnds(const World *w, int place) {
     int types = typesOf(w, pair.x, pair.y);
     if (isOpen(pair.w, r->step - 1)) {
         global const float4 *hit = openHit(w, pair.w >> 2, r->step - 1);
-        draft(w, pair.x, pair.y, types, TYPE_HIT, RANK_HIT, hit[0], hit[1].xy);
+        draft(w, pair.x, pair.y, types, TYPE_HIT, RANK_HIT, hit[0], hit[1].xy, hit[1].z);
     }
-    draft(w, pair.x, pair.y, types, TYPE_END, RANK_END, (float4)(0.0f), (float2)(0.0f));
+    draft(w, pair.x, pair.y, types, TYPE_END, RANK_END, (float4)(0.0f), (float2)(0.0f), 0.0f);
 }
 
 // The same for all work-items.
@@ -201,7 +202,7 @@ void settleEvents(const World *w, int first, int each) {
     int newcomers = w->status[NEWCOMERS];
     for (int k = first; k < drafts; k += each) {
         global const int4 *event = r->drafts + 3 * k;
-        r->eventOrder[r->eventStart[event[0].x] + event[2].z] = k;
+        r->eventOrder[r->eventStart[event[0].x] + event[2].w] = k;
     }
     for (int k = first; k < newcomers; k += each) addTouching(w, r->newcomers[k]);
 }
@@ -224,7 +225,7 @@ void writeEvent(const World *w, int k) {
     int to = r->eventStart[own.x + 1];
     int place = from;
     if (to - from > MANY_OF_ONE) {
-        place += event[2].z;
+        place += event[2].w;
         ((global int *) r->decided)[HEADER_UNORDERED] = 1;
     } else {
         for (int i = from; i < to; i++) {

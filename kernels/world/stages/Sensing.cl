@@ -89,7 +89,7 @@ void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float vn = dotf(nx, ny, ux / w->k.dt, uy / w->k.dt);
     float separation = distance_ - sum;
     float2 point = (float2)(touchPoint(a->x, t * a->px, nx, a->r, separation), touchPoint(a->y, t * a->py, ny, a->r, separation));
-    tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point);
+    tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point, 0.0f);
 }
 
 void senseIn(const World *w, global const float2 *start, global const int *seeking, const Sensed *s, int from, int to) {

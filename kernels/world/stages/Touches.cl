@@ -1,15 +1,39 @@
-// uses: world/shared/Wall.cl world/stages/Events.cl
+// uses: world/shared/Wall.cl world/stages/Events.cl world/stages/Grips.cl
 // Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
-// impulse of it that is not kept. wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
+// impulse of it that is not kept. Behind all, in worlds that turn, see touchSlips. wallTouch: by slot and axis: approach speed, impulse, where along
+// the wall, how fast the surfaces slid, with the sign of the side.
 
 #ifdef RECORDING
+#ifdef TURNING
+// How fast the surfaces of contacts slide, by their numbers in any plan: in the sub-step; when they approached fastest.
+global float2 *touchSlips(const World *w) { return (global float2 *) (w->recording.touch + 2 * (size_t) w->contactRoom); }
+#endif
+
+void clearSlip(const World *w, int c) {
+#ifdef TURNING
+    touchSlips(w)[c] = (float2)(0.0f);
+#endif
+}
+
+// When they approached fastest.
+float slipOf(const World *w, int c) {
+#ifdef TURNING
+    return touchSlips(w)[c].y;
+#else
+    return 0.0f;
+#endif
+}
+
 // Where, only if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
+#ifdef TURNING
+    touchSlips(w)[c].y = touchSlips(w)[c].x;
+#endif
     if (!isFastApproach(approach, w->k.dt, w->base[c].RADII)) return;
     uint lower = w->pair[c].LOWER;
     float4 own = w->circle[lower];
@@ -27,6 +51,11 @@ void noteSolvedContact(const World *w, global float4 *touch, int c, float notKep
     float2 before = w->load[pr.HIGHER].BEFORE - w->load[pr.LOWER].BEFORE;
     float approach = approachSpeed(dotf(n.NORMAL_X, n.NORMAL_Y, before.x, before.y));
     t[1].zw = (float2)(approach, notKept);
+#ifdef TURNING
+    float4 skin = w->pairSkin[c];
+    float along = speedAlong(n.NORMAL, w->load[pr.LOWER].BEFORE, w->load[pr.HIGHER].BEFORE);
+    touchSlips(w)[c].x = hitSlip(skin.PAIR_FRICTION, along, w->spinImpulse[pr.LOWER], w->spinImpulse[pr.HIGHER], skin.PAIR_BELT);
+#endif
     noteTouch(w, t, c, approach, n, n.NORMAL_IMPULSE + notKept, n.SEPARATION);
 }
 
@@ -41,9 +70,10 @@ void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounc
     noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
 }
 
-void beginTouch(global float4 *touch, int c) {
-    touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
-    touch[2 * c + 1] = (float4)(0.0f);
+void beginTouch(const World *w, int c) {
+    w->recording.touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+    w->recording.touch[2 * c + 1] = (float4)(0.0f);
+    clearSlip(w, c);
 }
 
 // Index space: any; work-items take contacts and slots in turn.
@@ -53,16 +83,16 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     if (refused(&w)) return;
     int first = (int) get_global_id(0);
     int contacts = contactsListed(&w);
-    for (int c = first; c < contacts; c += (int) get_global_size(0)) beginTouch(touch, c);
+    for (int c = first; c < contacts; c += (int) get_global_size(0)) beginTouch(&w, c);
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
 }
 
 // A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
-// visit; solving: the wall is where it is before the sub-step.
+// visit; slid: how fast the surfaces did before it; solving: the wall is where it is before the sub-step.
 void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float d, float r, float speed, float from, float to,
-                     float along, bool solving) {
+                     float along, float slid, bool solving) {
     float min_ = axis == 0 ? w->k.minX : w->k.minY;
     float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
     float side = wallSide(x, min_, max_);
@@ -76,7 +106,7 @@ void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float 
     if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
         now.x = approach;
         now.z = along;
-        now.w = side;
+        now.w = copysign(slid, side);
     }
     *t = now;
 }
@@ -87,25 +117,29 @@ void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMa
     if (inverseMass == 0.0f) return;
     float fromX = afterImpulse(before.x, inverseMass, sum.x);
     float fromY = afterImpulse(before.y, inverseMass, sum.y);
+    float2 slid = (float2)(0.0f);
 #ifdef TURNING
+    slid = (float2)(turning->slid[0], turning->slid[1]);
     fromX = turning->from[0];
     fromY = turning->from[1];
     m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
 #endif
-    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
-    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);
+    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, slid.x, true);
+    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, slid.y, true);
 }
 
 // v: before the visits; m: motion after them.
 void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v,
                       float4 m AND_TURNING(const Turning *turning)) {
     if (inverseMass == 0.0f) return;
+    float2 slid = (float2)(0.0f);
 #ifdef TURNING
+    slid = (float2)(turning->slid[0], turning->slid[1]);
     v = (float2)(turning->from[0], turning->from[1]);
     m.VELOCITY = (float2)(turning->to[0], turning->to[1]);
 #endif
-    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, false);
-    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, false);
+    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, slid.x, false);
+    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, slid.y, false);
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.
@@ -119,12 +153,13 @@ void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m
     float nearer = wallSide(x, min_, max_);
     float gap = wallGap(x, dx, c.RADIUS, nearer, min_, max_);
     bool touched = t.x >= 0.0f;
+    float touchedSide = copysign(1.0f, t.w);
     bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS);
     float threshold = bounceThreshold(&w->k, 2.0f * c.RADIUS, 0.0f, rate);
     for (int k = 0; k < 2; k++) {
         bool first = k == 0;
-        if (first ? !touched : !isNear_ || (touched && t.w == nearer)) continue;
-        float side = first ? t.w : nearer;
+        if (first ? !touched : !isNear_ || (touched && touchedSide == nearer)) continue;
+        float side = first ? touchedSide : nearer;
         float at = side > 0.0f ? min_ : max_;
         float place = first ? t.z : axis == 0 ? c.y : c.x;
         int wall = wallOf(axis, side);
@@ -135,7 +170,7 @@ void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m
         float impulse = first ? c.MASS * t.y : 0.0f;
         Told told;
         if (concerns(w, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), approach, impulse, threshold, &told)) {
-            tell(w, &told, approach, impulse, vn, normal, point);
+            tell(w, &told, approach, impulse, vn, normal, point, first ? fabs(t.w) : 0.0f);
         }
     }
 }
@@ -151,8 +186,9 @@ void tellOfWallsOf(const World *w, int slot) {
 bool isKnown(float2 normal) { return normal.x != 0.0f || normal.y != 0.0f; }
 
 // Tells of a pair of circles after a step, if it is in touch. pr: slots; n: contact; approach, impulse: of the step; normal, point: where
-// it touched, if that is known; else it is where it touches now.
-void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point) {
+// it touched, if that is known; else it is where it touches now; slid: how fast its surfaces did.
+void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point,
+                float slid) {
     if (!staysInTouch(approach, n.SEPARATION, radii)) return;
     float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
     float fastest = maxf(approach, 0.0f);
@@ -167,7 +203,7 @@ void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach,
     float4 mi = w->homeMotion[pr.LOWER];
     float4 mj = w->homeMotion[pr.HIGHER];
     float vn = dotf(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
-    tell(w, &told, fastest, impulse, vn, normal, point);
+    tell(w, &told, fastest, impulse, vn, normal, point, slid);
 }
 
 // Tells of contacts from one on, every so many.
@@ -176,7 +212,7 @@ void tellOfContacts(const World *w, int first, int each) {
     for (int c = first; c < contacts; c += each) {
         global const float4 *touch = w->recording.touch + 2 * c;
         float4 t = touch[0];
-        tellOfPair(w, w->pair[c], w->contact[c], w->base[c].RADII, t.x, t.y, t.zw, touch[1].xy);
+        tellOfPair(w, w->pair[c], w->contact[c], w->base[c].RADII, t.x, t.y, t.zw, touch[1].xy, slipOf(w, c));
     }
 }
 

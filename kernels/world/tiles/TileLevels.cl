@@ -9,7 +9,7 @@ void startSlot(const World *w, int slot, bool first) {
     takeSums(w, slot, !first, true, &m, &l);
 #ifdef RECORDING
     int end = first ? w->groupStart[crossGroupOf(w, slot) + 1] : 0;
-    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w->recording.touch, c);
+    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w, c);
 #endif
 #ifdef TURNING
     w->surfaceSpeed[slot] = w->solvedSpin[slot];

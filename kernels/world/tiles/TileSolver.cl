@@ -39,6 +39,9 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
             t->spin[i] = w->surfaceSpeed[slot[n]];
             t->inertia[i] = w->inverseInertia[slot[n]];
             t->spinLoad[i] = 0.0f;
+#ifdef RECORDING
+            if (!relaxing) t->spinLoad[i] = w->spinImpulse[slot[n]];
+#endif
 #endif
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
@@ -100,6 +103,9 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
 #ifdef TURNING
             t->spin[i] = w->startSpin[slot[n]];
             t->inertia[i] = w->inverseInertia[slot[n]];
+#ifdef RECORDING
+            t->spinLoad[i] = w->spinImpulse[slot[n]];
+#endif
 #endif
         }
     }

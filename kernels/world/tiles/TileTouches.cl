@@ -3,6 +3,7 @@
 // - of the sub-step: approach speed, negative (also -0) if the surfaces did not touch in the biased pass; impulse that is not kept;
 // - of the step: approach speed, impulse;
 // - where it touched, if it is fast: normal x, y (0: not known yet), point x, y.
+// How fast surfaces slide lies behind all, as in Touches.cl.
 
 #ifdef RECORDING
 // Cross contacts lie behind all three, as Touches.cl has them.
@@ -16,6 +17,7 @@ global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar
 void clearTouch(const World *w, int number) {
     touchSoFar(w)[number] = (float2)(NO_TOUCH, 0.0f);
     touchPlace(w)[number] = (float4)(0.0f);
+    clearSlip(w, number);
 }
 
 void clearWallTouch(const World *w, int slot) {
@@ -33,15 +35,22 @@ void placeTouch(const World *w, int number, global const float4 *motion, float n
         (float4)(nx, ny, touchPoint(c.x, m.x, nx, c.z, separation), touchPoint(c.y, m.y, ny, c.z, separation));
 }
 
-// before: normal speed before any impulse. The step's numbers follow in the relaxing pass, but those of a fast contact, with its normal.
+// before: normal speed before any impulse; slid: how fast surfaces slide then. The step's numbers follow in the relaxing pass, but those of
+// a fast contact, with its normal.
 void noteSolved(const World *w, int number, float before, float nx, float ny, float separation, float radii,
-                const Visited *visited) {
+                const Visited *visited AND_TURNING(float slid)) {
     float approach = approachSpeed(before);
     float notKept = visited->leaves || visited->solved ? 0.0f : visited->impulse;
     bool touching = visited->normalImpulse + notKept > 0.0f || separation <= 0.0f;
     touchNow(w)[number] = (float2)(touching ? approach : -approach, notKept);
+#ifdef TURNING
+    touchSlips(w)[number].x = slid;
+#endif
     if (touching && isFastApproach(approach, w->k.dt, radii) && approach > touchSoFar(w)[number].x) {
         touchSoFar(w)[number].x = approach;
+#ifdef TURNING
+        touchSlips(w)[number].y = slid;
+#endif
         placeTouch(w, number, w->motion, nx, ny, separation);
     }
 }
@@ -56,6 +65,9 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     bool touched = as_int(now.x) >= 0;
     bool faster = (touched || impulse > 0.0f) && approach > soFar.x;
     touchSoFar(w)[number] = (float2)(faster ? approach : soFar.x, soFar.y + impulse);
+#ifdef TURNING
+    if (faster) touchSlips(w)[number].y = touchSlips(w)[number].x;
+#endif
     if (faster && !touched && isFastApproach(approach, w->k.dt, radii)) {
         placeTouch(w, number, hasOneLevel(w) ? w->solvedMotion : w->motion, nx, ny, separation);
     }
@@ -73,7 +85,7 @@ void tellOfTile(const World *w, int tile) {
         int copy = firstCopy + place;
         float2 t = touchSoFar(w)[number];
         float4 at = touchPlace(w)[number];
-        tellOfPair(w, w->ordered[number], w->contact[copy], w->shape[copy].x, t.x, t.y, at.xy, at.zw);
+        tellOfPair(w, w->ordered[number], w->contact[copy], w->shape[copy].x, t.x, t.y, at.xy, at.zw, slipOf(w, number));
     }
 }
 

@@ -13,7 +13,8 @@ typedef struct {
     float burden[TILE_CIRCLES + 1];
 #ifdef TURNING
     float spin[TILE_CIRCLES + 1];     // surface speed
-    float spinLoad[TILE_CIRCLES + 1]; // in the relaxing pass: sums of impulses on it
+    float spinLoad[TILE_CIRCLES + 1]; // in the relaxing pass: sums of impulses on it; if touches are recorded, in the biased pass what it
+                                      // was before any impulse
     float inertia[TILE_CIRCLES + 1];  // inverse
 #endif
     uint carried[(TILE_CIRCLES + 31) / 32]; // a bit a circle: whether a contact carries
@@ -233,6 +234,16 @@ bool gripsInTile(const World *w, const TileVisit *v) {
 }
 #endif
 
+#if defined(TURNING) && defined(RECORDING)
+// In the biased pass: how fast the surfaces of a contact that is there slide, before any impulse.
+float slipInTile(const World *w, local const Tile *t, const TileVisit *v, int i, int j) {
+    float2 grip = w->copiedGrip[v->copy];
+    float belt = as_int(grip.COPIED_TANGENT_MASS) < 0 ? w->copiedRoll[v->copy].COPIED_BELT : 0.0f;
+    float along = speedAlong((float2)(v->visit.nx, v->visit.ny), t->load[i], t->load[j]);
+    return hitSlip(grip.COPIED_FRICTION, along, t->spinLoad[i], t->spinLoad[j], belt);
+}
+#endif
+
 // Branches would be most of the time.
 void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.PLACED_CIRCLES);
@@ -289,7 +300,8 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
         noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce,
                     v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     } else {
-        noteSolved(w, v->contact.PLACED_CONTACT, v->before, v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
+        noteSolved(w, v->contact.PLACED_CONTACT, v->before, v->visit.nx, v->visit.ny, v->separation, v->radii,
+                   &visited AND_TURNING(slipInTile(w, t, v, i, j)));
     }
 #endif
     if (relaxing) {

@@ -10,6 +10,9 @@ public final class TouchArrays implements AutoCloseable {
     public static final int ARGUMENTS = 3;
 
     private static final long CONTACT_BYTES = 32;
+    /** More, if circles turn. */
+    private static final long SLIP_BYTES = 8;
+
     private static final long SLOT_BYTES = 32;
 
     private final Session session;
@@ -50,7 +53,8 @@ public final class TouchArrays implements AutoCloseable {
 
     /** Makes room for what other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
-        contacts = ensure("touches", contacts, CONTACT_BYTES * arrays.contactCapacity());
+        long contactBytes = CONTACT_BYTES + (arrays.turning() ? SLIP_BYTES : 0);
+        contacts = ensure("touches", contacts, contactBytes * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
     }
 
