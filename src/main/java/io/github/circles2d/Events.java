@@ -42,8 +42,9 @@ import io.github.circles2d.world.events.EventRows;
  * its begin.
  *
  * <p><b>Exact meaning:</b> {@link #speed} is the greatest approach speed of the sub-steps in which the pair touched, along the normal,
- * from the velocities before any impulse of the sub-step. {@link #impulse} is the sum of all impulses of the steps of the hit, those
- * included that carry a load. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
+ * from the velocities before any impulse of the sub-step. {@link #slipSpeed} is the speed of their surfaces along each other in that
+ * sub-step, from the velocities and the turning before any impulse, and from belts. {@link #impulse} is the sum of all impulses of the
+ * steps of the hit, those included that carry a load. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
  * and up to one part in 64 for a circle that sticks. An impulse that acts after a hit has been reported is in no event. A hit of a wall
  * has the same numbers; the speed is relative to a wall that moves. A fast circle stops where it touches, and bounces in the next step:
  * so it may begin, with speed and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
@@ -166,6 +167,16 @@ public final class Events {
      */
     public float speed(int event) {
         return rows.speed(event);
+    }
+
+    /**
+     * How fast the surfaces slid along each other when they approached fastest, for the sound of a hit.
+     *
+     * @param event its number, from 0 on
+     * @return lengths per second, at least 0; 0 for an end, and if one of the two has no friction ({@link Kind#setFriction})
+     */
+    public float slipSpeed(int event) {
+        return rows.slipSpeed(event);
     }
 
     /**

@@ -97,13 +97,14 @@ class RollbackGame implements Rollback.Game {
 
     private static String line(Events events, int i) {
         return String.format(
-                "[%d %d %x %x %s %s %s %s %s %s %s]",
+                "[%d %d %x %x %s %s %s %s %s %s %s %s]",
                 events.type(i),
                 events.step(i),
                 events.a(i),
                 events.b(i),
                 events.side(i),
                 events.speed(i),
+                events.slipSpeed(i),
                 events.impulse(i),
                 events.x(i),
                 events.y(i),

@@ -191,6 +191,78 @@ class WorldEventsTest {
     }
 
     @Test
+    void aHitSaysHowFastTheSurfacesSlid() {
+        try (World rough = WorldScenes.jvm()
+                .bounds(-50, -50, 50, 50)
+                .friction(0.5f)
+                .restitution(0.5f)
+                .build()) {
+            rough.kind(1).setBeltSpeed(3);
+            rough.kind(2).setFriction(0).setBeltSpeed(5);
+            rough.report(Events.BEGIN | Events.HIT | Events.END);
+            assertThat(slip(rough, 0, 0, 0)).as("nothing slides").isZero();
+            assertThat(slip(rough, 0, 0, 4)).as("one spins").isEqualTo(4);
+            assertThat(slip(rough, 0, 2.5f, 0)).as("one flies past").isCloseTo(2.5f, within(0.1f));
+            assertThat(slip(rough, 1, 0, 0)).as("a belt").isEqualTo(3);
+            assertThat(slip(rough, 1, 0, -3)).as("one rolls on a belt").isZero();
+            assertThat(slip(rough, 2, 2.5f, 4)).as("no friction").isZero();
+        }
+    }
+
+    /** How fast a circle slides along a static one of a kind, which it hits with a speed along its surface and a surface speed. */
+    private static float slip(World rough, int kind, float along, float spin) {
+        float radius = 2;
+        long target = rough.add(0, 0, radius, Float.POSITIVE_INFINITY);
+        rough.setKind(target, kind);
+        // on a vertical line when they touch
+        long ball = rough.add(-along * 0.1f, 2 * radius + 1, radius, 1, along, -10);
+        rough.setAngularVelocity(ball, spin / radius);
+        float slip = -1;
+        for (int k = 0; k < 20; k++) {
+            rough.step(DT);
+            Events events = rough.events();
+            for (int i = 0; i < events.size(); i++) {
+                if (events.type(i) == Events.HIT) {
+                    assertThat(slip).as("a second hit").isEqualTo(-1);
+                    slip = events.slipSpeed(i);
+                } else if (events.type(i) == Events.END) {
+                    assertThat(events.slipSpeed(i)).isZero();
+                }
+            }
+        }
+        rough.remove(target);
+        rough.remove(ball);
+        rough.step(DT);
+        rough.events();
+        return slip;
+    }
+
+    @Test
+    void aHitOfAWallSaysHowFastTheSurfacesSlid() {
+        for (float friction : new float[] {0, 0.5f}) {
+            for (float belt : new float[] {0, -2}) {
+                for (float spin : new float[] {0, -4, 4}) {
+                    try (World rough = WorldScenes.jvm()
+                            .bounds(-50, -50, 50, 50)
+                            .friction(friction)
+                            .restitution(0.5f)
+                            .build()) {
+                        rough.setWallSurface(Wall.MIN_Y, friction, 0, belt);
+                        rough.report(Events.HIT | Events.WALL);
+                        rough.setAngularVelocity(rough.add(0, -48, 1, 1, 4, -10), spin);
+                        rough.step(DT, 20);
+                        Events events = rough.events();
+                        assertThat(events.size()).isEqualTo(1);
+                        // at spin -4 it rolls to the right
+                        float expected = friction == 0 ? 0 : Math.abs(4 - belt + spin);
+                        assertThat(events.slipSpeed(0)).isEqualTo(expected);
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
     void tenStepsInOneTripHaveTheEventsOfTenSteps() {
         Scene scene = Scenes.gas(400, 1);
         try (World one = WorldScenes.world(scene, WorldScenes.builder(scene));
@@ -225,8 +297,13 @@ class WorldEventsTest {
 
     @Test
     void aRollbackNeitherRepeatsNorLosesEvents() {
+        assertRollback(0);
+        assertRollback(0.5f);
+    }
+
+    private static void assertRollback(float friction) {
         Scene scene = Scenes.thesis(300, 3);
-        try (World played = WorldScenes.world(scene, WorldScenes.builder(scene));
+        try (World played = WorldScenes.world(scene, WorldScenes.builder(scene).friction(friction));
                 World other = WorldScenes.jvm().build()) {
             played.report(ALL | Events.WALL);
             other.report(ALL | Events.WALL);

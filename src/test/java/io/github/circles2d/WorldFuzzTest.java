@@ -554,6 +554,8 @@ class WorldFuzzTest {
             for (int i = 0; i < events.size(); i++) {
                 boolean sound = events.speed(i) >= 0
                         && events.speed(i) < Float.POSITIVE_INFINITY
+                        && events.slipSpeed(i) >= 0
+                        && events.slipSpeed(i) < Float.POSITIVE_INFINITY
                         && Math.abs(events.impulse(i)) < Float.POSITIVE_INFINITY
                         && Math.abs(events.x(i)) < 1e10f
                         && Math.abs(events.y(i)) < 1e10f

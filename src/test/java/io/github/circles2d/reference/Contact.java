@@ -47,8 +47,10 @@ final class Contact extends Constraint {
     /** What it does in the step. */
     final Touch touch = new Touch();
 
-    /** What it does in the sub-step: the approach speed, and the impulses that it does not keep. */
+    /** What it does in the sub-step: the approach speed, how fast its surfaces slide, and the impulses that it does not keep. */
     private float approach;
+
+    private float slip;
 
     private float notKept;
 
@@ -195,8 +197,9 @@ final class Contact extends Constraint {
     /** Looks at the touch after the biased pass. */
     void lookAfterSolve() {
         approach = Numbers.max(-normalVelocity(c -> c.velocityBeforeImpulses), 0f);
+        slip = frictionCoefficient > 0f ? Math.abs(slipBeforeImpulses()) : 0f;
         if (normalImpulse > 0f || notKept > 0f || separation <= 0f) {
-            touch.seen(approach, normal, point(), isFast());
+            touch.seen(approach, slip, normal, point(), isFast());
         }
     }
 
@@ -206,7 +209,7 @@ final class Contact extends Constraint {
         notKept = 0f;
         touch.impulse += sum;
         if (sum > 0f) {
-            touch.seen(approach, normal, point(), isFast());
+            touch.seen(approach, slip, normal, point(), isFast());
         }
     }
 
@@ -250,19 +253,32 @@ final class Contact extends Constraint {
         }
     }
 
+    private float slipBeforeImpulses() {
+        float along = tangentSpeed(higher.velocityBeforeImpulses, lower.velocityBeforeImpulses);
+        return slip(along, lower.turn.speedBeforeImpulses, higher.turn.speedBeforeImpulses);
+    }
+
     private float tangent(int axis) {
         return axis == 0 ? -normal[1] : normal[0];
     }
 
     @Override
     float tangentSpeed() {
-        float[] v = minus(velocityNow(higher), velocityNow(lower));
+        return tangentSpeed(velocityNow(higher), velocityNow(lower));
+    }
+
+    private float tangentSpeed(float[] ofHigher, float[] ofLower) {
+        float[] v = minus(ofHigher, ofLower);
         return tangent(0) * v[0] + tangent(1) * v[1];
     }
 
     @Override
     float slip(float speed) {
-        return (speed - (speedNow(lower) + speedNow(higher))) - (lower.turn.belt + higher.turn.belt);
+        return slip(speed, speedNow(lower), speedNow(higher));
+    }
+
+    private float slip(float speed, float ofLower, float ofHigher) {
+        return (speed - (ofLower + ofHigher)) - (lower.turn.belt + higher.turn.belt);
     }
 
     @Override

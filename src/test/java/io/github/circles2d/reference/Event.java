@@ -12,6 +12,7 @@ public record Event(
         long b,
         int side,
         float speed,
+        float slipSpeed,
         float impulse,
         float x,
         float y,
@@ -19,7 +20,7 @@ public record Event(
         float normalY) {
     /** The same in a step. */
     Event at(int number) {
-        return new Event(number, type, a, b, side, speed, impulse, x, y, normalX, normalY);
+        return new Event(number, type, a, b, side, speed, slipSpeed, impulse, x, y, normalX, normalY);
     }
 
     /** The events of a world. */
@@ -33,6 +34,7 @@ public record Event(
                     events.b(i),
                     events.side(i) == null ? -1 : events.side(i).ordinal(),
                     events.speed(i),
+                    events.slipSpeed(i),
                     events.impulse(i),
                     events.x(i),
                     events.y(i),

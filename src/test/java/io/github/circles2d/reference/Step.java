@@ -193,6 +193,7 @@ final class Step {
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
             }
         }
+        c.turn.speedBeforeImpulses = c.turn.speed;
         if (!c.isStatic()) {
             c.turn.accelerate();
             c.walls[0].warmStartGrips();
@@ -208,7 +209,8 @@ final class Step {
             }
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
-            c.walls[a].look(c.velocityBeforeImpulses[a], gained[a]);
+            float slip = c.walls[a].slipOf(c.velocityBeforeImpulses, c.turn.speedBeforeImpulses);
+            c.walls[a].look(c.velocityBeforeImpulses[a], gained[a], slip);
         }
     }
 
@@ -235,10 +237,11 @@ final class Step {
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
             float before = c.velocity[a];
+            float slip = c.walls[a].slipOf(c.velocity, c.turn.speed);
             c.walls[a].measure(subStep);
             c.walls[a].relax();
             c.walls[a].storeImpulse();
-            c.walls[a].look(before, c.velocity[a] - before);
+            c.walls[a].look(before, c.velocity[a] - before, slip);
         }
         clearImpulses(c);
     }

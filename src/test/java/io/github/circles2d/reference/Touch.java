@@ -10,6 +10,9 @@ final class Touch {
     /** The approach speed of circles that are only sensed, and never hit. */
     float sensedSpeed;
 
+    /** How fast the surfaces slid along each other then. */
+    float slip;
+
     float impulse;
     float[] normal = {0f, 0f};
     float[] point = {0f, 0f};
@@ -30,9 +33,10 @@ final class Touch {
      *
      * @param isFast whether this is the place; else it is where they are after the step
      */
-    void seen(float speed, float[] direction, float[] place, boolean isFast) {
+    void seen(float speed, float slipThen, float[] direction, float[] place, boolean isFast) {
         if (speed > approach) {
             approach = speed;
+            slip = slipThen;
             if (isFast) {
                 normal = direction.clone();
                 point = place.clone();

@@ -139,7 +139,7 @@ final class TouchEvents {
             return;
         }
         Event event = t == null
-                ? new Event(0, type, key.a(), key.b(), key.side, 0f, 0f, 0f, 0f, 0f, 0f)
+                ? new Event(0, type, key.a(), key.b(), key.side, 0f, 0f, 0f, 0f, 0f, 0f, 0f)
                 : new Event(
                         0,
                         type,
@@ -147,6 +147,7 @@ final class TouchEvents {
                         key.b(),
                         key.side,
                         t.speed(),
+                        t.slip,
                         t.impulse,
                         t.point[0],
                         t.point[1],

@@ -22,6 +22,9 @@ final class Turn {
     private final float speedAtFirst;
     float speed;
 
+    /** The speed in the sub-step before any impulse. */
+    float speedBeforeImpulses;
+
     /** The speed as a pass over the contacts of different levels begins. */
     float speedBeforePass;
 
@@ -51,7 +54,8 @@ final class Turn {
 
     /** Begins a sub-step of a circle that is not static. */
     void accelerate() {
-        speed = limitSpeed((speed + gain) * dampingFactor + inverseInertia * impulse);
+        speedBeforeImpulses = (speed + gain) * dampingFactor;
+        speed = limitSpeed(speedBeforeImpulses + inverseInertia * impulse);
     }
 
     void move() {

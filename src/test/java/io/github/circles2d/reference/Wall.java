@@ -79,12 +79,25 @@ final class Wall extends Constraint {
 
     @Override
     float slip(float speed) {
-        return (speed - c.turn.speed) - c.turn.belt;
+        return slip(speed, c.turn.speed);
+    }
+
+    private float slip(float speed, float surfaceSpeed) {
+        return (speed - surfaceSpeed) - c.turn.belt;
     }
 
     @Override
     float tangentSpeed() {
-        return along * (c.velocity[1 - axis] - belt);
+        return tangentSpeed(c.velocity);
+    }
+
+    private float tangentSpeed(float[] velocity) {
+        return along * (velocity[1 - axis] - belt);
+    }
+
+    /** How fast the surfaces slide along each other at a velocity and a speed of the circle's surface; 0 without friction. */
+    float slipOf(float[] velocity, float surfaceSpeed) {
+        return frictionCoefficient > 0f ? Math.abs(slip(tangentSpeed(velocity), surfaceSpeed)) : 0f;
     }
 
     @Override
@@ -151,14 +164,15 @@ final class Wall extends Constraint {
      *
      * @param velocity the velocity along the axis with which the circle approached
      * @param gained what the visit added to it
+     * @param slip how fast the surfaces slid then
      */
-    void look(float velocity, float gained) {
+    void look(float velocity, float gained, float slip) {
         float impulse = normal * gained;
         touch.impulse += impulse;
         if (impulse > 0f || separation <= 0f) {
             float place = c.base[1 - axis] + c.displacement[1 - axis];
             float approach = Numbers.max(-(normal * velocity - speed), 0f);
-            touch.seen(approach, direction(normal), point(normal, place), true);
+            touch.seen(approach, slip, direction(normal), point(normal, place), true);
         }
     }
 

@@ -13,8 +13,11 @@ public final class SavedTouches {
     /** Type of a late event: the end of a touch. */
     public static final int END = 4;
 
-    /** Floats of an event: approach speed, impulse, normal x, y, point x, y. */
-    public static final int VALUES = 6;
+    /** Floats of an event: approach speed, impulse, normal x, y, point x, y, {@link #SLIP}. */
+    public static final int VALUES = 7;
+
+    /** Of these, the speed along the surfaces. */
+    public static final int SLIP = 6;
 
     /** Ints of a late event: its type, the number of its wall or -1. */
     public static final int LATE_INTS = 2;

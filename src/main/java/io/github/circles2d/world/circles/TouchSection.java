@@ -14,13 +14,18 @@ import java.util.Arrays;
  *            byte number of the wall or -1, values
  * values     float approach speed, impulse, normal x, y, point x, y
  * </pre>
+ *
+ * <p>{@link SlipSection} has the speeds along the surfaces.
  */
 final class TouchSection {
-    /** Greater than those of all other sections. */
+    /** Greater than those of all other sections but {@link SlipSection#NUMBER}. */
     static final int NUMBER = 2000;
 
     private static final int HEAD = 4 * Integer.BYTES;
-    private static final int VALUE_BYTES = SavedTouches.VALUES * Float.BYTES;
+    /** Those up to the speed along the surfaces. */
+    private static final int VALUES = SavedTouches.SLIP;
+
+    private static final int VALUE_BYTES = VALUES * Float.BYTES;
     private static final int OPEN = Integer.BYTES + VALUE_BYTES;
     private static final int LATE = 2 * Long.BYTES + 2 + VALUE_BYTES;
     private static final int LEAST_PAIR = 2;
@@ -76,7 +81,7 @@ final class TouchSection {
     }
 
     private static void writeValues(float[] values, int k, ByteBuffer out) {
-        for (int v = 0; v < SavedTouches.VALUES; v++) {
+        for (int v = 0; v < VALUES; v++) {
             out.putFloat(values[SavedTouches.VALUES * k + v]);
         }
     }
@@ -145,7 +150,8 @@ final class TouchSection {
     }
 
     private static void readValues(float[] values, int k, ByteBuffer in) {
-        for (int v = 0; v < SavedTouches.VALUES; v++) {
+        values[SavedTouches.VALUES * k + SavedTouches.SLIP] = 0f;
+        for (int v = 0; v < VALUES; v++) {
             float value = in.getFloat();
             SnapshotCodec.require(Float.isFinite(value), "a value of an event is out of range");
             values[SavedTouches.VALUES * k + v] = value;

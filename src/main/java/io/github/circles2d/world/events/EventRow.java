@@ -16,7 +16,7 @@ public final class EventRow {
     /** Where a device writes the number of the step. */
     public static final int STEP = 3;
 
-    /** The first of the values, as bits: approach speed, impulse, normal x, y, point x, y. */
+    /** The first of the values, as bits: approach speed, impulse, normal x, y, point x, y, speed along the surfaces. */
     public static final int FIRST_VALUE = 4;
 
     /** Ints of a row. */

@@ -216,6 +216,11 @@ public final class EventRows {
         return value(check(event), TouchRecords.POINT_Y);
     }
 
+    /** The speed along the surfaces. */
+    public float slipSpeed(int event) {
+        return value(check(event), TouchRecords.SLIP);
+    }
+
     private int check(int event) {
         if (event < 0 || event >= count) {
             throw new IndexOutOfBoundsException("there is no event " + event + " of " + count);

@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 public final class TouchRecords {
     /** Floats of what happened: those of an event. */
-    public static final int VALUES = 6;
+    public static final int VALUES = 7;
 
     static final int APPROACH = 0;
     static final int IMPULSE = 1;
@@ -17,10 +17,11 @@ public final class TouchRecords {
     static final int NORMAL_Y = 3;
     static final int POINT_X = 4;
     static final int POINT_Y = 5;
+    static final int SLIP = 6;
 
-    private static final int VN = 6;
-    private static final int THRESHOLD = 7;
-    private static final int STRIDE = 8;
+    private static final int VN = 7;
+    private static final int THRESHOLD = 8;
+    private static final int STRIDE = 9;
 
     int count;
     private int[] lower = new int[0];
@@ -83,6 +84,7 @@ public final class TouchRecords {
             float normalY,
             float pointX,
             float pointY,
+            float slip,
             float vn,
             float threshold) {
         if (count == higher.length) {
@@ -102,6 +104,7 @@ public final class TouchRecords {
         values[at + NORMAL_Y] = normalY;
         values[at + POINT_X] = pointX;
         values[at + POINT_Y] = pointY;
+        values[at + SLIP] = slip;
         values[at + VN] = vn;
         values[at + THRESHOLD] = threshold;
     }
@@ -163,6 +166,7 @@ public final class TouchRecords {
                 from[at + NORMAL_Y],
                 from[at + POINT_X],
                 from[at + POINT_Y],
+                from[at + SLIP],
                 0f,
                 0f);
         return count - 1;

@@ -74,6 +74,9 @@ final class CirclePasses {
                 load[s + BEFORE_X] = m[s + VX];
                 load[s + BEFORE_Y] = m[s + VY];
                 load[s + LOADED] = 0f;
+                if (turning != null) {
+                    turning.startStatic(slot);
+                }
                 continue;
             }
             float wallX = traits[s + WALL_X];
@@ -128,8 +131,11 @@ final class CirclePasses {
                 nextY = m[s + VY];
                 walls.solve(slot, Y, minY, maxY, k, sub);
                 if (walls.touches != null) {
-                    walls.touches.solved(slot, X, sideX, vx, gainedX, gapX, k, sub);
-                    walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, k, sub);
+                    float spin = turning == null ? 0f : turning.before(slot);
+                    float slipX = walls.grips.slip(slot, X, sideX, vy, spin, k);
+                    float slipY = walls.grips.slip(slot, Y, sideY, vx, spin, k);
+                    walls.touches.solved(slot, X, sideX, vx, gainedX, gapX, slipX, k, sub);
+                    walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, slipY, k, sub);
                 }
             }
         }

@@ -195,7 +195,7 @@ final class Sensing {
         float px = TouchRule.point(ax, t * pathX(a), nx, r, distance - sum);
         float py = TouchRule.point(ay, t * pathY(a), ny, r, distance - sum);
         float approach = TouchRule.approach(vn);
-        records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, vn, Float.MAX_VALUE);
+        records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, 0f, vn, Float.MAX_VALUE);
     }
 
     /** Memory of the arrays. */

@@ -8,6 +8,7 @@ import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
 import static io.github.circles2d.world.model.CircleRow.DX;
 import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
@@ -19,6 +20,7 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
 
@@ -40,6 +42,11 @@ final class Touches {
     private static final int IMPULSE = 1;
     private static final int APPROACH_NOW = 2;
     private static final int IMPULSE_NOW = 3;
+
+    // How fast surfaces slide, in worlds that turn: in the sub-step of the approach speed, and in this one.
+    private static final int SLIPS = 2;
+    private static final int SLIP = 0;
+    private static final int SLIP_NOW = 1;
 
     // A place.
     private static final int AT_NORMAL_X = 0;
@@ -89,6 +96,9 @@ final class Touches {
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
     private float[] places = new float[0];
 
+    /** By contact: how fast its surfaces slide; null unless circles turn. */
+    private float[] slips;
+
     Touches(State state, Contacts contacts, Team team, ContactEvents events, TouchRecords[] records) {
         this.state = state;
         this.contacts = contacts;
@@ -113,6 +123,9 @@ final class Touches {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
             places = new float[length];
             rows = new float[length];
+        }
+        if (state.turning != null && (slips == null || slips.length < SLIPS * (long) many)) {
+            slips = new float[SLIPS * (rows.length / STRIDE)];
         }
     }
 
@@ -139,6 +152,9 @@ final class Touches {
             rows[t + APPROACH] = TouchRule.NONE;
             rows[t + IMPULSE] = 0f;
             rows[t + IMPULSE_NOW] = 0f;
+        }
+        if (slips != null) {
+            Arrays.fill(slips, SLIPS * from, SLIPS * to, 0f);
         }
         for (int c = from; wanted != ALL && c < to; c++) {
             long ids = contacts.ids(c);
@@ -167,7 +183,36 @@ final class Touches {
     /** Looks at contacts after the biased pass. */
     void afterSolve(int worker, int from, int to, StepConstants k) {
         for (int block = from; block < to; block += BLOCK) {
-            placeAll(worker, afterSolve(fast[worker], block, Math.min(to, block + BLOCK), k.dt));
+            int end = Math.min(to, block + BLOCK);
+            if (k.turning) {
+                noteSlips(block, end);
+            }
+            placeAll(worker, afterSolve(fast[worker], block, end, k.dt));
+        }
+    }
+
+    /** Notes how fast surfaces slide, by the speeds before any impulse of the sub-step. */
+    private void noteSlips(int from, int to) {
+        float[] q = contacts.contact;
+        float[] g = contacts.grip;
+        int[] pair = contacts.pair;
+        float[] load = state.load;
+        float[] spin = state.turning.spin;
+        float[] slide = slips;
+        for (int c = from; c < to; c++) {
+            int o = ContactRow.of(c);
+            int grip = GripRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
+            float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
+            float along = CircleMath.dot(-q[o + ContactRow.NORMAL_Y], q[o + ContactRow.NORMAL_X], beforeX, beforeY);
+            slide[SLIPS * c + SLIP_NOW] = Surface.hitSlip(
+                    g[grip + GripRow.FRICTION],
+                    along,
+                    spin[a + SPIN_IMPULSE],
+                    spin[b + SPIN_IMPULSE],
+                    g[grip + GripRow.BELT]);
         }
     }
 
@@ -180,6 +225,7 @@ final class Touches {
         float[] r = rows;
         boolean[] some = wanted;
         boolean all = some == ALL;
+        float[] slide = slips;
         int many = 0;
         for (int c = from; c < to; c++) {
             if (!all && !some[c]) {
@@ -198,6 +244,9 @@ final class Touches {
             float greatest = TouchRule.greatest(before, approach, impulse, q[o + SEPARATION]);
             r[t + APPROACH_NOW] = approach;
             r[t + APPROACH] = greatest;
+            if (slide != null && greatest > before) {
+                slide[SLIPS * c + SLIP] = slide[SLIPS * c + SLIP_NOW];
+            }
             if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
                 fastOnes[many++] = c;
             }
@@ -220,6 +269,7 @@ final class Touches {
         float[] r = rows;
         boolean[] some = wanted;
         boolean all = some == ALL;
+        float[] slide = slips;
         int many = 0;
         for (int c = from; c < to; c++) {
             if (!all && !some[c]) {
@@ -234,6 +284,9 @@ final class Touches {
             r[t + IMPULSE_NOW] = 0f;
             r[t + IMPULSE] += impulse;
             r[t + APPROACH] = greatest;
+            if (slide != null && greatest > before) {
+                slide[SLIPS * c + SLIP] = slide[SLIPS * c + SLIP_NOW];
+            }
             if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
                 fastOnes[many++] = c;
             }
@@ -362,6 +415,7 @@ final class Touches {
                 places[t + AT_NORMAL_Y],
                 places[t + POINT_X],
                 places[t + POINT_Y],
+                slips == null ? 0f : slips[SLIPS * c + SLIP],
                 vn,
                 threshold(c, k));
     }
@@ -369,6 +423,7 @@ final class Touches {
     /** Memory of the arrays. */
     long bytes() {
         return 8L * rows.length
+                + (slips == null ? 0 : 4L * slips.length)
                 + 4L * (number.length + numberBefore.length)
                 + wanted.length
                 + (walls == null ? 0 : walls.bytes());

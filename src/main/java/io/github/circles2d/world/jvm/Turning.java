@@ -113,13 +113,28 @@ final class Turning {
         }
     }
 
-    /** The start of a circle that is not static into a sub-step: a torque, damping, and the impulses of the one before. */
+    /**
+     * The start of a circle that is not static into a sub-step: a torque, damping, and the impulses of the one before. Until the move, the place
+     * of these impulses has the surface speed before them, for those that record touches.
+     */
     void start(int slot, StepConstants k) {
         int s = CircleRow.of(slot);
         float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
         float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
         float before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, skin[s + ANGULAR_FACTOR]);
         spin[s + SURFACE_SPEED] = Motion.limitSpeed(before + spin[s + INVERSE_INERTIA] * spin[s + SPIN_IMPULSE]);
+        spin[s + SPIN_IMPULSE] = before;
+    }
+
+    /** The same of a static circle. */
+    void startStatic(int slot) {
+        int s = CircleRow.of(slot);
+        spin[s + SPIN_IMPULSE] = spin[s + SURFACE_SPEED];
+    }
+
+    /** Between the start of a circle and its move: its surface speed before any impulse. */
+    float before(int slot) {
+        return spin[CircleRow.of(slot) + SPIN_IMPULSE];
     }
 
     /** The move of a circle in a sub-step. */

@@ -16,6 +16,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.OneBodyGrip;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.model.Walls;
@@ -65,14 +66,29 @@ final class WallGrips {
     /** A visit of the nearer wall of an axis, by its normal impulse; keep: whether what acts accumulates. */
     void visit(int slot, int axis, float side, float normalImpulse, boolean keep, StepConstants k) {
         int s = CircleRow.of(slot);
-        float u = state.motion[s + VX + other(axis)];
-        float belt = k.surfaces.wallBelt(WallMotion.of(axis, side));
+        float along = along(axis, side, state.motion[s + VX + other(axis)], k);
         take(s, axis, side, k);
         if (!grip.acts()) {
             return;
         }
-        grip.visit(normalImpulse, tangent(axis, side) * (u - belt), state.turning.skin[s + BELT], keep);
+        grip.visit(normalImpulse, along, state.turning.skin[s + BELT], keep);
         give(s, axis, side);
+    }
+
+    /** How fast the surfaces slide, if they grip; v: velocity along the wall, spin: surface speed. */
+    float slip(int slot, int axis, float side, float v, float spin, StepConstants k) {
+        if (!k.turning) {
+            return 0f;
+        }
+        float[] skin = state.turning.skin;
+        int s = CircleRow.of(slot);
+        float friction = Surface.friction(skin[s + FRICTION], k.surfaces.wallFriction(WallMotion.of(axis, side)));
+        return Surface.hitSlip(friction, along(axis, side, v, k), 0f, spin, skin[s + BELT]);
+    }
+
+    /** The speed against the wall along the tangent, of a velocity along the wall. */
+    private static float along(int axis, float side, float v, StepConstants k) {
+        return tangent(axis, side) * (v - k.surfaces.wallBelt(WallMotion.of(axis, side)));
     }
 
     private void take(int s, int axis, float side, StepConstants k) {

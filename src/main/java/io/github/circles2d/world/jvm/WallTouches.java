@@ -32,8 +32,8 @@ final class WallTouches {
     /** Where the circle was along the wall when it approached fastest. */
     private static final int PLACE = 2;
 
-    /** By {@link Walls#wallSide}. */
-    private static final int SIDE = 3;
+    /** How fast the surfaces slid then, with the sign of {@link Walls#wallSide}. */
+    private static final int SLIP = 3;
 
     private final State state;
     private final ContactEvents events;
@@ -63,22 +63,31 @@ final class WallTouches {
     }
 
     /** A visit with bias: velocity before impulses, what the visit added to it; gap from where the wall is at the end of the step. */
-    void solved(int slot, int axis, float side, float before, float gained, float gap, StepConstants k, int sub) {
+    void solved(
+            int slot,
+            int axis,
+            float side,
+            float before,
+            float gained,
+            float gap,
+            float slip,
+            StepConstants k,
+            int sub) {
         int wall = WallMotion.of(axis, side);
         float r = state.circle[CircleRow.of(slot) + RADIUS];
         float now = (gap + k.walls.behind(wall, sub)) + k.walls.sweepFor(wall, r);
-        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), gained, now);
+        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), gained, now, slip);
     }
 
     /** A visit without bias: velocity and gap before it. */
-    void relaxed(int slot, int axis, float side, float from, float gap, StepConstants k) {
+    void relaxed(int slot, int axis, float side, float from, float gap, float slip, StepConstants k) {
         float r = state.circle[CircleRow.of(slot) + RADIUS];
         float vn = side * from - k.walls.speedFor(WallMotion.of(axis, side), r);
-        visited(slot, axis, side, vn, state.motion[CircleRow.of(slot) + VX + axis] - from, gap);
+        visited(slot, axis, side, vn, state.motion[CircleRow.of(slot) + VX + axis] - from, gap, slip);
     }
 
     /** vn: normal speed that the circle approached with. */
-    private void visited(int slot, int axis, float side, float vn, float gained, float gap) {
+    private void visited(int slot, int axis, float side, float vn, float gained, float gap, float slip) {
         int t = row(slot, axis);
         float impulse = side * gained;
         rows[t + IMPULSE] += impulse;
@@ -86,7 +95,7 @@ final class WallTouches {
         if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {
             rows[t + APPROACH] = approach;
             rows[t + PLACE] = place(CircleRow.of(slot), axis, 1f);
-            rows[t + SIDE] = side;
+            rows[t + SLIP] = Math.copySign(slip, side);
         }
     }
 
@@ -115,15 +124,16 @@ final class WallTouches {
         float side = Walls.wallSide(base, min, max);
         float gap = Walls.wallGap(base, state.motion[s + DX + axis], r, side, min, max);
         boolean touched = rows[t + APPROACH] >= 0f;
+        float touchedSide = Math.copySign(1f, rows[t + SLIP]);
         if (touched) {
-            float touchedSide = rows[t + SIDE];
             float at = touchedSide > 0f ? min : max;
             float impulse = state.circle[s + MASS] * rows[t + IMPULSE];
-            tell(records, slot, axis, touchedSide, true, rows[t + APPROACH], impulse, rows[t + PLACE], at, k);
+            float slip = Math.abs(rows[t + SLIP]);
+            tell(records, slot, axis, touchedSide, true, rows[t + APPROACH], impulse, slip, rows[t + PLACE], at, k);
         }
-        if ((!touched || rows[t + SIDE] != side) && TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
+        if ((!touched || touchedSide != side) && TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
             boolean touches = TouchRule.touches(TouchRule.NONE, gap);
-            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, k);
+            tell(records, slot, axis, side, touches, 0f, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, k);
         }
     }
 
@@ -135,6 +145,7 @@ final class WallTouches {
             boolean touches,
             float approach,
             float impulse,
+            float slip,
             float place,
             float at,
             StepConstants k) {
@@ -150,7 +161,8 @@ final class WallTouches {
                     - k.walls.speedFor(WallMotion.of(axis, side), r);
             float nx = isX ? -side : 0f;
             float ny = isX ? 0f : -side;
-            records.add(pair, id, wall, approach, impulse, nx, ny, isX ? at : place, isX ? place : at, vn, threshold);
+            records.add(
+                    pair, id, wall, approach, impulse, nx, ny, isX ? at : place, isX ? place : at, slip, vn, threshold);
         }
     }
 

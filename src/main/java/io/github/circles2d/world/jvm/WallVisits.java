@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.DX;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
+import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.WALL_X;
@@ -109,6 +110,9 @@ final class WallVisits {
         }
         float v = m[s + VX + axis];
         float vn = side * v - k.walls.speedFor(wall, r);
+        float slip = touches == null || !k.turning
+                ? 0f
+                : grips.slip(slot, axis, side, m[s + VX + Y - axis], state.turning.spin[s + SURFACE_SPEED], k);
         visit.relax(
                 gap,
                 r,
@@ -129,7 +133,7 @@ final class WallVisits {
             grips.visit(slot, axis, side, normal, !(visit.bounced || visit.leaves || bounce > 0f), k);
         }
         if (touches != null) {
-            touches.relaxed(slot, axis, side, v, gap, k);
+            touches.relaxed(slot, axis, side, v, gap, slip, k);
         }
     }
 

@@ -41,6 +41,11 @@ public final class Surface {
         return (along - (sA + sB)) - belt;
     }
 
+    /** What events tell of a slip: how fast surfaces slide that grip by some friction; else 0. */
+    public static float hitSlip(float friction, float along, float sA, float sB, float belt) {
+        return friction > 0f ? Math.abs(slip(along, sA, sB, belt)) : 0f;
+    }
+
     /** The accumulated impulse along t that takes the slip away, within a limit that is not negative. */
     public static float grip(float accumulated, float mass, float slip, float limit) {
         return limit > 0f ? CircleMath.clamp(accumulated - mass * slip, -limit, limit) : 0f;

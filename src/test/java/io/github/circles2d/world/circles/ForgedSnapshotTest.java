@@ -96,6 +96,7 @@ class ForgedSnapshotTest {
                 Events events = target.events();
                 for (int i = 0; i < events.size(); i++) {
                     assertThat(events.speed(i)).isFinite();
+                    assertThat(events.slipSpeed(i)).isFinite();
                     assertThat(events.impulse(i)).isFinite();
                     assertThat(events.a(i)).isNotZero();
                 }

@@ -26,7 +26,7 @@ class ContactEventsTest {
         events.queue().asked(1);
         int pair = events.find(0, 1);
         if (touch && events.concerns(pair, 0, 1, true, 0, 0, 1)) {
-            records.add(pair, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
+            records.add(pair, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
         }
         events.endStep(records);
     }
