@@ -53,7 +53,7 @@ public final class Limits {
     /** In a snapshot: more than steps leave, and far from overflow. */
     public static final float CACHED_IMPULSE = 1e24f;
 
-    /** In a snapshot, of rolling resistance, by the lesser radius: likewise. */
+    /** In a snapshot, of a rolling impulse by the lesser radius: likewise. */
     public static final float CACHED_ROLLING = 1e33f;
 
     /** In a snapshot, a speed; steps leave less than 1e13. */

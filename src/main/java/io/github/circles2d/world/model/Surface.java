@@ -4,11 +4,11 @@ package io.github.circles2d.world.model;
  * Friction, rolling resistance and turning of discs.
  *
  * <p>The tangent t is the normal turned to the left. A surface speed is an angular velocity times a radius, positive to the left. An
- * inverse inertia is one over the angular inertia, times the square of the radius: what a surface speed gains by an impulse along the surface. Of a
+ * inverse inertia is the square of the radius over the angular inertia: what a surface speed gains by an impulse along the surface. Of a
  * disc it is twice the inverse mass, of a ring the inverse mass, of a circle that friction does not turn 0.
  *
- * <p>Friction acts on both circles against their turning; the lever arm is the radius, whatever the overlap (E. Catto, "Solver2D", 2024, turns the
- * anchors instead, so rolling balls rise).
+ * <p>The lever arm of friction is the radius, whatever the overlap or gap. So rolling balls keep their height (E. Catto, "Solver2D", 2024,
+ * turns the anchors with the bodies, and they rise). Angular momentum about a fixed point is kept up to the overlap or gap by the radii.
  */
 public final class Surface {
     /** Units of an angle in a turn by its radians: 2^32 / (2 pi). */
