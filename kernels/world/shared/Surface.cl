@@ -19,10 +19,9 @@ float grip(float accumulated, float mass, float slip_, float limit) {
     return limit > 0.0f ? clampf(accumulated - mass * slip_, -limit, limit) : 0.0f;
 }
 
-float rollingMass(float rA, float iA, float rB, float iB) { return 1.0f / (iA / (rA * rA) + iB / (rB * rB)); }
-
-float crossRollingMass(float rLight, float iLight, float rHeavy, float iHeavy, float share) {
-    return 1.0f / (iLight / (rLight * rLight) + share * (iHeavy / (rHeavy * rHeavy)));
+// share: 1, or of B if it is heavy.
+float rollingMass(float rA, float iA, float rB, float iB, float share) {
+    return 1.0f / (iA / (rA * rA) + share * (iB / (rB * rB)));
 }
 
 float rolling(float accumulated, float mass, float omega, float limit) { return grip(accumulated, mass, omega, limit); }

@@ -69,7 +69,7 @@ void fillCrossGrip(const World *w, int c, const Cross *x) {
     skin.TANGENT_MASS =
         crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
     fillGrip(w, c, w->pair[c], (int) w->key[c], skin,
-             crossRollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
+             rollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
 }
 
 // As gatherSpin.

@@ -132,7 +132,7 @@ void fillLikeGrip(const World *w, int c, uint2 p, int higherId) {
     float ia = w->inverseInertia[p.LOWER];
     float ib = w->inverseInertia[p.HIGHER];
     skin.TANGENT_MASS = tangentMass(w->traits[p.LOWER].INVERSE_MASS, ia, w->traits[p.HIGHER].INVERSE_MASS, ib);
-    fillGrip(w, c, p, higherId, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib));
+    fillGrip(w, c, p, higherId, skin, rollingMass(w->circle[p.LOWER].RADIUS, ia, w->circle[p.HIGHER].RADIUS, ib, 1.0f));
 }
 
 // What is accumulated, as impulses on the surface speeds of A and B.

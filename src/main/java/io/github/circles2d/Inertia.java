@@ -9,8 +9,8 @@ public enum Inertia {
     RING,
 
     /**
-     * As if it were infinite: no contact, torque or angular impulse turns the circle, so friction holds it as it holds a box. It turns by
-     * the angular velocity that is set for it alone.
+     * As if it were infinite: no contact, torque or angular impulse turns the circle, so friction holds it as it holds a box. It turns only
+     * by the angular velocity that is set for it. As a motor it keeps that, whatever it drives; {@link Kind#setAngularDamping} slows it.
      */
     NONE
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +44,88 @@ class WorldConservationTest {
             assertThat(contacts).isPositive();
             assertThat((after.momentumX - before.momentumX) / before.momenta).isCloseTo(0, within(1e-5));
             assertThat((after.momentumY - before.momentumY) / before.momenta).isCloseTo(0, within(1e-5));
+        }
+    }
+
+    /** Discs of like or mixed radii and masses spin, and hit each other off the centre. */
+    @ParameterizedTest
+    @ValueSource(floats = {1, 10, 100})
+    void aPairThatGripsKeepsItsMomentaAndGainsNoEnergy(float ratio) {
+        SplittableRandom random = new SplittableRandom(1);
+        try (World world = WorldScenes.jvm().bounds(-100, -100, 100, 100).build()) {
+            for (int k = 0; k < 100; k++) {
+                world.clear();
+                world.kind(1).setFriction(between(random, 0, 2)).setRollingResistance(between(random, 0, 1));
+                float r = 2 / ratio;
+                float speed = between(random, 0.5f, 2);
+                long slow = world.add(0, 0, 2, between(random, 0.1f, 10), 0, 0, 1);
+                long fast = world.add(3 + r, between(random, -r, r), r, between(random, 0.1f, 10), -speed, 0, 1);
+                world.setAngularVelocity(slow, between(random, -1, 1));
+                world.setAngularVelocity(fast, between(random, -1, 1) * ratio);
+                double[] before = momentaAndEnergy(world, slow, fast);
+                world.step(1 / 60f, 180);
+                double[] after = momentaAndEnergy(world, slow, fast);
+                assertThat(world.vx(slow)).as("the pair has met").isNotZero();
+                double momenta = world.mass(fast) * speed;
+                double spins = 0.5 * (world.mass(slow) * 4 + world.mass(fast) * r);
+                assertThat((after[0] - before[0]) / momenta).isCloseTo(0, within(1e-6));
+                assertThat((after[1] - before[1]) / momenta).isCloseTo(0, within(1e-6));
+                // friction has the radii for its arms, and the gap or overlap as it acts is up to 2 / 240 of a length
+                assertThat((after[2] - before[2]) / (momenta * (2 + r) + spins)).isCloseTo(0, within(2e-3));
+                assertThat(after[3]).isLessThanOrEqualTo(before[3] * (1 + 1e-6));
+            }
+        }
+    }
+
+    private static float between(SplittableRandom random, float least, float most) {
+        return least + (most - least) * (float) random.nextDouble();
+    }
+
+    /** Momentum x, y, angular momentum about the origin, and energy, of discs. */
+    private static double[] momentaAndEnergy(World world, long... circles) {
+        double[] sums = new double[4];
+        for (long circle : circles) {
+            double m = world.mass(circle);
+            double vx = world.vx(circle);
+            double vy = world.vy(circle);
+            double inertia = 0.5 * m * world.radius(circle) * world.radius(circle);
+            double omega = world.angularVelocity(circle);
+            sums[0] += m * vx;
+            sums[1] += m * vy;
+            sums[2] += m * (world.x(circle) * vy - world.y(circle) * vx) + inertia * omega;
+            sums[3] += 0.5 * (m * (vx * vx + vy * vy) + inertia * omega * omega);
+        }
+        return sums;
+    }
+
+    /** A closed box without gravity, from the radii 1:1 to 1:100. */
+    @ParameterizedTest
+    @ValueSource(floats = {1, 10, 100})
+    void discsThatGripInABoxGainNoEnergy(float ratio) {
+        SplittableRandom random = new SplittableRandom(2);
+        for (int scene = 0; scene < 4; scene++) {
+            try (World world = WorldScenes.jvm()
+                    .bounds(0, 0, 60, 60)
+                    .restitution(scene / 3f)
+                    .friction(between(random, 0.1f, 2))
+                    .rollingResistance(scene % 2 * 0.2f)
+                    .build()) {
+                long[] discs = new long[36];
+                for (int i = 0; i < discs.length; i++) {
+                    float r = 4 * (float) Math.pow(ratio, -random.nextDouble());
+                    float x = 5 + 10 * (i % 6);
+                    float y = 5 + 10 * (i / 6);
+                    discs[i] = world.add(x, y, r, r * r, between(random, -10, 10), between(random, -10, 10));
+                    world.setAngularVelocity(discs[i], between(random, -5, 5) / r);
+                }
+                double before = momentaAndEnergy(world, discs)[3];
+                for (int second = 0; second < 10; second++) {
+                    world.step(1 / 60f, 60);
+                    double after = momentaAndEnergy(world, discs)[3];
+                    assertThat(after).as("scene %d, second %d", scene, second).isLessThanOrEqualTo(before * (1 + 1e-5));
+                    before = after;
+                }
+            }
         }
     }
 

@@ -550,6 +550,27 @@ class WorldEdgesTest {
         }
     }
 
+    /** So close below a seam at 0 that the quotient by the period is 0, a step leaves a circle where it is. */
+    @ParameterizedTest
+    @CsvSource({"0, -1e-42", "-1e-45, 0"})
+    void aSnapshotTakesACircleThatIsTheLeastBitBelowASeamAtZero(float x, float vx) {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 100, 100)
+                .edges(Edge.WRAP, Edge.WRAP)
+                .build()) {
+            long circle = world.add(x, x, 1, 1, vx, vx);
+            world.step(STEP);
+            assertThat(world.x(circle)).isNegative();
+            long hash = world.hash();
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            snapshot.flip();
+            world.clear();
+            world.restore(snapshot);
+            assertThat(world.hash()).isEqualTo(hash);
+        }
+    }
+
     @Test
     void aRecordingCarriesTheEdges() throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();

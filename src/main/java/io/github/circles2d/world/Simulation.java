@@ -244,7 +244,7 @@ public final class Simulation implements AutoCloseable {
         return 0;
     }
 
-    /** What new circles and the walls have of friction and rolling resistance. */
+    /** The surfaces of circles that have none of their own, nor by their kind, and of walls. */
     public SurfaceSettings surfaces() {
         guard.check();
         return settings.surfaces();

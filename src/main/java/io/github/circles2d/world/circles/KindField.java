@@ -112,6 +112,16 @@ public enum KindField {
         return initial;
     }
 
+    /** Whether it changes velocities. */
+    boolean moves() {
+        return this == GRAVITY_SCALE || this == DAMPING || this == GREATEST_SPEED;
+    }
+
+    /** Whether circles grip or carry others by it; inertia and angular damping do nothing where nothing turns. */
+    boolean grips() {
+        return this == FRICTION || this == ROLLING_RESISTANCE || this == BELT_SPEED;
+    }
+
     /** Throws {@link IllegalArgumentException} if the value is out of range. */
     public void check(int value) {
         check.of(value);

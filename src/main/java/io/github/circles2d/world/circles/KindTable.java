@@ -32,7 +32,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
     /** Values that make circles of a kind move in another way than others. */
     private int motions;
 
-    /** Values that make circles of a kind turn or grip. */
+    /** Values by which circles of a kind grip or carry others. */
     private int surfaces;
 
     /** Pairs of which the matrix says something, counted likewise. */
@@ -72,10 +72,11 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
     /** Sets a field of a kind, to a value that has been checked. */
     public void set(KindField field, int kind, int value) {
         if (value != get(field, kind)) {
-            if (field.ordinal() >= KindField.FRICTION.ordinal()) {
-                surfaces += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
-            } else if (field.ordinal() >= KindField.GRAVITY_SCALE.ordinal()) {
-                motions += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
+            int more = (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
+            if (field.grips()) {
+                surfaces += more;
+            } else if (field.moves()) {
+                motions += more;
             }
             values[at(field, kind)] = value;
             for (int other = 0; other < PairTable.KINDS; other++) {
@@ -140,7 +141,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
         return motions > 0;
     }
 
-    /** Whether circles of some kind have a surface other than those of a kind as it is at first. */
+    /** Whether circles of some kind may grip or carry others. */
     public boolean grips() {
         return surfaces > 0;
     }

@@ -52,7 +52,7 @@ public final class SavedState {
     /** By circle, if circles turn. */
     public float[] angularVelocity = new float[0];
 
-    /** By circle, if circles turn: friction and rolling resistance of its walls, by {@link CircleRow}. */
+    /** By circle, if circles turn: the impulses of friction and of rolling of its walls, by {@link CircleRow}. */
     public float[] wallGrip = new float[0];
 
     public int impulses;
@@ -69,7 +69,7 @@ public final class SavedState {
     /** By impulse, if circles turn: the impulse of friction. */
     public float[] friction = new float[0];
 
-    /** By impulse, if circles turn: the angular impulse of rolling resistance. */
+    /** By impulse, if circles turn: the rolling impulse. */
     public float[] rolling = new float[0];
 
     public SavedState() {}

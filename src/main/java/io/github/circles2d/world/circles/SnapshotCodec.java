@@ -235,7 +235,7 @@ public final class SnapshotCodec {
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
         decode(in, s, null);
         checkPairs(s);
-        TurnSections.checkRolling(s);
+        TurnSections.checkRollingImpulses(s);
         checkTargets(s);
         checkGrowth(s);
         return length;

@@ -18,7 +18,7 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * field of a kind with its number, the kind and its value; a pair of kinds with the lesser one, the greater one and 1 for solid, 2 for
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
- * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, friction and rolling resistance. All floats
+ * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, its friction and its rolling impulse. All floats
  * enter as their bits.
  */
 public final class StateHash {
@@ -99,7 +99,7 @@ public final class StateHash {
         return any == 0 ? 0 : h;
     }
 
-    /** The number of an impulse's friction and rolling resistance; 0 if there are none. */
+    /** The number of an impulse's friction and rolling impulse; 0 if there are none. */
     public static long grip(int lower, int higher, float friction, float rolling) {
         int any = Float.floatToRawIntBits(friction) | Float.floatToRawIntBits(rolling);
         return any == 0 ? 0 : absorb(absorb(absorb(absorb(GRIP, lower), higher), friction), rolling);

@@ -13,7 +13,7 @@ import java.util.Arrays;
  * section    of circles: int number of circles that have something; for each, ascending: varint of the id minus the one before (-1 at
  *            first), byte flags; for each flag from bit 0 on: int angle, float angular velocity, four floats of walls by {@link CircleRow}
  *            of impulses: int number of impulses that have something; for each, ascending: varint of four times the number of the impulse
- *            minus the one before (-1 at first), plus flags; for each flag: float friction, float rolling resistance
+ *            minus the one before (-1 at first), plus flags; for each flag: float friction, float rolling impulse
  * </pre>
  */
 final class TurnSections {
@@ -212,7 +212,7 @@ final class TurnSections {
                 s.friction[(int) impulse] = value(in, "friction", Limits.CACHED_IMPULSE);
             }
             if ((flags & HAS_ROLLING) != 0) {
-                s.rolling[(int) impulse] = value(in, "rolling resistance", Float.MAX_VALUE);
+                s.rolling[(int) impulse] = value(in, "a rolling impulse", Float.MAX_VALUE);
             }
         }
     }
@@ -232,12 +232,13 @@ final class TurnSections {
         return Limits.within(what, value, -most, most);
     }
 
-    /** By its circles, rolling resistance is in range; all impulses belong to two circles that are there. */
-    static void checkRolling(SavedState s) {
+    /** Its range depends on the radii of its circles. All impulses belong to two circles that are there. */
+    static void checkRollingImpulses(SavedState s) {
         for (int k = 0; s.turns && k < s.impulses; k++) {
             if (!isZero(s.rolling[k])) {
                 float r = Math.min(radius(s, s.lo[k]), radius(s, s.hi[k]));
-                Limits.within("rolling resistance", s.rolling[k] / r, -Limits.CACHED_ROLLING, Limits.CACHED_ROLLING);
+                Limits.within(
+                        "a rolling impulse by radius", s.rolling[k] / r, -Limits.CACHED_ROLLING, Limits.CACHED_ROLLING);
             }
         }
     }

@@ -291,7 +291,7 @@ public final class Contacts {
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             if (constants.turning) {
-                fillGrip(c, lowerSlot(c), higherSlot(c));
+                fillGrip(c, lowerSlot(c), higherSlot(c), 1f);
                 warmGrip(c, found, constants);
             }
             if (touches != null) {
@@ -329,35 +329,21 @@ public final class Contacts {
             float share = cross.share(c - firstCross);
             contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), share);
             if (constants.turning) {
-                fillCrossGrip(c, light, heavy, share);
+                fillGrip(c, light, heavy, share);
                 warmGrip(c, found, constants);
             }
         }
     }
 
-    /** Fills the grip of a contact of one level. */
-    private void fillGrip(int c, int lower, int higher) {
-        int a = CircleRow.of(lower);
-        int b = CircleRow.of(higher);
+    /** Fills the grip of a contact; share: of the second circle if it is heavy in a cross contact, else 1. */
+    private void fillGrip(int c, int first, int second, float share) {
+        int a = CircleRow.of(first);
+        int b = CircleRow.of(second);
         float[] spin = state.turning.spin;
         int o = fillSurfaces(c, a, b);
         float iA = spin[a + CircleRow.INVERSE_INERTIA];
         float iB = spin[b + CircleRow.INVERSE_INERTIA];
-        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(lower), iA, inverseMass(higher), iB);
-        if (grip[o + GripRow.REACH] > 0f) {
-            float rA = state.circle[a + CircleRow.RADIUS];
-            setRollingMass(o, Surface.rollingMass(rA, iA, state.circle[b + CircleRow.RADIUS], iB));
-        }
-    }
-
-    private void fillCrossGrip(int c, int light, int heavy, float share) {
-        int a = CircleRow.of(light);
-        int b = CircleRow.of(heavy);
-        float[] spin = state.turning.spin;
-        int o = fillSurfaces(c, a, b);
-        float iA = spin[a + CircleRow.INVERSE_INERTIA];
-        float iB = spin[b + CircleRow.INVERSE_INERTIA];
-        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(light), iA, inverseMass(heavy), iB, share);
+        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(first), iA, inverseMass(second), iB, share);
         if (grip[o + GripRow.REACH] > 0f) {
             float rA = state.circle[a + CircleRow.RADIUS];
             setRollingMass(o, Surface.rollingMass(rA, iA, state.circle[b + CircleRow.RADIUS], iB, share));

@@ -125,7 +125,7 @@ final class ImpulseCache {
         return entry < 0 ? 0f : gripsBefore[2 * entry];
     }
 
-    /** The angular impulse of rolling resistance of an entry of the step before; 0 of -1. */
+    /** The rolling impulse of an entry of the step before; 0 of -1. */
     float rolling(int entry) {
         return entry < 0 ? 0f : gripsBefore[2 * entry + 1];
     }

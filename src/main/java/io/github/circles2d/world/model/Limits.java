@@ -56,7 +56,7 @@ public final class Limits {
     /** In a snapshot: more than steps leave, and far from overflow. */
     public static final float CACHED_IMPULSE = 1e24f;
 
-    /** In a snapshot, of rolling resistance, by the lesser radius: likewise. */
+    /** In a snapshot, of a rolling impulse by the lesser radius: likewise. */
     public static final float CACHED_ROLLING = 1e33f;
 
     /** In a snapshot, a speed; steps leave less than 1e13. */
@@ -169,13 +169,13 @@ public final class Limits {
         within("y", y, walledY ? bounds.minY() : -COORDINATE, walledY ? bounds.maxY() : COORDINATE);
     }
 
-    /** Of a circle: inside an axis that wraps. */
+    /** Of a circle: inside an axis that wraps, as steps see it. So close below a least coordinate of 0 that no lap is left, it is. */
     public static void place(float x, float y, Bounds bounds) {
         position(x, y, bounds);
-        if (bounds.edgeX() == AxisEdge.WRAP) {
+        if (bounds.placeX(x) != x) {
             within("x", x, bounds.minX(), bounds.lastX());
         }
-        if (bounds.edgeY() == AxisEdge.WRAP) {
+        if (bounds.placeY(y) != y) {
             within("y", y, bounds.minY(), bounds.lastY());
         }
     }

@@ -4,11 +4,11 @@ package io.github.circles2d.world.model;
  * Friction, rolling resistance and turning of discs.
  *
  * <p>The tangent t is the normal turned to the left. A surface speed is an angular velocity times a radius, positive to the left. An
- * inverse inertia is one over the angular inertia, times the square of the radius: what a surface speed gains by an impulse along the surface. Of a
+ * inverse inertia is the square of the radius over the angular inertia: what a surface speed gains by an impulse along the surface. Of a
  * disc it is twice the inverse mass, of a ring the inverse mass, of a circle that friction does not turn 0.
  *
- * <p>Friction acts on both circles against their turning; the lever arm is the radius, whatever the overlap (E. Catto, "Solver2D", 2024, turns the
- * anchors instead, so rolling balls rise).
+ * <p>The lever arm of friction is the radius, whatever the overlap or gap. So rolling balls keep their height (E. Catto, "Solver2D", 2024,
+ * turns the anchors with the bodies, and they rise). Angular momentum about a fixed point is kept up to the overlap or gap by the radii.
  */
 public final class Surface {
     /** Units of an angle in a turn by its radians: 2^32 / (2 pi). */
@@ -51,14 +51,9 @@ public final class Surface {
         return limit > 0f ? CircleMath.clamp(accumulated - mass * slip, -limit, limit) : 0f;
     }
 
-    /** One over the sum of the inverse angular inertias of two circles; infinite if nothing turns them. */
-    public static float rollingMass(float rA, float iA, float rB, float iB) {
-        return 1f / (iA / (rA * rA) + iB / (rB * rB));
-    }
-
-    /** Of a light circle and a heavy one that counts as lighter by its share. */
-    public static float rollingMass(float rLight, float iLight, float rHeavy, float iHeavy, float share) {
-        return 1f / (iLight / (rLight * rLight) + share * (iHeavy / (rHeavy * rHeavy)));
+    /** One over the sum of the inverse angular inertias of two circles; infinite if nothing turns them. share: 1, or of B if it is heavy. */
+    public static float rollingMass(float rA, float iA, float rB, float iB, float share) {
+        return 1f / (iA / (rA * rA) + share * (iB / (rB * rB)));
     }
 
     /** The accumulated angular impulse on B that stops its turning against A, within a limit; omega: by B's angular velocity minus A's. */

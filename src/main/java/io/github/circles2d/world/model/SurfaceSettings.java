@@ -2,15 +2,18 @@ package io.github.circles2d.world.model;
 
 import java.util.Arrays;
 
-/** What new circles and the walls have of friction and rolling resistance. A value; {@link WallMotion#of} numbers the walls. */
+/**
+ * The friction and rolling resistance of circles that have none of their own, nor by their kind, and the surfaces of walls. A value; {@link
+ * WallMotion#of} numbers the walls.
+ */
 public final class SurfaceSettings {
     /** Nothing grips. */
     public static final SurfaceSettings NONE = new SurfaceSettings(0f, 0f, new float[3 * WallMotion.COUNT]);
 
-    /** Floats: those of new circles, then three for each wall. */
+    /** Floats: two of circles, then three of each wall. */
     public static final int VALUES = 2 + 3 * WallMotion.COUNT;
 
-    /** Of new circles. */
+    /** Of circles that have none of their own, nor by their kind. */
     public final float friction;
 
     public final float rollingResistance;

@@ -81,11 +81,11 @@ class TurnSectionsTest {
             assertThat(state.rolling[0]).isNotZero();
             refusedOf(state, "friction is", s -> s.friction[0] = Float.POSITIVE_INFINITY);
             refusedOf(state, "friction is", s -> s.friction[0] = -2e24f);
-            refusedOf(state, "rolling resistance is", s -> s.rolling[0] = Float.NaN);
-            refusedOf(state, "rolling resistance is", s -> s.rolling[0] = 2e33f);
+            refusedOf(state, "a rolling impulse is", s -> s.rolling[0] = Float.NaN);
+            refusedOf(state, "a rolling impulse by radius is", s -> s.rolling[0] = 2e33f);
             refusedOf(state, "a wall's grip is", s -> s.wallGrip[4] = 2e15f);
             ByteBuffer good = bytes(state);
-            int grip = good.limit() - 9; // the varint, friction, rolling resistance
+            int grip = good.limit() - 9; // the varint, friction, rolling impulse
             refused(good, "no impulse", b -> b.put(grip, (byte) (2 << 2 | 3)));
             refused(good, "no impulse", b -> b.put(grip, (byte) 3));
             refused(good, "no impulse", b -> b.put(grip, (byte) (1 << 2)));

@@ -100,9 +100,8 @@ class CircleMathOnDevicesTest {
             "flightThreshold", "flightThreshold(&k, p0, p1)");
 
     /** The same of functions of five parameters that have the name of another. */
-    private static final Map<String, String> TWINS_OF_FIVE = Map.of(
-            "tangentMass", "crossTangentMass(p0, p1, p2, p3, p4)",
-            "rollingMass", "crossRollingMass(p0, p1, p2, p3, p4)");
+    private static final Map<String, String> TWINS_OF_FIVE =
+            Map.of("tangentMass", "crossTangentMass(p0, p1, p2, p3, p4)");
 
     /** Statements before these expressions. */
     private static final Map<String, String> SETUPS = Map.of(
