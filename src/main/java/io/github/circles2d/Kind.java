@@ -47,8 +47,6 @@ import io.github.circles2d.world.model.Limits;
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
 public final class Kind {
-    private static final Inertia[] INERTIAS = Inertia.values();
-
     private final Kinds kinds;
     private final int number;
 
@@ -289,7 +287,7 @@ public final class Kind {
      * @return {@link Inertia#DISC} at first
      */
     public Inertia inertia() {
-        return INERTIAS[kinds.get(KindField.INERTIA, number)];
+        return World.inertia(kinds.get(KindField.INERTIA, number));
     }
 
     /**

@@ -134,6 +134,9 @@ public final class World implements AutoCloseable {
     /** By the settings of the matrix of kinds. */
     private static final Response[] RESPONSES = Response.values();
 
+    /** Here and not in {@link Kind}: memory may end in the first call of a kind, and a class must be ready then. */
+    private static final Inertia[] INERTIAS = Inertia.values();
+
     private static final Edge[] EDGES = Edge.values();
 
     private final Simulation simulation;
@@ -164,6 +167,10 @@ public final class World implements AutoCloseable {
     }
 
     /** The inside of this world. */
+    static Inertia inertia(int number) {
+        return INERTIAS[number];
+    }
+
     Simulation simulation() {
         return simulation;
     }
