@@ -2,6 +2,7 @@
 // Friction, rolling resistance and turning. The Java class Surface documents these formulas.
 
 #ifdef TURNING
+float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
 float friction(float a, float b) { return sqrt(a * b); }
 float tangentMass(float wA, float iA, float wB, float iB) { return 1.0f / ((wA + iA) + (wB + iB)); }
 
@@ -30,7 +31,6 @@ float torqueGain(float torque, float inverseInertia, float r, float h) {
     return torque == 0.0f ? 0.0f : limitSpeed(torque / r * inverseInertia * h);
 }
 
-// The Java class world.jvm.Turning has it. inverseInertia: of the circle.
 float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
     return limitSpeed(omega + impulse / r * inverseInertia / r);
 }

@@ -2,8 +2,6 @@
 // How a circle turns through a step. The Java class world.jvm.Turning does the same.
 
 #ifdef TURNING
-float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
-
 // Makes a circle ready for a step. c: circle; from: the slot at home.
 void gatherTurning(const World *w, int slot, int from, int id, float4 c, float inverseMass) {
     global const float *kind = w->surfaces + SURFACE_STRIDE * w->fields[id].kind;
@@ -25,8 +23,8 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     w->skin[slot] = skin;
 }
 
-// The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before. Who records
-// touches finds what it was before impulses in their place, until the move.
+// The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
+// Until the move, their place has the speed before impulses, for those who record touches.
 float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     float inertia = w->inverseInertia[slot];
     float before = s + 0.0f;

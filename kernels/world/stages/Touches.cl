@@ -2,8 +2,8 @@
 // Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
-// impulse of it that is not kept. Behind all, in worlds that turn, see touchSlips. wallTouch: by slot and axis: approach speed, impulse, where along
-// the wall, how fast the surfaces slid, with the sign of the side.
+// impulse of it that is not kept. Behind all, in worlds that turn, see touchSlips. wallTouch: by slot and axis: approach speed, impulse,
+// where along the wall, how fast the surfaces slid, with the sign of the side.
 
 #ifdef RECORDING
 #ifdef TURNING

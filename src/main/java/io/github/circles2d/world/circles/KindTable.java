@@ -69,6 +69,10 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
         return values[at(field, kind)];
     }
 
+    public float getFloat(KindField field, int kind) {
+        return Float.intBitsToFloat(get(field, kind));
+    }
+
     /** Sets a field of a kind, to a value that has been checked. */
     public void set(KindField field, int kind, int value) {
         if (value != get(field, kind)) {
@@ -148,7 +152,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
 
     @Override
     public float beltSpeed(int kind) {
-        return Float.intBitsToFloat(get(KindField.BELT_SPEED, kind));
+        return getFloat(KindField.BELT_SPEED, kind);
     }
 
     @Override
@@ -158,32 +162,32 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
 
     @Override
     public float angularDamping(int kind) {
-        return Float.intBitsToFloat(get(KindField.ANGULAR_DAMPING, kind));
+        return getFloat(KindField.ANGULAR_DAMPING, kind);
     }
 
     @Override
     public float friction(int kind) {
-        return Float.intBitsToFloat(get(KindField.FRICTION, kind));
+        return getFloat(KindField.FRICTION, kind);
     }
 
     @Override
     public float rollingResistance(int kind) {
-        return Float.intBitsToFloat(get(KindField.ROLLING_RESISTANCE, kind));
+        return getFloat(KindField.ROLLING_RESISTANCE, kind);
     }
 
     @Override
     public float gravityScale(int kind) {
-        return Float.intBitsToFloat(get(KindField.GRAVITY_SCALE, kind));
+        return getFloat(KindField.GRAVITY_SCALE, kind);
     }
 
     @Override
     public float damping(int kind) {
-        return Float.intBitsToFloat(get(KindField.DAMPING, kind));
+        return getFloat(KindField.DAMPING, kind);
     }
 
     @Override
     public float greatestSpeed(int kind) {
-        return Float.intBitsToFloat(get(KindField.GREATEST_SPEED, kind));
+        return getFloat(KindField.GREATEST_SPEED, kind);
     }
 
     /** Counts the changes. */

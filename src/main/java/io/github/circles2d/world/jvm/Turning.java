@@ -90,7 +90,7 @@ final class Turning {
         int s = CircleRow.of(slot);
         float r = state.circle[s + RADIUS];
         float inverse = state.traits[s + INVERSE_MASS] * inertia;
-        angularVelocity[slot] = Motion.limitSpeed(angularVelocity[slot] + impulse / r * inverse / r);
+        angularVelocity[slot] = Surface.afterAngularImpulse(angularVelocity[slot], impulse, r, inverse);
     }
 
     /** Makes circles ready for a step. */
@@ -105,9 +105,9 @@ final class Turning {
             spin[s + SPIN_IMPULSE] = 0f;
             spin[s + TURNED] = 0f;
             spin[s + INVERSE_INERTIA] = state.traits[s + INVERSE_MASS] * kinds[row + KindSurface.INERTIA];
-            skin[s + CircleRow.FRICTION] = Float.isNaN(friction) ? kinds[row + KindSurface.FRICTION] : friction;
+            skin[s + CircleRow.FRICTION] = Surface.orOfKind(friction, kinds[row + KindSurface.FRICTION]);
             skin[s + CircleRow.ROLLING_RESISTANCE] =
-                    Float.isNaN(resistance) ? kinds[row + KindSurface.ROLLING_RESISTANCE] : resistance;
+                    Surface.orOfKind(resistance, kinds[row + KindSurface.ROLLING_RESISTANCE]);
             skin[s + BELT] = kinds[row + KindSurface.BELT];
             skin[s + ANGULAR_FACTOR] = kinds[row + KindSurface.DAMPING_FACTOR];
         }

@@ -74,8 +74,9 @@ public final class KindSurface {
             rows[row + INERTIA] = kinds.inertia(kind);
             rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.angularDamping(kind) * k.h);
             drives |= rows[row + DAMPING_FACTOR] != 1f;
-            rows[row + FRICTION] = or(kinds.friction(kind), k.surfaces.friction);
-            rows[row + ROLLING_RESISTANCE] = or(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+            rows[row + FRICTION] = Surface.orOfKind(kinds.friction(kind), k.surfaces.friction);
+            rows[row + ROLLING_RESISTANCE] =
+                    Surface.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
         }
         rows[OWN] = own ? 1f : 0f;
         rows[DRIVES] = drives ? 1f : 0f;
@@ -83,9 +84,5 @@ public final class KindSurface {
         settings = k.surfaces;
         kindsVersion = ofVersion;
         version++;
-    }
-
-    private static float or(float own, float otherwise) {
-        return Float.isNaN(own) ? otherwise : own;
     }
 }

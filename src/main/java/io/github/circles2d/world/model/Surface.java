@@ -21,6 +21,11 @@ public final class Surface {
 
     private Surface() {}
 
+    /** A circle's own value, or that of its kind if it is NaN; likewise of a kind and the world. */
+    public static float orOfKind(float own, float ofKind) {
+        return Float.isNaN(own) ? ofKind : own;
+    }
+
     /** Of two circles, or of a circle and a wall. */
     public static float friction(float a, float b) {
         return (float) Math.sqrt(a * b);
@@ -64,6 +69,10 @@ public final class Surface {
     /** The surface speed before impulses; gain: by a torque; a factor of 1 and a gain of 0 change no bit. */
     public static float beforeImpulse(float s, float gain, float dampingFactor) {
         return (s + gain) * dampingFactor;
+    }
+
+    public static float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
+        return Motion.limitSpeed(omega + impulse / r * inverseInertia / r);
     }
 
     /** What a torque adds to a surface speed in a sub-step. */

@@ -118,7 +118,7 @@ public enum DeviceArray {
 
     // From here on: of worlds that turn, behind the others of their blocks.
     HOME_TURN("int2", "homeTurn", Index.HOME_SLOT, "angle, bits of the angular velocity"),
-    HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "of walls: friction x, y, rolling resistance x, y"),
+    HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "impulses of walls: friction x, y, rolling x, y"),
     HOME_OWN(
             "float4",
             "homeOwn",
@@ -141,13 +141,13 @@ public enum DeviceArray {
     START_SPIN("float", "startSpin", Index.TILED_SLOT, "as drive: surface speed"),
     SOLVED_SPIN("float", "solvedSpin", Index.TILED_SLOT, "as solvedMotion: surface speed"),
     PAIR_SKIN("float4", "pairSkin", Index.CONTACT, "friction, belt speed, tangent mass, reach of rolling resistance"),
-    GRIP("float4", "grip", Index.CONTACT, "accumulated friction, accumulated rolling resistance, rolling mass"),
+    GRIP("float4", "grip", Index.CONTACT, "accumulated impulses of friction and rolling, rolling mass"),
     START_SPINS("float2", "startSpins", Index.TILED_CONTACT, "as startImpulses: impulses on surface speeds"),
     HELD_GRIP(
             "float2",
             "heldGrip",
             Index.TILED_CONTACT,
-            "as held: friction, rolling resistance; behind an even sub-step"),
+            "as held: impulses of friction and rolling; behind an even sub-step"),
     ODD_GRIP("float2", "oddGrip", Index.TILED_CONTACT, "the same behind an odd one: neighbours read what was before"),
     COPIED_GRIP(
             "float2",
@@ -155,7 +155,8 @@ public enum DeviceArray {
             Index.TILED_COPY,
             "friction, tangent mass; negative where there is a belt or rolling resistance"),
     COPIED_ROLL("float4", "copiedRoll", Index.TILED_COPY, "belt speed, reach of rolling resistance, rolling mass"),
-    CACHED_GRIP("float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: friction, rolling resistance"),
+    CACHED_GRIP(
+            "float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: impulses of friction and rolling"),
     SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */

@@ -72,21 +72,14 @@ class PlansTest {
     }
 
     private static Steps turning(Steps s) {
-        return new Steps(
-                s.count(),
-                s.levels(),
-                s.slots(),
-                s.circles(),
-                s.subSteps(),
-                s.warmScale(),
-                s.sweeping(),
-                s.thinning(),
-                s.recording(),
-                s.sensing(),
-                true);
+        return with(s, s.recording(), true);
     }
 
     private static Steps recording(Steps s) {
+        return with(s, true, s.turning());
+    }
+
+    private static Steps with(Steps s, boolean recording, boolean turning) {
         return new Steps(
                 s.count(),
                 s.levels(),
@@ -96,9 +89,9 @@ class PlansTest {
                 s.warmScale(),
                 s.sweeping(),
                 s.thinning(),
-                true,
+                recording,
                 s.sensing(),
-                s.turning());
+                turning);
     }
 
     @ParameterizedTest
