@@ -164,7 +164,7 @@ public final class DevicePipeline implements Pipeline {
 
     /** Compiles the plans anew if contacts, the edges, or circles that turn, need what the kernels do not have, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts, boolean edges, boolean turning) {
+    public void prepare(ContactSettings contacts, boolean edges, boolean turning, boolean terrain) {
         boolean tunes = tuned || contacts.areTuned();
         boolean edged = isEdged || edges;
         boolean turns = turning && !arrays.turning();

@@ -74,7 +74,7 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(ContactSettings settings, boolean edged, boolean turning) {
+    public void prepare(ContactSettings settings, boolean edged, boolean turning, boolean terrain) {
         if (turning) {
             startTurning();
         }

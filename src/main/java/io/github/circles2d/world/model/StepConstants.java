@@ -69,6 +69,9 @@ public final class StepConstants {
 
     public SurfaceSettings surfaces = SurfaceSettings.NONE;
 
+    /** Whether the step reads {@link TerrainStep}: there are pieces. */
+    public boolean terrain;
+
     float gravityX;
     float gravityY;
 

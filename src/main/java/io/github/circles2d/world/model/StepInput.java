@@ -6,5 +6,6 @@ public final class StepInput {
     public final PairResponses responses = new PairResponses();
     public final KindMotion motion = new KindMotion();
     public final KindSurface surfaces = new KindSurface();
+    public final TerrainStep terrain = new TerrainStep();
     public final StepReports reports = new StepReports();
 }

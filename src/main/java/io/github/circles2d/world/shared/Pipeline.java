@@ -26,10 +26,10 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
-     * Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. Commands,
-     * steps and saved states of such worlds come after this. What a pipeline is ready for once, it stays ready for.
+     * Makes ready for steps with such contacts, with or without axes that have no walls, circles that turn, and terrain. Commands, steps
+     * and saved states of such worlds come after this. What a pipeline is ready for once, it stays ready for.
      */
-    default void prepare(ContactSettings contacts, boolean edged, boolean turning) {}
+    default void prepare(ContactSettings contacts, boolean edged, boolean turning, boolean terrain) {}
 
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);

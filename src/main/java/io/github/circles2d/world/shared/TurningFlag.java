@@ -59,7 +59,7 @@ public final class TurningFlag {
     }
 
     private void prepare(WorldParameters p, boolean turning) {
-        pipeline.prepare(p.contacts(), !p.bounds().isWalled(), turning);
+        pipeline.prepare(p.contacts(), !p.bounds().isWalled(), turning, false);
     }
 
     private static boolean turns(SavedState s) {

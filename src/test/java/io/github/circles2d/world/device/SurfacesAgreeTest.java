@@ -205,14 +205,14 @@ class SurfacesAgreeTest {
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS)) {
             long still = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, true, false);
+            pipeline.prepare(ContactSettings.DEFAULT, true, false, false);
             assertThat(pipeline.bytesHeld()).isEqualTo(still);
-            pipeline.prepare(ContactSettings.DEFAULT, true, true);
+            pipeline.prepare(ContactSettings.DEFAULT, true, true, false);
             long turning = pipeline.bytesHeld();
             // at home: angle, angular velocity, grips of walls, fields; in a step: as at home, spin and skin; by
             // contact
             assertThat(turning - still).isGreaterThan((2 * (8 + 16 + 16) + 16 + 16 + 16 + 16 + 8) * 1024);
-            pipeline.prepare(ContactSettings.DEFAULT, true, true);
+            pipeline.prepare(ContactSettings.DEFAULT, true, true, false);
             assertThat(pipeline.bytesHeld()).isEqualTo(turning);
         }
     }

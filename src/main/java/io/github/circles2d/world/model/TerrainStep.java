@@ -1,0 +1,40 @@
+package io.github.circles2d.world.model;
+
+/**
+ * The terrain as a step begins. Meaningless unless {@link StepConstants#terrain}. The arrays belong to the host's tables, which change them between
+ * steps; those that devices copy say by a version whether they have changed.
+ */
+public final class TerrainStep {
+    /** Greatest id of a piece, and 1. */
+    public int pieces;
+
+    /** {@link PieceRow} */
+    public float[] rows = new float[0];
+
+    /** {@link PieceRow#TRAITS} */
+    public int[] traits = new int[0];
+
+    /** Of rows and traits. */
+    public int version;
+
+    /** Number of nodes of the tree; see {@code PieceTree}. */
+    public int nodes;
+
+    /** Of each node: least x, least y, greatest x, greatest y of its pieces within the step. */
+    public float[] boxes = new float[0];
+
+    /** Of each node, in the order of a walk: the node that follows if its box is left out, and its piece, or -1. */
+    public int[] links = new int[0];
+
+    public int treeVersion;
+
+    /** Rows of {@link #motion} in use, of which the first is empty. */
+    public int bodies;
+
+    /** {@link BodyRow} */
+    public float[] motion = new float[0];
+
+    public int motionVersion;
+
+    public final KindTerrain kinds = new KindTerrain();
+}
