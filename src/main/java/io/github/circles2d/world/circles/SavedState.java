@@ -72,6 +72,9 @@ public final class SavedState {
     /** By impulse, if circles turn: the rolling impulse. */
     public float[] rolling = new float[0];
 
+    /** Of circles with pieces of terrain. */
+    public final SavedPieceContacts pieceContacts = new SavedPieceContacts();
+
     public SavedState() {}
 
     public WorldParameters parameters() {
