@@ -30,6 +30,7 @@ import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.model.Walls;
@@ -41,9 +42,22 @@ final class CirclePasses {
     private final State state;
     final WallVisits walls;
 
+    /** Null in a step without terrain. */
+    private PieceVisits pieces;
+
     CirclePasses(State state) {
         this.state = state;
         walls = new WallVisits(state);
+    }
+
+    /** Begins a step with terrain, or with none. */
+    void beginTerrain(TerrainStep terrain, StepConstants k) {
+        if (!k.terrain) {
+            pieces = null;
+        } else {
+            pieces = pieces == null ? new PieceVisits(state) : pieces;
+            pieces.begin(terrain, k);
+        }
     }
 
     void begin(int from, int to, StepConstants k) {
@@ -100,6 +114,9 @@ final class CirclePasses {
             load[s + BEFORE_Y] = vy;
             load[s + LOADED] = Branchless.choose(
                     Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + LOADED_NEXT]);
+            if (pieces != null && pieces.press(slot)) {
+                load[s + LOADED] = 1f;
+            }
 
             float r = circle[s + RADIUS];
             float sideX = Walls.wallSide(circle[s + X], minX, maxX);
@@ -137,6 +154,9 @@ final class CirclePasses {
                     walls.touches.solved(slot, X, sideX, vx, gainedX, gapX, slipX, k, sub);
                     walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, slipY, k, sub);
                 }
+            }
+            if (pieces != null && pieces.any(slot)) {
+                pieces.solve(slot, k, sub);
             }
         }
     }
@@ -177,6 +197,7 @@ final class CirclePasses {
             // nearly all circles: what follows would change nothing
             if (still
                     && w != 0f
+                    && (pieces == null || !pieces.any(slot))
                     && dx * dx + dy * dy <= allowance * Math.abs(allowance)
                     && isClear(circle[s + X], dx, r, minX, maxX)
                     && isClear(circle[s + Y], dy, r, minY, maxY)
@@ -189,6 +210,8 @@ final class CirclePasses {
                 m[s + DY] = dy;
                 continue;
             }
+            float fromX = m[s + DX];
+            float fromY = m[s + DY];
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
                 clampMotion(s, dx, dy);
                 dx = m[s + DX];
@@ -208,8 +231,14 @@ final class CirclePasses {
                 }
                 m[s + VX] = Walls.stopAtFarWall(m[s + VX], dx, m[s + DX], Walls.wallSide(circle[s + X], minX, maxX));
                 m[s + VY] = Walls.stopAtFarWall(m[s + VY], dy, m[s + DY], Walls.wallSide(circle[s + Y], minY, maxY));
+                if (pieces != null && pieces.any(slot)) {
+                    pieces.stop(slot, fromX, fromY, k, sub);
+                }
                 walls.relax(slot, X, minX, maxX, k, sub);
                 walls.relax(slot, Y, minY, maxY, k, sub);
+                if (pieces != null && pieces.any(slot)) {
+                    pieces.relax(slot, k, sub);
+                }
             }
         }
     }

@@ -16,6 +16,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.FloatBuffer;
 import java.util.Map;
@@ -37,6 +38,11 @@ public final class JvmPipeline implements Pipeline {
     final Contacts contacts;
     private final ContinuousCollision sweep;
     private final Solver solver;
+
+    /** Null as long as there has been no terrain. */
+    private PieceSearch pieces;
+
+    private TerrainStep terrain;
     private final StageTimes times;
     private final int leastShare;
     private final Team.Work work = this::makeSteps;
@@ -78,6 +84,16 @@ public final class JvmPipeline implements Pipeline {
         if (turning) {
             startTurning();
         }
+        if (terrain) {
+            startTerrain();
+        }
+    }
+
+    private void startTerrain() {
+        state.startTerrain();
+        if (pieces == null) {
+            pieces = new PieceSearch(state, team);
+        }
     }
 
     private void startTurning() {
@@ -100,6 +116,7 @@ public final class JvmPipeline implements Pipeline {
         levels.copy(shape);
         constants = input.constants;
         reports = input.reports;
+        terrain = input.terrain;
         steps = count;
         state.wraps = constants.arena.wraps();
         state.periodX = constants.arena.periodX();
@@ -147,6 +164,9 @@ public final class JvmPipeline implements Pipeline {
             recorder.begin(worker, reports);
         }
         sweep.sweep(worker, constants);
+        if (constants.terrain) {
+            pieces.find(worker, terrain);
+        }
         end(worker, SWEEP);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
@@ -154,12 +174,12 @@ public final class JvmPipeline implements Pipeline {
             crowded = contacts.overflowed();
         }
         if (!crowded) {
-            solver.prepare(worker, constants);
+            solver.prepare(worker, constants, terrain);
             crowded = contacts.crowded();
         }
         if (crowded) {
             contacts.findShare(worker);
-            solver.prepare(worker, constants);
+            solver.prepare(worker, constants, terrain);
         }
         end(worker, CONTACTS);
         solver.solve(worker, constants);
@@ -311,7 +331,12 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public long bytesHeld() {
         long recorded = recorder == null ? 0 : recorder.bytes();
-        return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes() + recorded;
+        return state.bytes()
+                + (pieces == null ? 0 : pieces.bytes())
+                + grid.bytes()
+                + contacts.bytes()
+                + sweep.bytes()
+                + recorded;
     }
 
     @Override

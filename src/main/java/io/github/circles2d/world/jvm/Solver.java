@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
 
 /**
  * Stage Solver: moves the circles through the sub-steps of one step.
@@ -87,7 +88,8 @@ public final class Solver {
     }
 
     /** Fills the contacts, and measures them for the first sub-step. */
-    void prepare(int worker, StepConstants k) {
+    void prepare(int worker, StepConstants k, TerrainStep terrain) {
+        movers[worker].beginTerrain(terrain, k);
         if (worker == 0) {
             boolean sweeps = levels.usedCount == 1;
             bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);

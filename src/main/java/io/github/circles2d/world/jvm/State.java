@@ -97,6 +97,9 @@ public final class State {
     /** What circles turn by; null as long as nothing has turned or gripped. */
     Turning turning;
 
+    /** The pieces of terrain that circles are near to; null as long as there has been no terrain. */
+    PieceContacts pieces;
+
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
     private float[] traitsSpare = new float[0];
@@ -110,7 +113,8 @@ public final class State {
         return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity()
                 + 4L * slotOf.length
                 + fields.bytes()
-                + (turning == null ? 0 : turning.bytes());
+                + (turning == null ? 0 : turning.bytes())
+                + (pieces == null ? 0 : pieces.bytes());
     }
 
     int capacity() {
@@ -139,6 +143,9 @@ public final class State {
             if (turning != null) {
                 turning.ensure(c);
             }
+            if (pieces != null) {
+                pieces.ensure(c);
+            }
             capacity = c;
         }
     }
@@ -149,6 +156,15 @@ public final class State {
             Turning all = new Turning(this);
             all.ensure(capacity);
             turning = all;
+        }
+    }
+
+    /** Makes room for what circles have to do with terrain. */
+    void startTerrain() {
+        if (pieces == null) {
+            PieceContacts all = new PieceContacts();
+            all.ensure(capacity);
+            pieces = all;
         }
     }
 
@@ -218,6 +234,9 @@ public final class State {
                     circle[s + Y] = b;
                     motion[s + DX] = 0;
                     motion[s + DY] = 0;
+                    if (pieces != null) {
+                        pieces.forget(slot);
+                    }
                 }
                 case Commands.VELOCITY -> {
                     motion[s + VX] = a;
@@ -301,6 +320,9 @@ public final class State {
         if (turning != null) {
             turning.forget(slot);
         }
+        if (pieces != null) {
+            pieces.forget(slot);
+        }
     }
 
     private void remove(int slot) {
@@ -315,6 +337,9 @@ public final class State {
             fresh[slot] = fresh[last];
             if (turning != null) {
                 turning.move(last, slot);
+            }
+            if (pieces != null) {
+                pieces.move(last, slot);
             }
             slotOf[id[slot]] = slot;
         }
@@ -452,6 +477,9 @@ public final class State {
             if (turning != null) {
                 turning.permute(old, slot);
             }
+            if (pieces != null) {
+                pieces.permute(old, slot);
+            }
             slotOf[id[old]] = slot;
         }
     }
@@ -477,6 +505,9 @@ public final class State {
         freshSpare = b;
         if (turning != null) {
             turning.swap();
+        }
+        if (pieces != null) {
+            pieces.swap();
         }
     }
 }

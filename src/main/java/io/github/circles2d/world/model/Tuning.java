@@ -28,6 +28,9 @@ public final class Tuning {
     /** Circles that graze no deeper do not stop each other, in sums. */
     public static final float GRAZE = 0.01f;
 
+    /** A vertex of terrain no higher over the face of another piece is no constraint, in radii. */
+    public static final float COVER = 0.02f;
+
     /** The allowance of a pushed circle, which goes to the end of its free path. */
     public static final float CARRIED = Float.NEGATIVE_INFINITY;
 

@@ -1,0 +1,103 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
+import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
+
+import java.util.Arrays;
+
+/**
+ * The piece contacts of all circles, kept from step to step: of each slot a range, in the order of the pieces' ids. Each step finds them anew, from
+ * those of the step before. Worlds without terrain have none.
+ */
+final class PieceContacts {
+    /** By slot: the first contact. */
+    int[] first = new int[0];
+
+    /** By slot: how many contacts. */
+    int[] count = new int[0];
+
+    /** By contact, {@link PieceContactRow}. */
+    float[] rows = new float[0];
+
+    int[] numbers = new int[0];
+
+    private int[] firstSpare = new int[0];
+    private int[] countSpare = new int[0];
+    private float[] rowsSpare = new float[0];
+    private int[] numbersSpare = new int[0];
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 4L * (2 * first.length + 2 * count.length)
+                + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
+    }
+
+    /** Makes room for circles. The array that grows last tells whether there is some. */
+    void ensure(int circles) {
+        if (circles > count.length) {
+            first = Arrays.copyOf(first, circles);
+            firstSpare = new int[circles];
+            countSpare = new int[circles];
+            count = Arrays.copyOf(count, circles);
+        }
+    }
+
+    /** Makes room for the contacts that a step finds; those that there are stay until {@link #take}. */
+    void ensureNext(int contacts) {
+        if (PieceContactRow.of(contacts) > rowsSpare.length) {
+            int room = contacts + (contacts >> 1) + 16;
+            numbersSpare = new int[PieceContactRow.numbers(room)];
+            rowsSpare = new float[PieceContactRow.of(room)];
+        }
+    }
+
+    /** Copies contacts that a step has found to where they will be. */
+    void copyNext(float[] fromRows, int[] fromNumbers, int found, int to) {
+        System.arraycopy(fromRows, 0, rowsSpare, PieceContactRow.of(to), PieceContactRow.of(found));
+        System.arraycopy(fromNumbers, 0, numbersSpare, PieceContactRow.numbers(to), PieceContactRow.numbers(found));
+    }
+
+    /** The contacts that a step has found take the place of those before. */
+    void take() {
+        float[] f = rows;
+        rows = rowsSpare;
+        rowsSpare = f;
+        int[] i = numbers;
+        numbers = numbersSpare;
+        numbersSpare = i;
+    }
+
+    /** Of a new circle, or of one that is another now. */
+    void forget(int slot) {
+        first[slot] = 0;
+        count[slot] = 0;
+    }
+
+    void move(int from, int to) {
+        first[to] = first[from];
+        count[to] = count[from];
+    }
+
+    /** As {@link State#permute}. */
+    void permute(int old, int slot) {
+        firstSpare[slot] = first[old];
+        countSpare[slot] = count[old];
+    }
+
+    void swap() {
+        int[] i = first;
+        first = firstSpare;
+        firstSpare = i;
+        i = count;
+        count = countSpare;
+        countSpare = i;
+    }
+
+    int piece(int contact) {
+        return numbers[PieceContactRow.numbers(contact) + PIECE];
+    }
+
+    int serial(int contact) {
+        return numbers[PieceContactRow.numbers(contact) + SERIAL];
+    }
+}

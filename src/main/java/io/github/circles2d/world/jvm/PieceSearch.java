@@ -1,0 +1,248 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.PATH_X;
+import static io.github.circles2d.world.model.CircleRow.PATH_Y;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.Paths;
+import io.github.circles2d.world.model.PieceGap;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.TerrainStep;
+import java.util.Arrays;
+
+/** Finds the pieces of terrain that circles are near to, by the tree of their boxes. The tree decides nothing: a distance does. */
+final class PieceSearch {
+    /** An eighth more than needed, for rounding. */
+    private static final float SLACK = 1.125f;
+
+    private final State state;
+    private final Team team;
+    private final PieceContacts contacts;
+    private final Finder[] finders;
+
+    PieceSearch(State state, Team team) {
+        this.state = state;
+        this.team = team;
+        contacts = state.pieces;
+        finders = new Finder[team.most()];
+        for (int worker = 0; worker < finders.length; worker++) {
+            finders[worker] = new Finder();
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 0;
+        for (Finder each : finders) {
+            sum += 4L * (each.rows.length + each.numbers.length + each.near.length);
+        }
+        return sum;
+    }
+
+    /** Finds the contacts of all circles, each worker those of its part. */
+    void find(int worker, TerrainStep terrain) {
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        finders[worker].find(from, to, terrain);
+        team.sync(worker);
+        if (worker == 0) {
+            int all = 0;
+            for (int k = 0; k < team.size(); k++) {
+                finders[k].place = all;
+                all += finders[k].found;
+            }
+            contacts.ensureNext(all);
+        }
+        team.sync(worker);
+        Finder mine = finders[worker];
+        contacts.copyNext(mine.rows, mine.numbers, mine.found, mine.place);
+        for (int slot = from; slot < to; slot++) {
+            contacts.first[slot] += mine.place;
+        }
+        team.sync(worker);
+        if (worker == 0) {
+            contacts.take();
+        }
+        team.sync(worker);
+    }
+
+    /** What a worker looks with. */
+    private final class Finder {
+        private final PieceGap gap = new PieceGap();
+
+        /** Contacts found, as in {@link PieceContacts}. */
+        private float[] rows = new float[0];
+
+        private int[] numbers = new int[0];
+        private int found;
+
+        /** Where they will be. */
+        private int place;
+
+        /** The pieces near a circle, in the order of their ids. */
+        private int[] near = new int[16];
+
+        private int count;
+
+        private void find(int from, int to, TerrainStep terrain) {
+            found = 0;
+            for (int slot = from; slot < to; slot++) {
+                int before = found;
+                if (!state.isStatic(slot)) {
+                    look(slot, terrain);
+                    take(slot, terrain);
+                }
+                contacts.first[slot] = before;
+                contacts.count[slot] = found - before;
+            }
+        }
+
+        private void look(int slot, TerrainStep terrain) {
+            int s = CircleRow.of(slot);
+            float r = state.circle[s + RADIUS];
+            float path = CircleMath.length(state.motionClamp[s + PATH_X], state.motionClamp[s + PATH_Y]);
+            float sight = Paths.speculativeDistance(r, path) + path;
+            float x = state.circle[s + X];
+            float y = state.circle[s + Y];
+            count = 0;
+            float m = SLACK * sight;
+            if (!state.wraps) {
+                walk(slot, sight, x - m, y - m, x + m, y + m, terrain);
+                return;
+            }
+            int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+            int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+            for (int u = -timesX; u <= timesX; u++) {
+                for (int v = -timesY; v <= timesY; v++) {
+                    float ax = u == 0 ? x : x + u * state.periodX;
+                    float ay = v == 0 ? y : y + v * state.periodY;
+                    // an image is off by a rounding
+                    float mx = u == 0 ? m : m + Math.abs(ax) * 0x1p-22f + state.periodX * 0x1p-22f;
+                    float my = v == 0 ? m : m + Math.abs(ay) * 0x1p-22f + state.periodY * 0x1p-22f;
+                    walk(slot, sight, ax - mx, ay - my, ax + mx, ay + my, terrain);
+                }
+            }
+        }
+
+        private void walk(int slot, float sight, float minX, float minY, float maxX, float maxY, TerrainStep terrain) {
+            float[] boxes = terrain.boxes;
+            int[] links = terrain.links;
+            int node = 0;
+            while (node < terrain.nodes) {
+                int b = 4 * node;
+                if (boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY) {
+                    int piece = links[2 * node + 1];
+                    if (piece >= 0 && isNear(slot, piece, sight, terrain)) {
+                        insert(piece);
+                    }
+                    node++;
+                } else {
+                    node = links[2 * node];
+                }
+            }
+        }
+
+        private boolean isNear(int slot, int piece, float sight, TerrainStep terrain) {
+            int row = PieceRow.of(piece);
+            int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+            float ox = PieceVisits.offsetX(state, slot, terrain.rows, row);
+            float oy = PieceVisits.offsetY(state, slot, terrain.rows, row);
+            return PieceGap.distance(terrain.rows, row, shape, ox, oy) < sight + terrain.rows[row + PieceRow.MOST];
+        }
+
+        private void insert(int piece) {
+            if (count == near.length) {
+                near = Arrays.copyOf(near, 2 * count);
+            }
+            int k = count;
+            while (k > 0 && near[k - 1] > piece) {
+                k--;
+            }
+            if (k > 0 && near[k - 1] == piece) {
+                return; // its image
+            }
+            System.arraycopy(near, k, near, k + 1, count - k);
+            near[k] = piece;
+            count++;
+        }
+
+        private void take(int slot, TerrainStep terrain) {
+            int old = contacts.first[slot];
+            int end = old + contacts.count[slot];
+            ensure(found + count);
+            for (int k = 0; k < count; k++) {
+                int piece = near[k];
+                int response = response(slot, piece, terrain);
+                if (response == PairTable.IGNORE) {
+                    continue;
+                }
+                while (old < end && contacts.piece(old) < piece) {
+                    old++;
+                }
+                int row = PieceContactRow.of(found);
+                int number = PieceContactRow.numbers(found);
+                int serial = terrain.traits[PieceRow.traits(piece) + PieceRow.SERIAL];
+                Arrays.fill(rows, row, row + PieceContactRow.STRIDE, 0f);
+                if (old < end && contacts.piece(old) == piece && contacts.serial(old) == serial) {
+                    System.arraycopy(
+                            contacts.rows,
+                            PieceContactRow.of(old) + PieceContactRow.SIDE,
+                            rows,
+                            row + PieceContactRow.SIDE,
+                            PieceContactRow.ROLLING + 1);
+                }
+                if (rows[row + PieceContactRow.SIDE] == 0f) {
+                    rows[row + PieceContactRow.SIDE] = side(slot, piece, terrain);
+                }
+                numbers[number + PieceContactRow.PIECE] = piece;
+                numbers[number + PieceContactRow.SERIAL] = serial;
+                numbers[number + PieceContactRow.RESPONSE] = response;
+                numbers[number + PieceContactRow.FEATURE] = PieceGap.NONE;
+                found++;
+            }
+        }
+
+        private int response(int slot, int piece, TerrainStep terrain) {
+            if (!state.filtering) {
+                return PairTable.SOLID;
+            }
+            int kind = state.fields.getInt(CircleField.KIND, state.id[slot]);
+            return PairTable.get(state.responses, kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND]);
+        }
+
+        /** Where a circle is as it comes near. */
+        private float side(int slot, int piece, TerrainStep terrain) {
+            float[] p = terrain.rows;
+            int row = PieceRow.of(piece);
+            int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+            int kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+            float ox = PieceVisits.offsetX(state, slot, p, row);
+            float oy = PieceVisits.offsetY(state, slot, p, row);
+            boolean front = PieceGap.isInFront(p, row, shape, ox, oy);
+            boolean oneWay = terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] != 0f;
+            if (PieceRow.form(shape) == PieceRow.SEGMENT && !oneWay) {
+                return front ? 1f : -1f;
+            }
+            if (front && oneWay) {
+                gap.measure(p, row, shape, ox, oy, state.circle[CircleRow.of(slot) + RADIUS], 1f);
+                return gap.gap >= 0f ? 1f : 0f;
+            }
+            return front ? 1f : 0f;
+        }
+
+        private void ensure(int room) {
+            if (PieceContactRow.of(room) > rows.length) {
+                numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(room + (room >> 1)));
+                rows = Arrays.copyOf(rows, PieceContactRow.of(room + (room >> 1)));
+            }
+        }
+    }
+}

@@ -1,0 +1,546 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.jvm.PieceContactRow.BOUNCE;
+import static io.github.circles2d.world.jvm.PieceContactRow.CURVE;
+import static io.github.circles2d.world.jvm.PieceContactRow.FEATURE;
+import static io.github.circles2d.world.jvm.PieceContactRow.GAP;
+import static io.github.circles2d.world.jvm.PieceContactRow.IMPULSE;
+import static io.github.circles2d.world.jvm.PieceContactRow.NX;
+import static io.github.circles2d.world.jvm.PieceContactRow.NY;
+import static io.github.circles2d.world.jvm.PieceContactRow.OX;
+import static io.github.circles2d.world.jvm.PieceContactRow.OY;
+import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
+import static io.github.circles2d.world.jvm.PieceContactRow.RESPONSE;
+import static io.github.circles2d.world.jvm.PieceContactRow.ROLLING;
+import static io.github.circles2d.world.jvm.PieceContactRow.SIDE;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
+import static io.github.circles2d.world.model.CircleRow.BELT;
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.LOADED;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
+import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.OneBody;
+import io.github.circles2d.world.model.OneBodyGrip;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.PieceGap;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.PieceSweep;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Wrapping;
+
+/** The visits of pieces of terrain, by the circles that are near them. {@link OneBody} has the visit. Each worker has its own. */
+final class PieceVisits {
+    private final State state;
+    private final PieceContacts contacts;
+    private final PieceGap found = new PieceGap();
+    private final OneBody visit = new OneBody();
+    private final OneBodyGrip grip = new OneBodyGrip();
+
+    /** Within a step. */
+    private TerrainStep terrain;
+
+    private int subSteps;
+
+    /** Where a place is in the frame of a body at the start of the step. */
+    private float localX;
+
+    private float localY;
+
+    /** Where a piece stops a circle, in the same frame, and after which share of its move. */
+    private float stopX;
+
+    private float stopY;
+    private float share;
+
+    /** Velocity of the surface of a piece. */
+    private float surfaceX;
+
+    private float surfaceY;
+
+    PieceVisits(State state) {
+        this.state = state;
+        contacts = state.pieces;
+    }
+
+    void begin(TerrainStep next, StepConstants k) {
+        terrain = next;
+        subSteps = k.subSteps;
+    }
+
+    /** The base of a circle against (X, Y) of a piece. */
+    static float offsetX(State state, int slot, float[] rows, int row) {
+        float x = state.circle[CircleRow.of(slot) + X];
+        float at = rows[row + PieceRow.X];
+        if (!state.wraps) {
+            return x - at;
+        }
+        float mid = rows[row + PieceRow.MID_X];
+        return Wrapping.shortWay(x - mid, state.periodX) + (mid - at);
+    }
+
+    static float offsetY(State state, int slot, float[] rows, int row) {
+        float y = state.circle[CircleRow.of(slot) + Y];
+        float at = rows[row + PieceRow.Y];
+        if (!state.wraps) {
+            return y - at;
+        }
+        float mid = rows[row + PieceRow.MID_Y];
+        return Wrapping.shortWay(y - mid, state.periodY) + (mid - at);
+    }
+
+    boolean any(int slot) {
+        return contacts.count[slot] > 0;
+    }
+
+    /** Whether a piece presses a circle. */
+    boolean press(int slot) {
+        for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+            if (contacts.rows[PieceContactRow.of(c) + IMPULSE] > 0f) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // ---- where circles are
+    // -------------------------------------------------------------------------------------------
+
+    /** Brings a place, against (X, Y) of a piece, to the frame of the start of the step. */
+    private void toFrame(int row, int motion, float ox, float oy, float dx, float dy, int boundary) {
+        if (motion == 0) {
+            localX = ox + dx;
+            localY = oy + dy;
+            return;
+        }
+        float[] bodies = terrain.motion;
+        int body = BodyRow.of(motion, subSteps);
+        int pose = body + BodyRow.pose(boundary);
+        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
+        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float x = (ox - px) + (dx - bodies[pose + BodyRow.DX]);
+        float y = (oy - py) + (dy - bodies[pose + BodyRow.DY]);
+        float cos = bodies[pose + BodyRow.COS];
+        float sin = bodies[pose + BodyRow.SIN];
+        localX = (cos * x + sin * y) + px;
+        localY = (cos * y - sin * x) + py;
+    }
+
+    private int motion(int piece) {
+        return terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
+    }
+
+    private int shape(int piece) {
+        return terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+    }
+
+    /** Measures all contacts of a circle at a boundary of sub-steps, and forgets the impulses of those that are none there. */
+    private void measure(int slot, int boundary) {
+        int s = CircleRow.of(slot);
+        float dx = state.motion[s + DX];
+        float dy = state.motion[s + DY];
+        float r = state.circle[s + RADIUS];
+        int from = contacts.first[slot];
+        int to = from + contacts.count[slot];
+        boolean vertices = false;
+        for (int c = from; c < to; c++) {
+            vertices |= measure(slot, c, boundary, dx, dy, r);
+        }
+        if (vertices && to - from > 1) {
+            for (int c = from; c < to; c++) {
+                cover(c, from, to, r);
+            }
+        }
+        for (int c = from; c < to; c++) {
+            if (contacts.numbers[PieceContactRow.numbers(c) + FEATURE] == PieceGap.NONE) {
+                int k = PieceContactRow.of(c);
+                contacts.rows[k + IMPULSE] = 0f;
+                contacts.rows[k + PieceContactRow.FRICTION] = 0f;
+                contacts.rows[k + ROLLING] = 0f;
+                contacts.rows[k + BOUNCE] = 0f;
+            }
+        }
+    }
+
+    /** Returns whether the circle is at a vertex. */
+    private boolean measure(int slot, int c, int boundary, float dx, float dy, float r) {
+        float[] rows = contacts.rows;
+        int k = PieceContactRow.of(c);
+        int number = PieceContactRow.numbers(c);
+        int piece = contacts.numbers[number + PIECE];
+        int row = PieceRow.of(piece);
+        int shape = shape(piece);
+        int motion = motion(piece);
+        float side = rows[k + SIDE];
+        toFrame(
+                row,
+                motion,
+                offsetX(state, slot, terrain.rows, row),
+                offsetY(state, slot, terrain.rows, row),
+                dx,
+                dy,
+                boundary);
+        rows[k + OX] = localX;
+        rows[k + OY] = localY;
+        if (side == 0f) {
+            contacts.numbers[number + FEATURE] = PieceGap.NONE;
+            return false;
+        }
+        found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        float nx = found.nx;
+        float ny = found.ny;
+        if (motion != 0) {
+            int pose = BodyRow.of(motion, subSteps) + BodyRow.pose(boundary);
+            float cos = terrain.motion[pose + BodyRow.COS];
+            float sin = terrain.motion[pose + BodyRow.SIN];
+            nx = cos * found.nx - sin * found.ny;
+            ny = sin * found.nx + cos * found.ny;
+        }
+        rows[k + NX] = nx;
+        rows[k + NY] = ny;
+        rows[k + GAP] = found.gap;
+        rows[k + CURVE] = found.curve;
+        contacts.numbers[number + FEATURE] = found.feature;
+        boolean vertex = found.feature > PieceGap.FACE;
+        if (vertex && isTwoSided(piece, shape) && found.height != 0f) {
+            rows[k + SIDE] = found.height > 0f ? 1f : -1f;
+        }
+        return vertex;
+    }
+
+    private boolean isTwoSided(int piece, int shape) {
+        int kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+        return PieceRow.form(shape) == PieceRow.SEGMENT
+                && terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] == 0f;
+    }
+
+    /** A free vertex under which another piece has its face is no constraint. */
+    private void cover(int c, int from, int to, float r) {
+        int number = PieceContactRow.numbers(c);
+        int feature = contacts.numbers[number + FEATURE];
+        if (feature <= PieceGap.FACE || contacts.numbers[number + RESPONSE] != PairTable.SOLID) {
+            return;
+        }
+        int piece = contacts.numbers[number + PIECE];
+        int shape = shape(piece);
+        boolean start = feature == PieceGap.AT_START;
+        if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) != PieceRow.FREE) {
+            return;
+        }
+        int row = PieceRow.of(piece);
+        int k = PieceContactRow.of(c);
+        float ex = terrain.rows[row + (start ? PieceRow.START_X : PieceRow.END_X)];
+        float ey = terrain.rows[row + (start ? PieceRow.START_Y : PieceRow.END_Y)];
+        for (int other = from; other < to; other++) {
+            int o = PieceContactRow.numbers(other);
+            int under = contacts.numbers[o + PIECE];
+            if (contacts.numbers[o + FEATURE] == PieceGap.FACE
+                    && contacts.numbers[o + RESPONSE] == PairTable.SOLID
+                    && motion(under) == motion(piece)) {
+                int j = PieceContactRow.of(other);
+                float x = (contacts.rows[j + OX] - contacts.rows[k + OX]) + ex;
+                float y = (contacts.rows[j + OY] - contacts.rows[k + OY]) + ey;
+                float thickness = terrain.rows[row + PieceRow.THICKNESS];
+                float side = contacts.rows[j + SIDE];
+                if (PieceGap.covers(
+                        terrain.rows, PieceRow.of(under), shape(under), side, x, y, thickness, Tuning.COVER * r)) {
+                    contacts.numbers[number + FEATURE] = PieceGap.NONE;
+                    return;
+                }
+            }
+        }
+    }
+
+    /** How fast the surface of a piece moves where a circle is nearest to it. */
+    private void findSurface(int slot, int c, int boundary) {
+        int piece = contacts.piece(c);
+        int motion = motion(piece);
+        surfaceX = 0f;
+        surfaceY = 0f;
+        if (motion == 0) {
+            return;
+        }
+        float[] bodies = terrain.motion;
+        int body = BodyRow.of(motion, subSteps);
+        int pose = body + BodyRow.pose(boundary);
+        int row = PieceRow.of(piece);
+        int s = CircleRow.of(slot);
+        int k = PieceContactRow.of(c);
+        float reach = state.circle[s + RADIUS] + contacts.rows[k + GAP];
+        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
+        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float dx = state.motion[s + DX] - bodies[pose + BodyRow.DX];
+        float dy = state.motion[s + DY] - bodies[pose + BodyRow.DY];
+        float x = ((offsetX(state, slot, terrain.rows, row) - px) + dx) - contacts.rows[k + NX] * reach;
+        float y = ((offsetY(state, slot, terrain.rows, row) - py) + dy) - contacts.rows[k + NY] * reach;
+        float omega = bodies[body + BodyRow.OMEGA];
+        surfaceX = bodies[body + BodyRow.VX] - omega * y;
+        surfaceY = bodies[body + BodyRow.VY] + omega * x;
+    }
+
+    // ---- visits
+    // ---------------------------------------------------------------------------------------------------------
+
+    private boolean isConstraint(int c) {
+        int number = PieceContactRow.numbers(c);
+        return contacts.numbers[number + FEATURE] != PieceGap.NONE
+                && contacts.numbers[number + RESPONSE] == PairTable.SOLID;
+    }
+
+    /** The biased pass over the pieces of a circle: warm start, then a visit of each. */
+    void solve(int slot, StepConstants k, int sub) {
+        measure(slot, sub);
+        int from = contacts.first[slot];
+        int to = from + contacts.count[slot];
+        int s = CircleRow.of(slot);
+        float[] m = state.motion;
+        float[] rows = contacts.rows;
+        for (int c = from; c < to; c++) {
+            int row = PieceContactRow.of(c);
+            if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
+                m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
+                m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
+                if (k.turning) {
+                    takeGrip(s, c);
+                    grip.warmStart();
+                    giveGrip(s, c);
+                }
+            } else {
+                rows[row + PieceContactRow.FRICTION] = 0f;
+                rows[row + ROLLING] = 0f;
+            }
+        }
+        for (int c = from; c < to; c++) {
+            if (isConstraint(c)) {
+                solve(slot, c, k, sub);
+            }
+        }
+    }
+
+    private void solve(int slot, int c, StepConstants k, int sub) {
+        int s = CircleRow.of(slot);
+        int row = PieceContactRow.of(c);
+        float[] m = state.motion;
+        float[] rows = contacts.rows;
+        findSurface(slot, c, sub);
+        float nx = rows[row + NX];
+        float ny = rows[row + NY];
+        float gap = rows[row + GAP];
+        float impulse = rows[row + IMPULSE];
+        float r = state.circle[s + RADIUS];
+        float ux = m[s + VX] - surfaceX;
+        float uy = m[s + VY] - surfaceY;
+        rows[row + BOUNCE] = 0f;
+        if (gap > Tuning.MARGIN * r && impulse == 0f && CircleMath.isLonger(ux * k.h, uy * k.h, Tuning.CAP * r)) {
+            return; // the move ends there instead
+        }
+        float along = nx * uy - ny * ux;
+        float vn = (nx * ux + ny * uy) - 0.5f * rows[row + CURVE] * along * along * k.h;
+        float before = nx * (state.load[s + BEFORE_X] - surfaceX) + ny * (state.load[s + BEFORE_Y] - surfaceY);
+        if (Constraints.staysClear(gap, impulse, vn, before, k.h, k.inverseH) != 0) {
+            return;
+        }
+        visit.solve(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], before, vn, impulse, k);
+        if (visit.bounced) {
+            float behind = Bounce.leftBehind(gap, vn, visit.impulse, k.dt, r);
+            m[s + DX] -= nx * behind;
+            m[s + DY] -= ny * behind;
+        }
+        rows[row + BOUNCE] = visit.bounceSpeed;
+        m[s + VX] += nx * visit.impulse;
+        m[s + VY] += ny * visit.impulse;
+        rows[row + IMPULSE] = visit.normalImpulse;
+        if (visit.bounced && k.turning) {
+            grip(s, c, visit.impulse, along, false);
+        }
+    }
+
+    /** The relaxing pass over the pieces of a circle. */
+    void relax(int slot, StepConstants k, int sub) {
+        measure(slot, sub + 1);
+        int from = contacts.first[slot];
+        int to = from + contacts.count[slot];
+        for (int c = from; c < to; c++) {
+            if (isConstraint(c)) {
+                relax(slot, c, k, sub);
+            }
+        }
+    }
+
+    private void relax(int slot, int c, StepConstants k, int sub) {
+        int s = CircleRow.of(slot);
+        int row = PieceContactRow.of(c);
+        float[] m = state.motion;
+        float[] rows = contacts.rows;
+        float gap = rows[row + GAP];
+        float impulse = rows[row + IMPULSE];
+        float bounce = rows[row + BOUNCE];
+        boolean held = rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f;
+        if (Constraints.isIdle(gap, impulse, bounce) != 0 && !held) {
+            return;
+        }
+        findSurface(slot, c, sub + 1);
+        float nx = rows[row + NX];
+        float ny = rows[row + NY];
+        float r = state.circle[s + RADIUS];
+        float ux = m[s + VX] - surfaceX;
+        float uy = m[s + VY] - surfaceY;
+        float along = nx * uy - ny * ux;
+        float vn = nx * ux + ny * uy;
+        visit.relax(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], bounce, vn, impulse, k);
+        if (!visit.leaves) {
+            m[s + VX] += nx * visit.impulse;
+            m[s + VY] += ny * visit.impulse;
+            rows[row + IMPULSE] = bounce > 0f ? 0f : visit.normalImpulse; // that of a bounce is not kept
+        }
+        if (k.turning) {
+            float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
+            grip(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
+        }
+    }
+
+    private float restitution(int s, int c) {
+        int kind = terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND];
+        return CircleMath.max(
+                state.traits[s + RESTITUTION], terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.RESTITUTION]);
+    }
+
+    // ---- grips
+    // ----------------------------------------------------------------------------------------------------------
+
+    private void grip(int s, int c, float normalImpulse, float along, boolean keep) {
+        takeGrip(s, c);
+        if (grip.acts()) {
+            int kind = terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND];
+            float belt = state.turning.kinds[KindSurface.of(kind) + KindSurface.BELT] + state.turning.skin[s + BELT];
+            grip.visit(normalImpulse, along, belt, keep);
+            giveGrip(s, c);
+        }
+    }
+
+    private void takeGrip(int s, int c) {
+        Turning t = state.turning;
+        int kind = KindSurface.of(terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
+        int row = PieceContactRow.of(c);
+        grip.between(
+                t.skin[s + CircleRow.FRICTION],
+                t.kinds[kind + KindSurface.FRICTION],
+                t.skin[s + CircleRow.ROLLING_RESISTANCE],
+                t.kinds[kind + KindSurface.ROLLING_RESISTANCE],
+                t.spin[s + INVERSE_INERTIA] / state.traits[s + INVERSE_MASS]);
+        grip.surfaceSpeed = t.spin[s + SURFACE_SPEED];
+        grip.friction = contacts.rows[row + PieceContactRow.FRICTION];
+        grip.rolling = contacts.rows[row + ROLLING];
+    }
+
+    private void giveGrip(int s, int c) {
+        int row = PieceContactRow.of(c);
+        state.turning.spin[s + SURFACE_SPEED] = grip.surfaceSpeed;
+        contacts.rows[row + PieceContactRow.FRICTION] = grip.friction;
+        contacts.rows[row + ROLLING] = grip.rolling;
+        state.motion[s + VX] += -contacts.rows[row + NY] * grip.impulse;
+        state.motion[s + VY] += contacts.rows[row + NX] * grip.impulse;
+    }
+
+    // ---- the move
+    // -------------------------------------------------------------------------------------------------------
+
+    /** Ends a circle's move in a sub-step, from a displacement, where it would pass a piece; a piece that moves takes it along. */
+    void stop(int slot, float fromX, float fromY, StepConstants k, int sub) {
+        int stopper = firstStop(slot, fromX, fromY, sub, true);
+        if (stopper < 0) {
+            return;
+        }
+        if (motion(contacts.piece(stopper)) == 0) {
+            stopAt(slot, fromX, fromY);
+            return;
+        }
+        takeAlong(slot, stopper, sub + 1);
+        if (firstStop(slot, fromX, fromY, sub, false) >= 0) {
+            stopAt(slot, fromX, fromY);
+        }
+    }
+
+    private void stopAt(int slot, float fromX, float fromY) {
+        int s = CircleRow.of(slot);
+        state.motion[s + DX] = fromX + share * (state.motion[s + DX] - fromX);
+        state.motion[s + DY] = fromY + share * (state.motion[s + DY] - fromY);
+    }
+
+    /** The contact that stops a circle first, with its share of the move and the place; -1 if none does. */
+    private int firstStop(int slot, float fromX, float fromY, int sub, boolean moving) {
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + RADIUS];
+        float dx = state.motion[s + DX];
+        float dy = state.motion[s + DY];
+        int stopper = -1;
+        share = 1f;
+        for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+            int piece = contacts.piece(c);
+            int motion = motion(piece);
+            float side = contacts.rows[PieceContactRow.of(c) + SIDE];
+            if (side == 0f
+                    || contacts.numbers[PieceContactRow.numbers(c) + RESPONSE] != PairTable.SOLID
+                    || motion != 0 && !moving) {
+                continue;
+            }
+            int row = PieceRow.of(piece);
+            float ox = offsetX(state, slot, terrain.rows, row);
+            float oy = offsetY(state, slot, terrain.rows, row);
+            toFrame(row, motion, ox, oy, fromX, fromY, sub);
+            float x = localX;
+            float y = localY;
+            toFrame(row, motion, ox, oy, dx, dy, sub + 1);
+            float ux = localX - x;
+            float uy = localY - y;
+            if (CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
+                float t = PieceSweep.time(terrain.rows, row, shape(piece), x, y, ux, uy, r, side);
+                if (t < share) {
+                    share = t;
+                    stopper = c;
+                    stopX = x + t * ux;
+                    stopY = y + t * uy;
+                }
+            }
+        }
+        return stopper;
+    }
+
+    /** Sets a circle's displacement to the place where a piece that moves has met it, as the piece has it at a boundary. */
+    private void takeAlong(int slot, int c, int boundary) {
+        int piece = contacts.piece(c);
+        int row = PieceRow.of(piece);
+        int body = BodyRow.of(motion(piece), subSteps);
+        int pose = body + BodyRow.pose(boundary);
+        float[] bodies = terrain.motion;
+        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
+        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float x = stopX - px;
+        float y = stopY - py;
+        float cos = bodies[pose + BodyRow.COS];
+        float sin = bodies[pose + BodyRow.SIN];
+        int s = CircleRow.of(slot);
+        float ox = offsetX(state, slot, terrain.rows, row) - px;
+        float oy = offsetY(state, slot, terrain.rows, row) - py;
+        state.motion[s + DX] = ((cos * x - sin * y) - ox) + bodies[pose + BodyRow.DX];
+        state.motion[s + DY] = ((sin * x + cos * y) - oy) + bodies[pose + BodyRow.DY];
+    }
+}
