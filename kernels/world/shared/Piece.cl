@@ -97,6 +97,12 @@ void measurePiece(global const float *row, int shape, float ox, float oy, float 
     }
 }
 
+// How fast a way that curves turns away from a straight one on average, in a time h, at a speed along it; never faster than that.
+float turnedWay(float curve, float along, float h) {
+    float most = fabs(along);
+    return clampf(0.5f * curve * along * along * h, -most, most);
+}
+
 // Whether a centre is in front of a piece.
 bool isInFront(global const float *row, int shape, float ox, float oy) {
     if (formOf(shape) != FORM_ARC) return ox * row[PIECE_TY] - oy * row[PIECE_TX] >= 0.0f;

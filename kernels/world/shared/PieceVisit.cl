@@ -216,7 +216,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     // The move ends there instead.
     if (gap > MARGIN * c.RADIUS && impulse == 0.0f && isLonger(ux * s->h, uy * s->h, CAP * c.RADIUS)) return;
     float along = nx * uy - ny * ux;
-    float vn = (nx * ux + ny * uy) - 0.5f * g.MEASURED_CURVE * along * along * s->h;
+    float vn = (nx * ux + ny * uy) - turnedWay(g.MEASURED_CURVE, along, s->h);
     float vnBefore = nx * (before.x - surface.x) + ny * (before.y - surface.y);
     if (!(impulse > 0.0f) && staysClear(s, gap, vn, vnBefore)) return;
     Found f = foundOneBody(s, gap, c.RADIUS, restitutionAt(w, restitution, traits.TRAIT_KIND), s->thresholdRate, impulse, loaded);
