@@ -310,6 +310,27 @@ public final class Kind {
         return kinds.getFloat(KindField.ANGULAR_DAMPING, number);
     }
 
+    /**
+     * Makes pieces of {@link Terrain} of the kind one-way: circles pass them from behind. A contact begins only if the circle was wholly in
+     * front of the piece before the step. The front of a line is its right, that of an arc the side that circles touch; the front of a segment
+     * is its right, too, as seen from its first end to its second. Circles of the kind take no notice.
+     *
+     * @param oneWay true for one-way pieces
+     * @return this
+     */
+    public Kind setOneWay(boolean oneWay) {
+        return set(KindField.ONE_WAY, oneWay ? 1 : 0);
+    }
+
+    /**
+     * Whether circles pass pieces of the kind from behind.
+     *
+     * @return false at first
+     */
+    public boolean isOneWay() {
+        return kinds.get(KindField.ONE_WAY, number) != 0;
+    }
+
     private Kind set(KindField field, int value) {
         kinds.set(field, number, value);
         return this;

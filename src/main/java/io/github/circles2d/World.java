@@ -142,6 +142,7 @@ public final class World implements AutoCloseable {
     private final Simulation simulation;
     private final Kind[] kinds = new Kind[PairTable.KINDS];
     private final Queries queries;
+    private final Terrain terrain;
     private final Backend backend;
     private final String reason;
     private final Events events = new Events();
@@ -155,6 +156,7 @@ public final class World implements AutoCloseable {
                         .with(b.contacts)
                         .with(b.surfaces()));
         queries = new Queries(simulation.searches());
+        terrain = new Terrain(simulation);
     }
 
     /**
@@ -1507,6 +1509,16 @@ public final class World implements AutoCloseable {
      */
     public int group(long handle) {
         return (int) simulation.circles().get(CircleField.GROUP, handle);
+    }
+
+    /**
+     * The terrain: what circles lie on, roll along and bounce off besides walls and each other. It has no pieces at first.
+     *
+     * @return always the same object; its calls follow the rules of this class
+     */
+    public Terrain terrain() {
+        simulation.check();
+        return terrain;
     }
 
     /**

@@ -1,11 +1,13 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.changes.Bodies;
 import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.changes.Clearing;
 import io.github.circles2d.world.changes.Forces;
 import io.github.circles2d.world.changes.Growth;
 import io.github.circles2d.world.changes.Kinds;
+import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.changes.PreparedChanges;
 import io.github.circles2d.world.changes.Travels;
 import io.github.circles2d.world.circles.CircleField;
@@ -33,11 +35,12 @@ import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
-import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.TerrainTables;
 import java.util.Collections;
 
 /**
@@ -63,17 +66,21 @@ public final class Simulation implements AutoCloseable {
     private final HandleTable handles = new HandleTable();
     private final Commands commands = new Commands();
     private final ContactEvents events = new ContactEvents();
+    private final StepInput input = new StepInput();
     private final KindTable kindTable = new KindTable();
     private final WorldSettings settings;
     private final CallLog log;
-    private final TurningFlag turning;
+    private final Needs needs;
     private final PendingWork pending;
     private final Copies copies;
     private final StepFigures figures = new StepFigures();
     private final Forces forces = new Forces(handles, commands);
     private final Travels travels = new Travels(handles, commands);
     private final Growth growth;
+    private final TerrainTables terrain;
     private final Kinds kinds;
+    private final Pieces pieces;
+    private final Bodies bodies;
     private final Clearing clearing;
     private final Circles circles;
     private final BulkChanges bulk;
@@ -84,7 +91,6 @@ public final class Simulation implements AutoCloseable {
     private final Journal journal;
     private final Searches searches;
     private final GridLevels levels = new GridLevels();
-    private final StepInput input = new StepInput();
 
     /** A world without circles; closes the pipeline. The parameters have been checked. */
     public Simulation(Pipeline pipeline, WorldParameters start) {
@@ -92,28 +98,31 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         settings = new WorldSettings(events, start);
         log = new CallLog(pipeline, guard, commands);
-        turning = new TurningFlag(pipeline, kindTable, settings);
-        pending = new PendingWork(pipeline, guard, handles, commands, events, log, turning);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, turning);
+        terrain = new TerrainTables(input.terrain, settings.bounds());
+        needs = new Needs(pipeline, kindTable, terrain, settings);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log, needs);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, needs);
+        pieces = new Pieces(guard, terrain, log, copies, settings);
+        bodies = new Bodies(guard, terrain, log, copies, settings);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);
-        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, turning);
+        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, needs);
         PreparedChanges changes =
-                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels, turning);
+                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels, needs);
         circles = new Circles(
                 guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes,
-                turning);
+                needs);
         bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes);
         readings = new Readings(guard, handles, pipeline, pending, copies.last());
         loads = new Loads(guard, handles, copies, settings);
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
         snapshots = new Snapshots(
                 guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth, turning);
+                growth, needs);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         try {
-            turning.prepare();
+            needs.prepare();
         } catch (RuntimeException | Error e) {
             pipeline.close();
             throw e;
@@ -132,6 +141,16 @@ public final class Simulation implements AutoCloseable {
     /** The calls on circles that grow. */
     public Growth growth() {
         return growth;
+    }
+
+    /** The calls on pieces of terrain. */
+    public Pieces pieces() {
+        return pieces;
+    }
+
+    /** The calls on bodies of terrain. */
+    public Bodies bodies() {
+        return bodies;
     }
 
     /** The call that removes all circles. */
@@ -285,9 +304,9 @@ public final class Simulation implements AutoCloseable {
         log.stepped(steps);
     }
 
-    /** Whether a static circle travels, a wall moves, a force is applied, or a circle grows in it. */
+    /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
-        return !travels.isEmpty() || !forces.isEmpty() || settings.wallsMove() || !growth.isEmpty();
+        return !travels.isEmpty() || !forces.isEmpty() || settings.wallsMove() || !growth.isEmpty() || terrain.moves();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
@@ -322,7 +341,8 @@ public final class Simulation implements AutoCloseable {
 
     private void makeSteps(float timeStep, int steps) {
         pending.apply();
-        pending.prepareTurning();
+        pending.prepareNeeds();
+        terrain.makeRoom(settings.subSteps());
         guard.changing = true;
         boolean hasCircles = handles.size() > 0;
         figures.stepped(hasCircles);
@@ -339,6 +359,7 @@ public final class Simulation implements AutoCloseable {
         if (events.isOn()) {
             events.queue().asked(steps);
         }
+        terrain.end(timeStep, settings.subSteps());
         copies.forgetSaved();
         settings.setTimeStep(timeStep);
         guard.changing = false;
@@ -353,12 +374,16 @@ public final class Simulation implements AutoCloseable {
         if (constants.driving) {
             input.motion.update(constants, kindTable, kindTable.version());
         }
-        constants.turning = turning.isOn();
+        constants.turning = needs.turns();
         if (constants.turning) {
             CircleFields fields = handles.fields();
             boolean own = fields.isUsed(CircleField.FRICTION) || fields.isUsed(CircleField.ROLLING_RESISTANCE);
             boolean torques = fields.isUsed(CircleField.TORQUE) || fields.isUsed(CircleField.APPLIED_TORQUE);
             input.surfaces.update(constants, kindTable, kindTable.version(), own, torques);
+        }
+        constants.terrain = terrain.isThere();
+        if (constants.terrain) {
+            terrain.begin(constants, kindTable);
         }
         events.prepare(kindTable, input.reports);
     }

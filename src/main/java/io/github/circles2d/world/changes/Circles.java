@@ -11,8 +11,8 @@ import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /**
@@ -63,7 +63,7 @@ public final class Circles {
     private final Travels travels;
     private final Growth growth;
     private final PreparedChanges changes;
-    private final TurningFlag turning;
+    private final Needs needs;
 
     /** The kinds of the circles that a call adds. */
     private int[] newKinds = new int[0];
@@ -81,7 +81,7 @@ public final class Circles {
             Travels travels,
             Growth growth,
             PreparedChanges changes,
-            TurningFlag turning) {
+            Needs needs) {
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
@@ -94,7 +94,7 @@ public final class Circles {
         this.travels = travels;
         this.growth = growth;
         this.changes = changes;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     /** Adds a circle of kind 0 and returns its handle. */
@@ -379,7 +379,7 @@ public final class Circles {
         }
         guard.changing = true;
         if (field.isOfTurning() && value != field.initial()) {
-            turning.ask();
+            needs.askToTurn();
         }
         enter(field, id, value);
         guard.changing = false;
@@ -528,7 +528,7 @@ public final class Circles {
         log.torque(id, torque);
         copies.forgetSaved();
         guard.changing = true;
-        turning.ask();
+        needs.askToTurn();
         forces.applyTorque(id, torque);
         guard.changing = false;
     }

@@ -8,10 +8,10 @@ import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
-import io.github.circles2d.world.shared.TurningFlag;
 
 /**
  * Removes all circles. The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for
@@ -30,7 +30,7 @@ public final class Clearing {
     private final PendingWork pending;
     private final Copies copies;
     private final StepFigures figures;
-    private final TurningFlag turning;
+    private final Needs needs;
 
     /** A state without circles. */
     private final SavedState empty = new SavedState();
@@ -45,7 +45,7 @@ public final class Clearing {
             PendingWork pending,
             Copies copies,
             StepFigures figures,
-            TurningFlag turning) {
+            Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
         this.handles = handles;
@@ -55,7 +55,7 @@ public final class Clearing {
         this.pending = pending;
         this.copies = copies;
         this.figures = figures;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     /** Removes all circles. */
@@ -99,6 +99,6 @@ public final class Clearing {
         pending.drop();
         handles.removeAll();
         pipeline.load(empty);
-        turning.cleared();
+        needs.cleared();
     }
 }

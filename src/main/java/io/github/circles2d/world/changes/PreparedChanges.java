@@ -9,8 +9,8 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Arrays;
 
@@ -29,7 +29,7 @@ public final class PreparedChanges {
     private final WorldSettings settings;
     private final Kinds kinds;
     private final Travels travelling;
-    private final TurningFlag turning;
+    private final Needs needs;
     private int count;
 
     /** Positions of static circles, which travel there. */
@@ -48,7 +48,7 @@ public final class PreparedChanges {
             WorldSettings settings,
             Kinds kinds,
             Travels travelling,
-            TurningFlag turning) {
+            Needs needs) {
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
@@ -58,7 +58,7 @@ public final class PreparedChanges {
         this.settings = settings;
         this.kinds = kinds;
         this.travelling = travelling;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     void checkValues(int operation, float a, float b) {
@@ -175,7 +175,7 @@ public final class PreparedChanges {
         boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
         guard.changing = true;
         if (turns && count > 0) {
-            turning.ask();
+            needs.askToTurn();
         }
         commands.admitChanges(ofPipelines ? count : changeAll());
         guard.changing = false;

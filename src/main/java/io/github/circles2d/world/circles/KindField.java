@@ -46,7 +46,10 @@ public enum KindField {
     INERTIA(11, "inertia", 0, value -> Limits.within("inertia", value, 0, 2)),
 
     /** Damping of angular velocities, 1/s, a float. */
-    ANGULAR_DAMPING(12, "angular damping", 0, ofFloat("angular damping", 0, Limits.VELOCITY_DAMPING));
+    ANGULAR_DAMPING(12, "angular damping", 0, ofFloat("angular damping", 0, Limits.VELOCITY_DAMPING)),
+
+    /** 1 if circles pass pieces of terrain from behind. */
+    ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1));
 
     static final List<KindField> ALL = List.of(values());
 

@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
@@ -10,7 +11,7 @@ import java.util.Arrays;
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable implements KindMotion.Values, KindSurface.Values {
+public final class KindTable implements KindMotion.Values, KindSurface.Values, KindTerrain.Values {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 
@@ -173,6 +174,16 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values {
     @Override
     public float rollingResistance(int kind) {
         return getFloat(KindField.ROLLING_RESISTANCE, kind);
+    }
+
+    @Override
+    public float restitution(int kind) {
+        return getFloat(KindField.RESTITUTION, kind);
+    }
+
+    @Override
+    public boolean oneWay(int kind) {
+        return get(KindField.ONE_WAY, kind) != 0;
     }
 
     @Override

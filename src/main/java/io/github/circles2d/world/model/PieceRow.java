@@ -42,6 +42,11 @@ public final class PieceRow {
 
     public static final int MID_Y = 15;
 
+    /** Half the extent of the box, with the thickness, without the motion in the step. */
+    public static final int HALF_X = 16;
+
+    public static final int HALF_Y = 17;
+
     /** Less than any cosine. */
     public static final float ALL_AROUND = -2f;
 

@@ -17,6 +17,11 @@ public final class TerrainStep {
     /** Of rows and traits. */
     public int version;
 
+    /** The pieces whose rows and traits differ from those of the version before: from the first to before the last. */
+    public int changedFrom;
+
+    public int changedTo;
+
     /** Number of nodes of the tree; see {@code PieceTree}. */
     public int nodes;
 
@@ -26,7 +31,14 @@ public final class TerrainStep {
     /** Of each node, in the order of a walk: the node that follows if its box is left out, and its piece, or -1. */
     public int[] links = new int[0];
 
+    /** Of boxes and links. */
     public int treeVersion;
+
+    /** Of links; they stay the same while bodies move. */
+    public int linksVersion;
+
+    /** The first node whose box differs from that of the tree's version before. */
+    public int boxesFrom;
 
     /** Rows of {@link #motion} in use, of which the first is empty. */
     public int bodies;

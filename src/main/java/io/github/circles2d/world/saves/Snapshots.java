@@ -13,10 +13,10 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
-import io.github.circles2d.world.shared.TurningFlag;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
@@ -46,7 +46,7 @@ public final class Snapshots {
     private final Forces forces;
     private final Travels travels;
     private final Growth growth;
-    private final TurningFlag turning;
+    private final Needs needs;
 
     public Snapshots(
             Guard guard,
@@ -62,7 +62,7 @@ public final class Snapshots {
             Forces forces,
             Travels travels,
             Growth growth,
-            TurningFlag turning) {
+            Needs needs) {
         this.guard = guard;
         this.pipeline = pipeline;
         this.handles = handles;
@@ -76,7 +76,7 @@ public final class Snapshots {
         this.forces = forces;
         this.travels = travels;
         this.growth = growth;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     /** The number of bytes that {@link #write} would write now. */
@@ -147,7 +147,7 @@ public final class Snapshots {
         forces.makeRoom(saved);
         travels.makeRoom(saved);
         growth.makeRoom(saved);
-        turning.prepare(saved); // first, since the room depends on it
+        needs.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
         events.makeRoom(saved.touches, saved.ids);
         copies.forget();
@@ -165,7 +165,7 @@ public final class Snapshots {
         growth.restored();
         pipeline.load(saved);
         settings.set(saved.parameters());
-        turning.restored(saved);
+        needs.restored(saved);
         figures.forget();
         events.load(saved.touches, handles);
         guard.changing = false;

@@ -27,14 +27,14 @@ public final class Copies {
             KindTable kinds,
             ContactEvents events,
             WorldSettings settings,
-            TurningFlag turning) {
+            Needs needs) {
         this.pipeline = pipeline;
         this.pending = pending;
         this.handles = handles;
         this.kinds = kinds;
         this.events = events;
         this.settings = settings;
-        last = new LastReading(pipeline, handles, pending, turning);
+        last = new LastReading(pipeline, handles, pending, needs);
     }
 
     public LastReading last() {

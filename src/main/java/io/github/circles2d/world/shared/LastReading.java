@@ -8,7 +8,7 @@ public final class LastReading {
     private final Pipeline pipeline;
     private final HandleTable handles;
     private final PendingWork pending;
-    private final TurningFlag turning;
+    private final Needs needs;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
     private int[] angles = new int[0];
@@ -24,11 +24,11 @@ public final class LastReading {
     /** How often circles have been read. */
     private long number;
 
-    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, TurningFlag turning) {
+    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, Needs needs) {
         this.pipeline = pipeline;
         this.handles = handles;
         this.pending = pending;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     /** Circles have come, gone or changed. */
@@ -95,7 +95,7 @@ public final class LastReading {
             pipeline.readAngles(handles, angles);
             anglesCurrent = true;
         }
-        return turning.isOn() ? angles : null;
+        return needs.turns() ? angles : null;
     }
 
     /** Angular velocities as of now, likewise. */
@@ -107,14 +107,14 @@ public final class LastReading {
             pipeline.readAngularVelocities(handles, angularVelocities);
             angularVelocitiesCurrent = true;
         }
-        return turning.isOn() ? angularVelocities : null;
+        return needs.turns() ? angularVelocities : null;
     }
 
     /** Makes the state what calls have led to, and returns whether circles turn. Where they cannot, there is nothing to wait for. */
     private boolean settleTurns() {
-        if (turning.isOn() || turning.begins()) {
+        if (needs.turns() || needs.beginsToTurn()) {
             pending.settle();
         }
-        return turning.isOn();
+        return needs.turns();
     }
 }

@@ -12,7 +12,7 @@ public final class PendingWork {
     private final Commands commands;
     private final ContactEvents events;
     private final CallLog log;
-    private final TurningFlag turning;
+    private final Needs needs;
 
     public PendingWork(
             Pipeline pipeline,
@@ -21,14 +21,14 @@ public final class PendingWork {
             Commands commands,
             ContactEvents events,
             CallLog log,
-            TurningFlag turning) {
+            Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
         this.handles = handles;
         this.commands = commands;
         this.events = events;
         this.log = log;
-        this.turning = turning;
+        this.needs = needs;
     }
 
     /** Makes room for changes to come, so that none fails half-way. */
@@ -44,7 +44,7 @@ public final class PendingWork {
         if (commands.count() > 0) {
             log.writeCommands();
             finish();
-            prepareTurning();
+            prepareNeeds();
             pipeline.makeRoom(commands);
             if (events.isOn()) {
                 events.makeRoom(commands);
@@ -59,11 +59,11 @@ public final class PendingWork {
         }
     }
 
-    /** Makes the pipeline ready for circles that turn if the world has begun to turn. */
-    public void prepareTurning() {
-        if (turning.begins()) {
+    /** Makes the pipeline ready for circles that turn, or for terrain, if the world has begun to need that. */
+    public void prepareNeeds() {
+        if (needs.begins()) {
             finish();
-            turning.begin();
+            needs.prepare();
         }
     }
 

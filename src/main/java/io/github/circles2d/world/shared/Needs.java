@@ -4,62 +4,70 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
- * Whether the world turns: whether circles in it may turn, grip or roll. Steps of other worlds compute nothing of that, and pipelines keep
- * nothing for it. No result depends on it, so it is no state. It stays on until all circles go, or another state takes their place.
+ * What the pipeline must be ready for. A world turns if circles in it may turn, grip or roll; it has terrain if there are pieces. Steps of
+ * other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. A world turns
+ * until all circles go, or another state takes their place.
  */
-public final class TurningFlag {
+public final class Needs {
     private final Pipeline pipeline;
     private final KindTable kinds;
+    private final TerrainTables terrain;
     private final WorldSettings settings;
 
     /** Whether a call has made a circle turn, or has given it a surface or a torque. */
     private boolean asked;
 
-    private boolean on;
+    private boolean turns;
 
-    public TurningFlag(Pipeline pipeline, KindTable kinds, WorldSettings settings) {
+    /** Whether the pipeline is ready for terrain. */
+    private boolean hasTerrain;
+
+    public Needs(Pipeline pipeline, KindTable kinds, TerrainTables terrain, WorldSettings settings) {
         this.pipeline = pipeline;
         this.kinds = kinds;
+        this.terrain = terrain;
         this.settings = settings;
     }
 
     /** Whether the world turns, and the pipeline is ready for that. */
-    public boolean isOn() {
-        return on;
+    public boolean turns() {
+        return turns;
     }
 
     /** A call makes a circle turn, or gives it a surface or a torque. */
-    public void ask() {
+    public void askToTurn() {
         asked = true;
     }
 
     /** Whether the world has begun to turn, and the pipeline is not ready for that. */
+    boolean beginsToTurn() {
+        return !turns && (asked || kinds.grips() || settings.surfaces().any());
+    }
+
+    /** Whether the pipeline is not ready for what the world has begun to need. */
     boolean begins() {
-        return !on && (asked || kinds.grips() || settings.surfaces().any());
+        return beginsToTurn() || !hasTerrain && terrain.isThere();
     }
 
     /** Makes the pipeline ready, all steps of which have been made. If it cannot be made so, nothing has changed. */
-    void begin() {
-        prepare(settings.parameters(), true);
-        on = true;
-    }
-
-    /** Makes the pipeline ready for a new world. */
     public void prepare() {
-        boolean turning = begins();
-        prepare(settings.parameters(), turning);
-        on = turning;
+        prepare(settings.parameters(), turns || beginsToTurn(), hasTerrain || terrain.isThere());
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
-        prepare(next.parameters(), on || turns(next));
+        boolean before = turns;
+        prepare(next.parameters(), turns || turns(next), hasTerrain);
+        turns = before;
     }
 
-    private void prepare(WorldParameters p, boolean turning) {
-        pipeline.prepare(p.contacts(), !p.bounds().isWalled(), turning, false);
+    private void prepare(WorldParameters p, boolean turning, boolean withTerrain) {
+        pipeline.prepare(p.contacts(), !p.bounds().isWalled(), turning, withTerrain);
+        turns = turning;
+        hasTerrain = withTerrain;
     }
 
     private static boolean turns(SavedState s) {
@@ -75,12 +83,12 @@ public final class TurningFlag {
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */
     public void restored(SavedState from) {
         asked = false;
-        on = turns(from);
+        turns = turns(from);
     }
 
     /** All circles have gone, and all changes of them. */
     public void cleared() {
         asked = false;
-        on = false;
+        turns = false;
     }
 }

@@ -1,0 +1,319 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.terrain.PieceRead;
+
+/**
+ * The ground of a {@link World}: pieces that circles lie on, roll along and bounce off, and that never yield. {@link World#terrain} gives
+ * this object.
+ *
+ * <pre>{@code
+ * Terrain terrain = world.terrain();
+ * terrain.addChain(Chain.of(100, 0, 60, 0, 50, 10, 0, 10)); // from right to left: circles are above
+ * terrain.addSegment(20, 30, 30, 28);
+ * TerrainBody lift = terrain.addBody(80, 0, 0);
+ * lift.addSegment(-3, 0, 3, 0);
+ * lift.setVelocity(0, 2);
+ * }</pre>
+ *
+ * <p><b>Pieces:</b> a <em>segment</em> has two ends, two sides, and a thickness if it is to be a capsule. A {@link Chain} makes lines and arcs that
+ * circles touch from one side and that are smooth where they meet. An <em>arc</em> is exact: a ball keeps its speed in a loop. Circles
+ * touch it from the side that {@link ArcSide} says.
+ *
+ * <p><b>Kinds:</b> each piece is of a {@link Kind}. Its friction, rolling resistance, belt, restitution, categories and matrix mean for a piece
+ * what they mean for circles; groups do not count. A belt carries to the left as seen along the surface's normal, as a wall's does.
+ * {@link Kind#setOneWay} lets circles pass from behind.
+ *
+ * <p><b>Bodies:</b> pieces belong to the ground, which never moves, or to a {@link TerrainBody}, which does.
+ *
+ * <p><b>Edges:</b> walls hold circles, not terrain: pieces may go beyond them. Along an axis that wraps, pieces wrap, too; a piece is at
+ * most half as long as the axis.
+ *
+ * <p><b>Limits:</b> a world has at most 2^20 pieces and 2^20 bodies. Coordinates and lengths are up to 1e9. A world without pieces pays nothing
+ * for this. A change acts from the next step on. Terrain is in snapshots, in logs and in the hash. {@link World#clear} leaves it as it
+ * is. The rules of {@link World} for threads, failures and closed worlds hold here, too.
+ */
+public final class Terrain {
+    /** Elements that {@link #readPieces} gives for a piece. */
+    public static final int PIECE_STRIDE = PieceRead.STRIDE;
+
+    private final Simulation simulation;
+
+    /** The objects that callers have, by id of the body. */
+    private TerrainBody[] bodies = new TerrainBody[1];
+
+    Terrain(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    // ---- bodies
+    // ------------------------------------------------------------------------------------------------------
+
+    /**
+     * The body that never moves, and cannot be removed. Its coordinates are the world's.
+     *
+     * @return always the same object
+     */
+    public TerrainBody ground() {
+        return object(simulation.bodies().ground());
+    }
+
+    /**
+     * Adds a body at rest, without pieces.
+     *
+     * @param x x of its pivot, up to 1e9 in magnitude
+     * @param y y of its pivot, likewise
+     * @param angle its angle in radians, up to 1e6 in magnitude
+     * @return the body
+     * @throws IllegalArgumentException if a value is out of range, or there are 2^20 bodies
+     */
+    public TerrainBody addBody(float x, float y, float angle) {
+        makeRoom(simulation.bodies().idLimit());
+        return object(simulation.bodies().add(x, y, angle));
+    }
+
+    /**
+     * The body that has a handle.
+     *
+     * @param handle the handle of a body
+     * @return always the same object for a handle
+     * @throws IllegalArgumentException if the body has been removed, or the handle is none
+     */
+    public TerrainBody body(long handle) {
+        simulation.bodies().require(handle);
+        return object(handle);
+    }
+
+    /**
+     * The body that a piece belongs to.
+     *
+     * @param piece the handle of a piece
+     * @return the ground, or another body
+     * @throws IllegalArgumentException if the piece has been removed, or the handle is none
+     */
+    public TerrainBody bodyOf(long piece) {
+        return object(simulation.pieces().bodyOf(piece));
+    }
+
+    private void makeRoom(int id) {
+        if (id >= bodies.length) {
+            TerrainBody[] more = new TerrainBody[Math.max(id + 1, 2 * bodies.length)];
+            System.arraycopy(bodies, 0, more, 0, bodies.length);
+            bodies = more;
+        }
+    }
+
+    private TerrainBody object(long handle) {
+        int id = (int) handle;
+        makeRoom(id);
+        if (bodies[id] == null || bodies[id].handle() != handle) {
+            bodies[id] = new TerrainBody(simulation, handle);
+        }
+        return bodies[id];
+    }
+
+    // ---- pieces
+    // ------------------------------------------------------------------------------------------------------
+
+    /**
+     * Adds a segment of kind 0 to the ground, without thickness. It has two sides.
+     *
+     * @param x1 x of an end, up to 1e9 in magnitude
+     * @param y1 y of it
+     * @param x2 x of the other end
+     * @param y2 y of it
+     * @return the handle of the piece
+     * @throws IllegalArgumentException if a value is out of range, the segment is not longer than 2^-20 of its coordinates, or it is longer
+     *     than half an axis that wraps
+     */
+    public long addSegment(float x1, float y1, float x2, float y2) {
+        return addSegment(x1, y1, x2, y2, 0, 0);
+    }
+
+    /**
+     * Adds a segment to the ground. It has two sides.
+     *
+     * @param x1 x of an end, up to 1e9 in magnitude
+     * @param y1 y of it
+     * @param x2 x of the other end
+     * @param y2 y of it
+     * @param thickness radius around the segment, which makes it a capsule; at least 0
+     * @param kind the number of its kind, 0 to 255
+     * @return the handle of the piece
+     * @throws IllegalArgumentException as {@link #addSegment(float, float, float, float)}, or if there is no such kind
+     */
+    public long addSegment(float x1, float y1, float x2, float y2, float thickness, int kind) {
+        return simulation.pieces().addSegment(simulation.bodies().ground(), kind, x1, y1, x2, y2, thickness);
+    }
+
+    /**
+     * Adds an arc of kind 0 to the ground.
+     *
+     * @param x x of the centre, up to 1e9 in magnitude
+     * @param y y of the centre
+     * @param radius more than 2^-20 of the coordinates of the centre
+     * @param from where the arc begins, an angle in radians
+     * @param to where it ends, anticlockwise from there; more than {@code from}, by 2 pi for a circle
+     * @param side the side that circles touch
+     * @return the handle of the piece
+     * @throws IllegalArgumentException if a value is out of range, or the arc is wider than half an axis that wraps
+     */
+    public long addArc(float x, float y, float radius, float from, float to, ArcSide side) {
+        return ground().addArc(x, y, radius, from, to, side, 0);
+    }
+
+    /**
+     * Adds an arc to the ground.
+     *
+     * @param x x of the centre, up to 1e9 in magnitude
+     * @param y y of the centre
+     * @param radius more than 2^-20 of the coordinates of the centre
+     * @param from where the arc begins, an angle in radians
+     * @param to where it ends, anticlockwise from there; more than {@code from}, by 2 pi for a circle
+     * @param side the side that circles touch
+     * @param kind the number of its kind, 0 to 255
+     * @return the handle of the piece
+     * @throws IllegalArgumentException as {@link #addArc(float, float, float, float, float, ArcSide)}, or if there is no such kind
+     */
+    public long addArc(float x, float y, float radius, float from, float to, ArcSide side, int kind) {
+        return ground().addArc(x, y, radius, from, to, side, kind);
+    }
+
+    /**
+     * Adds the pieces of a chain to the ground, of kind 0.
+     *
+     * @param chain the chain; it may be changed and used again
+     * @return the number of pieces
+     * @throws IllegalArgumentException if the chain has none, or a piece is longer than half an axis that wraps
+     */
+    public int addChain(Chain chain) {
+        return ground().addChain(chain, 0, null);
+    }
+
+    /**
+     * Adds the pieces of a chain to the ground.
+     *
+     * @param chain the chain; it may be changed and used again
+     * @param kind the number of their kind, 0 to 255
+     * @param handles takes the handles of the pieces in their order; may be null
+     * @return the number of pieces
+     * @throws IllegalArgumentException as {@link #addChain(Chain)}, or if there is no such kind, or the array is too short
+     */
+    public int addChain(Chain chain, int kind, long[] handles) {
+        return ground().addChain(chain, kind, handles);
+    }
+
+    /**
+     * Adds many segments without thickness to the ground, all or none.
+     *
+     * @param ends x1, y1, x2 and y2 of one after the other, as {@link #addSegment(float, float, float, float)} takes them
+     * @param kind the number of their kind, 0 to 255
+     * @param handles takes the handles of the pieces; may be null
+     * @return the number of segments
+     * @throws IllegalArgumentException if a segment is refused, with its index; if there is no such kind; or if an array has a wrong length
+     */
+    public int addSegments(float[] ends, int kind, long[] handles) {
+        return ground().addSegments(ends, kind, handles);
+    }
+
+    /**
+     * Removes a piece. The ends of its neighbours in a chain are free then. What lies on it falls.
+     *
+     * @param piece the handle of a piece
+     * @throws IllegalArgumentException if the piece has been removed, or the handle is none
+     */
+    public void remove(long piece) {
+        simulation.pieces().remove(piece);
+    }
+
+    /** Removes all pieces, and all bodies but the ground. */
+    public void clear() {
+        simulation.pieces().clear();
+    }
+
+    /**
+     * Whether a handle is that of a piece of this world.
+     *
+     * @param piece any number
+     * @return false if it is stale or never was a handle
+     */
+    public boolean contains(long piece) {
+        return simulation.pieces().contains(piece);
+    }
+
+    /**
+     * The id of a handle: its lower 32 bits. Two pieces that are there at the same time have different ids. When a piece has been removed,
+     * a new one takes its id over.
+     *
+     * @param piece the handle of a piece, stale or not
+     * @return its id, at least 0
+     */
+    public static int id(long piece) {
+        return (int) piece;
+    }
+
+    /**
+     * How long the caller's arrays by id of pieces must be: one more than the greatest id that a piece has had.
+     *
+     * @return at least {@link #size}
+     */
+    public int idLimit() {
+        return simulation.pieces().idLimit();
+    }
+
+    /**
+     * The handle of the piece that has an id now.
+     *
+     * @param id an id, at least 0 and less than {@link #idLimit}
+     * @return the handle; 0 if no piece has the id
+     * @throws IllegalArgumentException if the id is out of range
+     */
+    public long handle(int id) {
+        return simulation.pieces().handle(id);
+    }
+
+    /**
+     * The number of pieces.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return simulation.pieces().size();
+    }
+
+    /**
+     * Gives a piece another kind.
+     *
+     * @param piece the handle of a piece
+     * @param kind the number of the kind, 0 to 255
+     * @throws IllegalArgumentException if the piece has been removed, or there is no such kind
+     */
+    public void setKind(long piece, int kind) {
+        simulation.pieces().setKind(piece, kind);
+    }
+
+    /**
+     * The kind of a piece.
+     *
+     * @param piece the handle of a piece
+     * @return the number of its kind
+     * @throws IllegalArgumentException if the piece has been removed, or the handle is none
+     */
+    public int kindOf(long piece) {
+        return simulation.pieces().kindOf(piece);
+    }
+
+    /**
+     * What all pieces look like now, in the order of their ids, for drawing. A piece has {@link #PIECE_STRIDE} elements: its form (1 a segment, 2 a
+     * line of a chain, 3 an arc), its kind, and then of a segment or a line x and y of both ends and the thickness; of an arc x and y of
+     * the centre, the radius, the angles where it begins and where it ends, anticlockwise, in radians, and 1 if circles are inside, else 0.
+     *
+     * @param pieces takes {@link #PIECE_STRIDE} elements a piece
+     * @param handles takes their handles; may be null
+     * @return the number of pieces
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public int readPieces(float[] pieces, long[] handles) {
+        return simulation.pieces().read(pieces, handles);
+    }
+}

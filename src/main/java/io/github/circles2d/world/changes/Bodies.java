@@ -1,0 +1,216 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.BodyTable;
+import io.github.circles2d.world.terrain.TerrainLimits;
+import io.github.circles2d.world.terrain.TerrainTables;
+
+/** The calls on bodies of terrain. */
+public final class Bodies {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.FloatsChange<Bodies> ADD =
+            (bodies, n, x, y, angle, d, e, f) -> bodies.addOne(x, y, angle);
+    private static final Guard.CircleChange<Bodies> REMOVE = (bodies, handle, n, a, b) -> bodies.removeOne(handle);
+    private static final Guard.CircleChange<Bodies> SET_VELOCITY =
+            (bodies, handle, n, vx, vy) -> bodies.changeVelocity(handle, vx, vy);
+    private static final Guard.CircleChange<Bodies> SET_ANGULAR_VELOCITY =
+            (bodies, handle, n, velocity, none) -> bodies.changeAngularVelocity(handle, velocity);
+    private static final Guard.CircleChange<Bodies> MOVE =
+            (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, true);
+    private static final Guard.CircleChange<Bodies> TELEPORT =
+            (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, false);
+    private static final Guard.Numbers<Bodies, Void> FIND = (bodies, none, handle, n) -> bodies.table.ids.find(handle);
+    private static final Guard.Numbers<Bodies, Void> REQUIRE = (bodies, none, handle, n) -> bodies.find(handle);
+    private static final Guard.Numbers<Bodies, Void> HANDLE = (bodies, none, id, n) -> bodies.handleOf((int) id);
+
+    private final Guard guard;
+    private final TerrainTables terrain;
+    private final BodyTable table;
+    private final CallLog log;
+    private final Copies copies;
+    private final WorldSettings settings;
+
+    public Bodies(Guard guard, TerrainTables terrain, CallLog log, Copies copies, WorldSettings settings) {
+        this.guard = guard;
+        this.terrain = terrain;
+        this.log = log;
+        this.copies = copies;
+        this.settings = settings;
+        table = terrain.bodies;
+    }
+
+    /** The id of the body that has a handle. */
+    static int find(TerrainTables terrain, long handle) {
+        int body = terrain.bodies.ids.find(handle);
+        if (body < 0) {
+            throw new IllegalArgumentException(
+                    "no body of terrain has the handle " + handle + ": it was removed, or is none of this world's");
+        }
+        return body;
+    }
+
+    private int find(long handle) {
+        return find(terrain, handle);
+    }
+
+    private int findMovable(long handle, String what) {
+        int body = find(handle);
+        if (body == BodyTable.GROUND) {
+            throw new IllegalArgumentException("the ground cannot " + what);
+        }
+        return body;
+    }
+
+    /** The handle of the ground. */
+    public long ground() {
+        guard.check();
+        return table.ids.handle(BodyTable.GROUND);
+    }
+
+    /** Adds a body at rest, at an angle in radians, and returns its handle. */
+    public long add(float x, float y, float angle) {
+        return guard.change(this, 0, x, y, angle, 0, 0, 0, ADD);
+    }
+
+    private long addOne(float x, float y, float angle) {
+        checkPlace(x, y, angle);
+        if (table.ids.size() >= TerrainLimits.BODIES) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + TerrainLimits.BODIES + " bodies of terrain, not one more");
+        }
+        table.ensure(1);
+        copies.forgetSaved();
+        guard.changing = true;
+        long handle = table.ids.handle(terrain.addBody(x, y, Surface.units(angle)));
+        guard.changing = false;
+        return handle;
+    }
+
+    private void checkPlace(float x, float y, float angle) {
+        Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
+    }
+
+    /** Removes a body with its pieces. */
+    public void remove(long handle) {
+        guard.change(this, handle, 0, 0, 0, REMOVE);
+    }
+
+    private void removeOne(long handle) {
+        int body = findMovable(handle, "be removed");
+        copies.forgetSaved();
+        guard.changing = true;
+        terrain.removeBody(body);
+        guard.changing = false;
+    }
+
+    public void setVelocity(long handle, float vx, float vy) {
+        guard.change(this, handle, 0, vx, vy, SET_VELOCITY);
+    }
+
+    private void changeVelocity(long handle, float vx, float vy) {
+        int body = findMovable(handle, "move");
+        Limits.velocity(vx, vy);
+        copies.forgetSaved();
+        guard.changing = true;
+        table.setVelocity(body, vx, vy);
+        guard.changing = false;
+    }
+
+    public void setAngularVelocity(long handle, float velocity) {
+        guard.change(this, handle, 0, velocity, 0, SET_ANGULAR_VELOCITY);
+    }
+
+    private void changeAngularVelocity(long handle, float velocity) {
+        int body = findMovable(handle, "turn");
+        Limits.within("the angular velocity", velocity, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
+        copies.forgetSaved();
+        guard.changing = true;
+        table.setOmega(body, velocity);
+        guard.changing = false;
+    }
+
+    /** Lets a body travel to a place in the next step. */
+    public void move(long handle, float x, float y, float angle) {
+        guard.change(this, handle, Float.floatToRawIntBits(angle), x, y, MOVE);
+    }
+
+    /** Puts a body at a place at once. */
+    public void teleport(long handle, float x, float y, float angle) {
+        guard.change(this, handle, Float.floatToRawIntBits(angle), x, y, TELEPORT);
+    }
+
+    private void place(long handle, float x, float y, int angleBits, boolean travels) {
+        int body = findMovable(handle, "move");
+        float angle = Float.intBitsToFloat(angleBits);
+        checkPlace(x, y, angle);
+        copies.forgetSaved();
+        guard.changing = true;
+        if (travels) {
+            terrain.travel(body, x, y, Surface.units(angle));
+        } else {
+            terrain.teleport(body, x, y, Surface.units(angle));
+        }
+        guard.changing = false;
+    }
+
+    public boolean contains(long handle) {
+        return guard.read(this, null, handle, 0, FIND) >= 0;
+    }
+
+    /** One more than the greatest id that a body has had; the ground has 0. */
+    public int idLimit() {
+        guard.check();
+        return table.ids.end();
+    }
+
+    /** The handle of the body that has an id; 0 if there is none. */
+    public long handle(int id) {
+        return guard.read(this, null, id, 0, HANDLE);
+    }
+
+    private long handleOf(int id) {
+        if (id < 0 || id >= table.ids.end()) {
+            throw new IllegalArgumentException(
+                    "the id is " + id + ", but must be at least 0 and less than " + table.ids.end());
+        }
+        return table.ids.lives(id) ? table.ids.handle(id) : 0;
+    }
+
+    /** The id of a body that is there. */
+    public int require(long handle) {
+        return (int) guard.read(this, null, handle, 0, REQUIRE);
+    }
+
+    public float x(long handle) {
+        return table.x(require(handle));
+    }
+
+    public float y(long handle) {
+        return table.y(require(handle));
+    }
+
+    /** In radians, at least -pi and less than pi. */
+    public float angle(long handle) {
+        return (float) (table.angle(require(handle)) * Rotation.RADIANS_PER_UNIT);
+    }
+
+    public float vx(long handle) {
+        return table.vx(require(handle));
+    }
+
+    public float vy(long handle) {
+        return table.vy(require(handle));
+    }
+
+    public float angularVelocity(long handle) {
+        return table.omega(require(handle));
+    }
+}

@@ -1,0 +1,280 @@
+package io.github.circles2d.world.terrain;
+
+import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Motion;
+import io.github.circles2d.world.model.Rotation;
+import java.util.Arrays;
+
+/**
+ * Bodies of terrain: where they are, how they move, and where they travel. Body 0 is the ground, which stays where it is. A place has double
+ * precision, so a slow body creeps as far as its velocity says.
+ */
+public final class BodyTable {
+    public static final int GROUND = 0;
+
+    /** A body turns so far in a sub-step at most, in units of an angle: a sixteenth less than half a turn. */
+    private static final long MOST_TURN = 15L << 27;
+
+    public final TerrainIds ids = new TerrainIds();
+
+    double[] x = new double[0];
+    double[] y = new double[0];
+    int[] angle = new int[0];
+    float[] vx = new float[0];
+    float[] vy = new float[0];
+    float[] omega = new float[0];
+
+    /** Whether the body travels to its target in the next step. */
+    boolean[] travels = new boolean[0];
+
+    float[] targetX = new float[0];
+    float[] targetY = new float[0];
+    int[] targetAngle = new int[0];
+
+    /** The first piece, or -1. */
+    int[] firstPiece = new int[0];
+
+    /** Bodies that may move, each once. */
+    private int[] movers = new int[0];
+
+    private int moverCount;
+
+    /** Whether a body is among them. */
+    private boolean[] isMover = new boolean[0];
+
+    // the motion in the step that begins
+    private double nextX;
+    private double nextY;
+    private long turn;
+    private double travelX;
+    private double travelY;
+
+    BodyTable() {
+        setRoom(8);
+        add(0f, 0f, 0);
+    }
+
+    private void setRoom(int bodies) {
+        x = Arrays.copyOf(x, bodies);
+        y = Arrays.copyOf(y, bodies);
+        angle = Arrays.copyOf(angle, bodies);
+        vx = Arrays.copyOf(vx, bodies);
+        vy = Arrays.copyOf(vy, bodies);
+        omega = Arrays.copyOf(omega, bodies);
+        travels = Arrays.copyOf(travels, bodies);
+        targetX = Arrays.copyOf(targetX, bodies);
+        targetY = Arrays.copyOf(targetY, bodies);
+        targetAngle = Arrays.copyOf(targetAngle, bodies);
+        firstPiece = Arrays.copyOf(firstPiece, bodies);
+        movers = Arrays.copyOf(movers, bodies);
+        isMover = Arrays.copyOf(isMover, bodies);
+        ids.setRoom(bodies);
+    }
+
+    /** Makes room for more bodies. If there is none, nothing has changed. */
+    public void ensure(int more) {
+        int needed = ids.size() + more;
+        if (needed > ids.room()) {
+            setRoom(Math.max(needed, ids.room() + (ids.room() >> 1)));
+        }
+    }
+
+    /** A body at rest; there is room. */
+    int add(float atX, float atY, int atAngle) {
+        int id = ids.add();
+        x[id] = atX;
+        y[id] = atY;
+        angle[id] = atAngle;
+        vx[id] = 0f;
+        vy[id] = 0f;
+        omega[id] = 0f;
+        travels[id] = false;
+        firstPiece[id] = -1;
+        return id;
+    }
+
+    /** A body without pieces. */
+    void remove(int id) {
+        stop(id);
+        ids.remove(id);
+    }
+
+    private void stop(int id) {
+        vx[id] = 0f;
+        vy[id] = 0f;
+        omega[id] = 0f;
+        travels[id] = false;
+    }
+
+    public float x(int id) {
+        return (float) x[id];
+    }
+
+    public float y(int id) {
+        return (float) y[id];
+    }
+
+    public int angle(int id) {
+        return angle[id];
+    }
+
+    public float vx(int id) {
+        return vx[id];
+    }
+
+    public float vy(int id) {
+        return vy[id];
+    }
+
+    public float omega(int id) {
+        return omega[id];
+    }
+
+    public void setVelocity(int id, float toX, float toY) {
+        vx[id] = toX + 0f;
+        vy[id] = toY + 0f;
+        note(id);
+    }
+
+    public void setOmega(int id, float to) {
+        omega[id] = to + 0f;
+        note(id);
+    }
+
+    /** The body is to travel in the next step. */
+    public void travel(int id, float toX, float toY, int toAngle) {
+        travels[id] = true;
+        targetX[id] = toX;
+        targetY[id] = toY;
+        targetAngle[id] = toAngle;
+        note(id);
+    }
+
+    void put(int id, float toX, float toY, int toAngle) {
+        x[id] = toX;
+        y[id] = toY;
+        angle[id] = toAngle;
+        travels[id] = false;
+    }
+
+    /** Whether it moves in the next step. */
+    boolean moves(int id) {
+        return travels[id] || vx[id] != 0f || vy[id] != 0f || omega[id] != 0f;
+    }
+
+    private void note(int id) {
+        if (moves(id) && !isMover[id]) {
+            isMover[id] = true;
+            movers[moverCount++] = id;
+        }
+    }
+
+    /** Bodies that may move: those that move in the next step, and those that have come to rest since they did. */
+    int movers() {
+        return moverCount;
+    }
+
+    int mover(int k) {
+        return movers[k];
+    }
+
+    /** Whether a body moves in the next step. */
+    public boolean anyMoves() {
+        for (int k = 0; k < moverCount; k++) {
+            if (moves(movers[k])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Works out how a body moves in a step, which may end at the edge of the coordinates. */
+    private void plan(int id, float dt, int subSteps, Bounds bounds) {
+        if (travels[id]) {
+            nextX = targetX[id];
+            nextY = targetY[id];
+            turn = targetAngle[id] - angle[id]; // the short way round
+            travelX = shortWay(nextX - x[id], bounds.periodX());
+            travelY = shortWay(nextY - y[id], bounds.periodY());
+        } else {
+            nextX = clamp(x[id] + (double) vx[id] * dt);
+            nextY = clamp(y[id] + (double) vy[id] * dt);
+            long most = MOST_TURN * subSteps;
+            turn = Math.max(-most, Math.min(most, Rotation.units((double) omega[id] * dt)));
+            travelX = nextX - x[id];
+            travelY = nextY - y[id];
+        }
+    }
+
+    private static double clamp(double coordinate) {
+        return Math.max(-Limits.COORDINATE, Math.min(Limits.COORDINATE, coordinate));
+    }
+
+    private static double shortWay(double d, double period) {
+        return d > 0.5 * period ? d - period : d < -0.5 * period ? d + period : d;
+    }
+
+    /** Fills the row of a body that moves; returns how far its pivot goes. */
+    double begin(int id, int number, float dt, int subSteps, Bounds bounds, float[] motion) {
+        plan(id, dt, subSteps, bounds);
+        int at = BodyRow.of(number, subSteps);
+        motion[at + BodyRow.PIVOT_X] = (float) x[id];
+        motion[at + BodyRow.PIVOT_Y] = (float) y[id];
+        motion[at + BodyRow.VX] = Motion.limitSpeed((float) (travelX / dt));
+        motion[at + BodyRow.VY] = Motion.limitSpeed((float) (travelY / dt));
+        motion[at + BodyRow.OMEGA] = Motion.limitSpeed((float) (turn * Rotation.RADIANS_PER_UNIT / dt));
+        for (int boundary = 0; boundary <= subSteps; boundary++) {
+            int pose = at + BodyRow.pose(boundary);
+            double share = (double) boundary / subSteps;
+            int turned = (int) Math.round(turn * share);
+            motion[pose + BodyRow.DX] = (float) (travelX * share);
+            motion[pose + BodyRow.DY] = (float) (travelY * share);
+            motion[pose + BodyRow.COS] = (float) Rotation.cos(turned);
+            motion[pose + BodyRow.SIN] = (float) Rotation.sin(turned);
+        }
+        return Math.sqrt(travelX * travelX + travelY * travelY);
+    }
+
+    /** In radians, of the body whose row was filled last. */
+    double turned() {
+        return Math.abs(turn) * Rotation.RADIANS_PER_UNIT;
+    }
+
+    /** A step has been made: brings a body that moves to where it is then. */
+    void end(int id, float dt, int subSteps, Bounds bounds) {
+        plan(id, dt, subSteps, bounds);
+        x[id] = place(nextX, bounds.minX(), bounds.periodX());
+        y[id] = place(nextY, bounds.minY(), bounds.periodY());
+        angle[id] += (int) turn;
+        travels[id] = false;
+    }
+
+    /** Inside an axis that wraps. */
+    private static double place(double at, double min, double period) {
+        return period == Double.POSITIVE_INFINITY ? at : at - Math.floor((at - min) / period) * period;
+    }
+
+    /** Strikes off those that are at rest, of which the step knows. */
+    void dropResting() {
+        int kept = 0;
+        for (int k = 0; k < moverCount; k++) {
+            isMover[movers[k]] = moves(movers[k]);
+            if (isMover[movers[k]]) {
+                movers[kept++] = movers[k];
+            }
+        }
+        moverCount = kept;
+    }
+
+    /** Removes all but the ground. */
+    void clear() {
+        for (int id = 1; id < ids.end(); id++) {
+            if (ids.lives(id)) {
+                remove(id);
+            }
+        }
+        dropResting();
+    }
+}

@@ -1,0 +1,149 @@
+package io.github.circles2d.world.terrain;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Rotation;
+import java.util.Arrays;
+
+/** Points in a row, and what joins them: lines, and arcs. It only grows, so a thread that reads a part of it finds that part whole. */
+public final class ChainPath {
+    private int pieces;
+    private boolean closed;
+
+    /** By point: x and y. Piece k goes from point k to point k + 1. */
+    private float[] points = new float[8];
+
+    /** By piece: x and y of the centre of an arc. */
+    private float[] centres = new float[8];
+
+    /** By piece: how far an arc turns around its centre, in units of an angle, positive to the left; 0 of a line. */
+    private long[] turns = new long[4];
+
+    public ChainPath(float x, float y) {
+        check(0, x, y);
+        points[0] = x;
+        points[1] = y;
+    }
+
+    public int pieces() {
+        return pieces;
+    }
+
+    public boolean isClosed() {
+        return closed;
+    }
+
+    float x(int point) {
+        return points[2 * point];
+    }
+
+    float y(int point) {
+        return points[2 * point + 1];
+    }
+
+    float centreX(int piece) {
+        return centres[2 * piece];
+    }
+
+    float centreY(int piece) {
+        return centres[2 * piece + 1];
+    }
+
+    long turn(int piece) {
+        return turns[piece];
+    }
+
+    /** Checks the extents of the first pieces, of which there are so many. */
+    public void check(int count, Bounds bounds) {
+        for (int k = 0; k < count; k++) {
+            try {
+                if (turns[k] == 0) {
+                    TerrainLimits.extent(TerrainLimits.distance(x(k), y(k), x(k + 1), y(k + 1)), bounds);
+                } else {
+                    TerrainLimits.extent(2 * TerrainLimits.distance(x(k), y(k), centreX(k), centreY(k)), bounds);
+                }
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException("piece " + k + " of the chain: " + e.getMessage(), e);
+            }
+        }
+    }
+
+    private static void check(int point, float x, float y) {
+        if (!(Math.abs(x) <= Limits.COORDINATE && Math.abs(y) <= Limits.COORDINATE)) {
+            throw new IllegalArgumentException("point " + point + " of the chain is " + x + ", " + y
+                    + ", but coordinates must be from " + -Limits.COORDINATE + " to " + Limits.COORDINATE);
+        }
+    }
+
+    private void checkOpen() {
+        if (closed) {
+            throw new IllegalStateException("the chain has been closed");
+        }
+        if (pieces >= TerrainLimits.PIECES) {
+            throw new IllegalArgumentException("a chain has at most " + TerrainLimits.PIECES + " pieces");
+        }
+    }
+
+    public void lineTo(float x, float y) {
+        checkOpen();
+        int point = pieces + 1;
+        check(point, x, y);
+        if (TerrainLimits.isTooShort(x(pieces), y(pieces), x, y)) {
+            throw new IllegalArgumentException("point " + point + " of the chain is " + x + ", " + y
+                    + ", which is the point before it, or too near to it");
+        }
+        append(x, y, 0f, 0f, 0);
+    }
+
+    public void arcTo(float centreX, float centreY, float angle) {
+        checkOpen();
+        int point = pieces + 1;
+        if (!(Math.abs(centreX) <= Limits.COORDINATE && Math.abs(centreY) <= Limits.COORDINATE)) {
+            throw new IllegalArgumentException("the centre of the arc to point " + point + " of the chain is " + centreX
+                    + ", " + centreY + ", but coordinates must be from " + -Limits.COORDINATE + " to "
+                    + Limits.COORDINATE);
+        }
+        if (TerrainLimits.isTooShort(x(pieces), y(pieces), centreX, centreY)) {
+            throw new IllegalArgumentException("the centre of the arc to point " + point + " of the chain is " + centreX
+                    + ", " + centreY + ", which is the point before it, or too near to it");
+        }
+        long turn = TerrainLimits.opening("the angle of the arc to point " + point + " of the chain", angle);
+        double dx = (double) x(pieces) - centreX;
+        double dy = (double) y(pieces) - centreY;
+        double cos = Rotation.cos((int) turn);
+        double sin = Rotation.sin((int) turn);
+        float x = (float) (centreX + (cos * dx - sin * dy));
+        float y = (float) (centreY + (sin * dx + cos * dy));
+        check(point, x, y);
+        append(x, y, centreX, centreY, turn);
+    }
+
+    private void append(float x, float y, float centreX, float centreY, long turn) {
+        int next = pieces + 1;
+        if (next >= turns.length) {
+            points = Arrays.copyOf(points, 4 * turns.length);
+            centres = Arrays.copyOf(centres, 4 * turns.length);
+            turns = Arrays.copyOf(turns, 2 * turns.length);
+        }
+        points[2 * next] = x;
+        points[2 * next + 1] = y;
+        centres[2 * pieces] = centreX;
+        centres[2 * pieces + 1] = centreY;
+        turns[pieces] = turn;
+        pieces = next;
+    }
+
+    /** Joins the last point to the first, by a line unless they are one point but for rounding. */
+    public void close() {
+        checkOpen();
+        if (pieces < 1) {
+            throw new IllegalStateException("the chain has 1 point, but must have 2 to be closed");
+        }
+        if (!TerrainLimits.isTooShort(x(pieces), y(pieces), x(0), y(0))) {
+            append(x(0), y(0), 0f, 0f, 0);
+        } else if (pieces == 1 && Math.abs(turns[0]) < Rotation.TURN) {
+            throw new IllegalStateException("the chain has but one point");
+        }
+        closed = true;
+    }
+}

@@ -1,0 +1,261 @@
+package io.github.circles2d.world.terrain;
+
+import io.github.circles2d.world.model.PieceRow;
+import java.util.Arrays;
+
+/**
+ * The pieces of terrain: of each its body, its form in the frame of the body, its neighbours in a chain, and its row for steps
+ * ({@link PieceRow}), which follows from these and the pose of the body.
+ */
+public final class PieceTable {
+    // a form: of a line; of an arc the centre, the direction of its middle, the radius
+    static final int FORM = 5;
+    static final int X = 0;
+    static final int Y = 1;
+    static final int X2 = 2;
+    static final int Y2 = 3;
+    static final int THICKNESS = 4;
+    static final int MIDDLE_X = 2;
+    static final int MIDDLE_Y = 3;
+    static final int RADIUS = 4;
+
+    /** Sine of the least angle by which a chain turns to its right; by less it is straight. */
+    private static final double STRAIGHT = 0x1p-13;
+
+    public final TerrainIds ids = new TerrainIds();
+
+    float[] form = new float[0];
+
+    /** Of an arc: half its opening, in units of an angle, without sign; 2^31 is a circle. */
+    int[] half = new int[0];
+
+    int[] body = new int[0];
+
+    /** The piece before it in its chain, or -1. */
+    int[] before = new int[0];
+
+    int[] after = new int[0];
+
+    // the pieces of each body, in a list
+    private int[] nextOfBody = new int[0];
+    private int[] previousOfBody = new int[0];
+
+    public int[] traits = new int[0];
+    public float[] rows = new float[0];
+
+    private final BodyTable bodies;
+    private final Tangent tangent = new Tangent();
+    private final PieceRows filler = new PieceRows(this);
+    private int lastSerial;
+
+    /** Rows and traits that have changed since the last step: from the first one to before the last one. */
+    private int changedFrom = Integer.MAX_VALUE;
+
+    private int changedTo;
+
+    PieceTable(BodyTable bodies) {
+        this.bodies = bodies;
+    }
+
+    /** Makes room for more pieces. If there is none, nothing has changed. */
+    public void ensure(int more) {
+        int needed = ids.size() + more;
+        if (needed > ids.room()) {
+            int c = Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1));
+            form = Arrays.copyOf(form, FORM * c);
+            half = Arrays.copyOf(half, c);
+            body = Arrays.copyOf(body, c);
+            before = Arrays.copyOf(before, c);
+            after = Arrays.copyOf(after, c);
+            nextOfBody = Arrays.copyOf(nextOfBody, c);
+            previousOfBody = Arrays.copyOf(previousOfBody, c);
+            traits = Arrays.copyOf(traits, PieceRow.TRAITS * c);
+            rows = Arrays.copyOf(rows, PieceRow.STRIDE * c);
+            ids.setRoom(c);
+        }
+    }
+
+    PieceRows filler() {
+        return filler;
+    }
+
+    int nextOfBody(int piece) {
+        return nextOfBody[piece];
+    }
+
+    public int bodyOf(int piece) {
+        return body[piece];
+    }
+
+    public int kindOf(int piece) {
+        return traits[PieceRow.traits(piece) + PieceRow.KIND];
+    }
+
+    int shape(int piece) {
+        return traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+    }
+
+    private void setShape(int piece, int shape) {
+        traits[PieceRow.traits(piece) + PieceRow.SHAPE] = shape;
+    }
+
+    boolean isArc(int piece) {
+        return PieceRow.form(shape(piece)) == PieceRow.ARC;
+    }
+
+    boolean isSolidOutside(int piece) {
+        return (shape(piece) & PieceRow.SOLID_OUTSIDE) != 0;
+    }
+
+    boolean isAllAround(int piece) {
+        return isArc(piece) && half[piece] == Integer.MIN_VALUE;
+    }
+
+    // ---- changes, for which there is room
+    // ----------------------------------------------------------------------------
+
+    /** A two-sided segment, or a line of a chain. */
+    int addLine(int ofBody, int kind, int shape, float x1, float y1, float x2, float y2, float thickness) {
+        int piece = add(ofBody, kind, shape);
+        int at = FORM * piece;
+        form[at + X] = x1;
+        form[at + Y] = y1;
+        form[at + X2] = x2;
+        form[at + Y2] = y2;
+        form[at + THICKNESS] = thickness;
+        half[piece] = 0;
+        return piece;
+    }
+
+    int addArc(
+            int ofBody,
+            int kind,
+            int shape,
+            float centreX,
+            float centreY,
+            float middleX,
+            float middleY,
+            float radius,
+            int halfOpening) {
+        int piece = add(ofBody, kind, shape);
+        int at = FORM * piece;
+        form[at + X] = centreX;
+        form[at + Y] = centreY;
+        form[at + MIDDLE_X] = middleX;
+        form[at + MIDDLE_Y] = middleY;
+        form[at + RADIUS] = radius;
+        half[piece] = halfOpening;
+        return piece;
+    }
+
+    private int add(int ofBody, int kind, int shape) {
+        int piece = ids.add();
+        body[piece] = ofBody;
+        before[piece] = -1;
+        after[piece] = -1;
+        link(piece);
+        traits[PieceRow.traits(piece) + PieceRow.KIND] = kind;
+        traits[PieceRow.traits(piece) + PieceRow.MOTION] = 0;
+        setShape(piece, shape);
+        renew(piece);
+        return piece;
+    }
+
+    /** Puts a piece first in the list of its body. */
+    private void link(int piece) {
+        int first = bodies.firstPiece[body[piece]];
+        nextOfBody[piece] = first;
+        previousOfBody[piece] = -1;
+        if (first >= 0) {
+            previousOfBody[first] = piece;
+        }
+        bodies.firstPiece[body[piece]] = piece;
+    }
+
+    private void unlink(int piece) {
+        int next = nextOfBody[piece];
+        int previous = previousOfBody[piece];
+        if (next >= 0) {
+            previousOfBody[next] = previous;
+        }
+        if (previous >= 0) {
+            nextOfBody[previous] = next;
+        } else {
+            bodies.firstPiece[body[piece]] = next;
+        }
+    }
+
+    /** Contacts of the piece so far do not count. */
+    void renew(int piece) {
+        traits[PieceRow.traits(piece) + PieceRow.SERIAL] = ++lastSerial;
+        changed(piece);
+    }
+
+    void setKind(int piece, int kind) {
+        traits[PieceRow.traits(piece) + PieceRow.KIND] = kind;
+        changed(piece);
+    }
+
+    /** Joins the end of a piece to the start of another; both have their forms. */
+    void join(int piece, int next) {
+        after[piece] = next;
+        before[next] = piece;
+        tangent.atEnd(this, piece);
+        double x = tangent.x;
+        double y = tangent.y;
+        tangent.atStart(this, next);
+        double cross = x * tangent.y - y * tangent.x;
+        double dot = x * tangent.x + y * tangent.y;
+        int joint = cross >= 0 || dot > 0 && cross > -STRAIGHT ? PieceRow.CONVEX : PieceRow.CONCAVE;
+        setJoint(piece, PieceRow.END_LOG, joint);
+        setJoint(next, PieceRow.START_LOG, joint);
+    }
+
+    private void setJoint(int piece, int log, int joint) {
+        setShape(piece, shape(piece) & ~(PieceRow.JOINT << log) | joint << log);
+        changed(piece);
+    }
+
+    /** Removes a piece; the ends of its neighbours are free then. */
+    void remove(int piece) {
+        int previous = before[piece];
+        int next = after[piece];
+        if (previous >= 0) {
+            after[previous] = -1;
+            setJoint(previous, PieceRow.END_LOG, PieceRow.FREE);
+        }
+        if (next >= 0) {
+            before[next] = -1;
+            setJoint(next, PieceRow.START_LOG, PieceRow.FREE);
+        }
+        unlink(piece);
+        ids.remove(piece);
+        setShape(piece, PieceRow.NO_PIECE);
+        renew(piece);
+        if (previous >= 0 && previous != piece) {
+            filler.fill(previous);
+        }
+    }
+
+    // ---- rows
+    // --------------------------------------------------------------------------------------------------------
+
+    void changed(int piece) {
+        changedFrom = Math.min(changedFrom, piece);
+        changedTo = Math.max(changedTo, piece + 1);
+    }
+
+    int changedFrom() {
+        return changedFrom;
+    }
+
+    /** 0 if nothing has changed. */
+    int changedTo() {
+        return changedTo;
+    }
+
+    void published() {
+        changedFrom = Integer.MAX_VALUE;
+        changedTo = 0;
+    }
+}

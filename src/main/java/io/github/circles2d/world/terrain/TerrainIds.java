@@ -1,0 +1,79 @@
+package io.github.circles2d.world.terrain;
+
+import java.util.Arrays;
+
+/**
+ * Which ids are in use, of pieces or of bodies. A handle is ((generation + 1) &lt;&lt; 32 | id), as that of a circle. The next one gets the
+ * lowest free id.
+ */
+public final class TerrainIds {
+    private static final int GENERATION_SHIFT = 32;
+    private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
+
+    /** The generation that would make a handle 0 is left out. */
+    private static final int LAST_GENERATION = -2;
+
+    private boolean[] live = new boolean[0];
+    private int[] generation = new int[0];
+    private int size;
+    private int end;
+    private int noneFreeBelow;
+
+    TerrainIds() {}
+
+    public int size() {
+        return size;
+    }
+
+    /** One more than the greatest id ever used. */
+    public int end() {
+        return end;
+    }
+
+    public boolean lives(int id) {
+        return live[id];
+    }
+
+    public long handle(int id) {
+        return (long) (generation[id] + 1) << GENERATION_SHIFT | id;
+    }
+
+    /** -1 if nothing that lives has the handle. */
+    public int find(long handle) {
+        long id = handle & ID_MASK;
+        if (id >= end || !live[(int) id] || generation[(int) id] + 1 != (int) (handle >>> GENERATION_SHIFT)) {
+            return -1;
+        }
+        return (int) id;
+    }
+
+    /** Ids that the arrays have room for. The array that is made last tells. */
+    int room() {
+        return generation.length;
+    }
+
+    void setRoom(int ids) {
+        live = Arrays.copyOf(live, ids);
+        generation = Arrays.copyOf(generation, ids);
+    }
+
+    /** There is room. */
+    int add() {
+        int id = noneFreeBelow;
+        while (id < end && live[id]) {
+            id++;
+        }
+        live[id] = true;
+        noneFreeBelow = id + 1;
+        end = Math.max(end, id + 1);
+        size++;
+        return id;
+    }
+
+    void remove(int id) {
+        live[id] = false;
+        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
+        noneFreeBelow = Math.min(noneFreeBelow, id);
+        size--;
+    }
+}

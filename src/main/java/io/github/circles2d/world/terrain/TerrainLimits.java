@@ -1,0 +1,91 @@
+package io.github.circles2d.world.terrain;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Rotation;
+
+/** The values that terrain takes. */
+public final class TerrainLimits {
+    public static final int PIECES = 1 << 20;
+
+    /** With the ground. */
+    public static final int BODIES = 1 << 20;
+
+    /** Of the length of a piece and of its radius: a share of its coordinates, above their rounding. */
+    private static final double LEAST_SHARE = 0x1p-20;
+
+    /** Radians, of {@link #opening}: the float above a whole turn is one. */
+    private static final double TURN = 2 * Math.PI * (1 + 0x1p-23);
+
+    private TerrainLimits() {}
+
+    static double distance(float x1, float y1, float x2, float y2) {
+        double dx = (double) x2 - x1;
+        double dy = (double) y2 - y1;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    static boolean isTooShort(float x1, float y1, float x2, float y2) {
+        double most = Math.max(Math.max(Math.abs(x1), Math.abs(y1)), Math.max(Math.abs(x2), Math.abs(y2)));
+        return !(distance(x1, y1, x2, y2) > LEAST_SHARE * most);
+    }
+
+    /** The units of an angle between the ends of an arc, at most a turn, which is a circle. */
+    static long opening(String what, double angle) {
+        if (!(Math.abs(angle) <= TURN)) {
+            throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi");
+        }
+        long units = Rotation.units(angle);
+        if (Math.abs(units) < 2) {
+            throw new IllegalArgumentException(what + " is " + angle + ", which is 0, or too near to it");
+        }
+        return Math.max(-Rotation.TURN, Math.min(Rotation.TURN, units));
+    }
+
+    static void coordinate(String what, float value) {
+        Limits.within(what, value, -Limits.COORDINATE, Limits.COORDINATE);
+    }
+
+    /** The units of the opening of an arc, counterclockwise between two angles. */
+    public static long opening(float from, float to) {
+        double angle = (double) to - from;
+        if (!(angle > 0)) {
+            throw new IllegalArgumentException("the arc goes from " + from + " to " + to
+                    + ", but must go counterclockwise: `to` must be greater than `from`, by 2 pi at most");
+        }
+        return opening("the angle between `from` and `to`", angle);
+    }
+
+    public static void segment(float x1, float y1, float x2, float y2, float thickness, Bounds bounds) {
+        coordinate("x1", x1);
+        coordinate("y1", y1);
+        coordinate("x2", x2);
+        coordinate("y2", y2);
+        Limits.within("thickness", thickness, 0f, Limits.COORDINATE);
+        if (isTooShort(x1, y1, x2, y2)) {
+            throw new IllegalArgumentException("the segment goes from " + x1 + ", " + y1 + " to " + x2 + ", " + y2
+                    + ", but must be longer than 2^-20 of its coordinates");
+        }
+        extent(distance(x1, y1, x2, y2) + 2.0 * thickness, bounds);
+    }
+
+    public static void arc(float x, float y, float radius, Bounds bounds) {
+        coordinate("x", x);
+        coordinate("y", y);
+        Limits.within("radius", radius, 0f, Limits.COORDINATE);
+        if (!(radius > LEAST_SHARE * Math.max(Math.abs(x), Math.abs(y)))) {
+            throw new IllegalArgumentException(
+                    "the radius is " + radius + ", but must be more than 2^-20 of the coordinates of the centre");
+        }
+        extent(2.0 * radius, bounds);
+    }
+
+    /** A piece is at most half as long as an axis that wraps, so there is one short way to it. */
+    static void extent(double extent, Bounds bounds) {
+        float period = Math.min(bounds.periodX(), bounds.periodY());
+        if (extent > 0.5 * period) {
+            throw new IllegalArgumentException("a piece is " + (float) extent
+                    + " long, but where an axis wraps it must be at most half of it, " + 0.5f * period);
+        }
+    }
+}

@@ -1,0 +1,141 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+/** The calls of terrain: what they keep, and what they refuse. */
+class WorldTerrainTest {
+    private static final float PI = (float) Math.PI;
+
+    private static World world() {
+        return World.builder().bounds(0, 0, 100, 100).backend(Backend.JVM).build();
+    }
+
+    @Test
+    void piecesHaveHandlesKindsAndBodies() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            long a = terrain.addSegment(0, 0, 10, 0);
+            TerrainBody lift = terrain.addBody(50, 50, 0);
+            long b = lift.addArc(0, 0, 5, 0, PI, ArcSide.INNER, 7);
+            assertThat(terrain.size()).isEqualTo(2);
+            assertThat(terrain.idLimit()).isEqualTo(2);
+            assertThat(terrain.handle(1)).isEqualTo(b);
+            assertThat(terrain.kindOf(b)).isEqualTo(7);
+            assertThat(terrain.bodyOf(a)).isSameAs(terrain.ground());
+            assertThat(terrain.bodyOf(b)).isSameAs(lift).isSameAs(terrain.body(lift.handle()));
+            terrain.remove(a);
+            assertThat(terrain.contains(a)).isFalse();
+            assertThat(terrain.handle(0)).isZero();
+            long c = terrain.addSegment(0, 0, 10, 0);
+            assertThat(Terrain.id(c)).isEqualTo(Terrain.id(a));
+            assertThat(c).isNotEqualTo(a);
+            lift.remove();
+            assertThat(lift.exists()).isFalse();
+            assertThat(terrain.contains(b)).isFalse();
+            terrain.clear();
+            assertThat(terrain.size()).isZero();
+        }
+    }
+
+    @Test
+    void aBodyMovesByItsVelocities() {
+        try (World world = world()) {
+            TerrainBody body = world.terrain().addBody(10, 20, 0);
+            body.addSegment(0, 0, 2, 0);
+            body.setVelocity(6, -3);
+            body.setAngularVelocity(PI);
+            world.add(50, 50, 1, 1);
+            world.step(1f / 60, 30);
+            assertThat(body.x()).isCloseTo(13, within(1e-4f));
+            assertThat(body.y()).isCloseTo(18.5f, within(1e-4f));
+            assertThat(body.angle()).isCloseTo(PI / 2, within(1e-4f));
+            float[] piece = new float[Terrain.PIECE_STRIDE];
+            assertThat(world.terrain().readPieces(piece, null)).isEqualTo(1);
+            assertThat(piece[2]).isEqualTo(body.x());
+            assertThat(piece[4]).isCloseTo(13, within(1e-4f));
+            assertThat(piece[5]).isCloseTo(20.5f, within(1e-4f));
+        }
+    }
+
+    @Test
+    void aBodyTravelsThereInOneStepAndGoesOnWithItsVelocity() {
+        try (World world = world()) {
+            TerrainBody body = world.terrain().addBody(10, 20, 0);
+            body.setVelocity(60, 0);
+            body.moveTo(15, 15, 1);
+            world.step(1f / 60);
+            assertThat(body.x()).isEqualTo(15);
+            assertThat(body.y()).isEqualTo(15);
+            assertThat(body.angle()).isCloseTo(1, within(1e-6f));
+            world.step(1f / 60);
+            assertThat(body.x()).isCloseTo(16, within(1e-5f));
+            body.teleport(1, 2, 3);
+            assertThat(body.x()).isEqualTo(1);
+            assertThat(body.angle()).isCloseTo(3, within(1e-6f));
+        }
+    }
+
+    @Test
+    void badValuesAreRefusedWithTheirIndexAndNothingChanges() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            assertThatThrownBy(() -> terrain.addSegment(1, 1, 1, 1)).hasMessageContaining("longer");
+            assertThatThrownBy(() -> terrain.addSegment(Float.NaN, 1, 1, 1)).hasMessageContaining("x1 is NaN");
+            assertThatThrownBy(() -> terrain.addSegment(0, 1, 1, 2e9f)).hasMessageContaining("y2 is 2.0E9");
+            assertThatThrownBy(() -> terrain.addSegment(0, 0, 1, 0, -1, 0)).hasMessageContaining("thickness is -1");
+            assertThatThrownBy(() -> terrain.addSegment(0, 0, 1, 0, 0, 256)).hasMessageContaining("kind is 256");
+            assertThatThrownBy(() -> terrain.addArc(0, 0, 0, 0, 1, ArcSide.INNER))
+                    .hasMessageContaining("radius");
+            assertThatThrownBy(() -> terrain.addArc(0, 0, 1, 1, 1, ArcSide.INNER))
+                    .hasMessageContaining("greater");
+            assertThatThrownBy(() -> terrain.addArc(0, 0, 1, 0, 7, ArcSide.INNER))
+                    .hasMessageContaining("2 pi");
+            assertThatThrownBy(() -> terrain.addSegments(new float[] {0, 0, 1, 0, 5, 5, 5, 5}, 0, null))
+                    .hasMessageContaining("segment 1");
+            assertThatThrownBy(() -> Chain.of(0, 0, 1, 0, 1, 0)).hasMessageContaining("point 2");
+            assertThatThrownBy(() -> Chain.of(0, 0)).hasMessageContaining("two points");
+            assertThatThrownBy(() -> Chain.from(0, 0).arcTo(1, 0, 0)).hasMessageContaining("point 1");
+            assertThatThrownBy(() -> terrain.addChain(Chain.from(0, 0))).hasMessageContaining("at least 2");
+            assertThatThrownBy(() -> terrain.addChain(Chain.of(0, 0, 1, 0, 2, 0), 0, new long[1]))
+                    .hasMessageContaining("handles");
+            assertThatThrownBy(() -> terrain.ground().setVelocity(1, 0)).hasMessageContaining("ground");
+            assertThatThrownBy(() -> terrain.ground().remove()).hasMessageContaining("ground");
+            assertThat(terrain.size()).isZero();
+            long gone = terrain.addSegment(0, 0, 1, 0);
+            terrain.remove(gone);
+            assertThatThrownBy(() -> terrain.remove(gone)).hasMessageContaining("no piece");
+            assertThatThrownBy(() -> terrain.kindOf(gone)).hasMessageContaining("no piece");
+        }
+    }
+
+    @Test
+    void onAnAxisThatWrapsAPieceIsAtMostHalfAPeriodLong() {
+        try (World world = World.builder()
+                .bounds(0, 0, 100, 100)
+                .edges(Edge.WRAP, Edge.OPEN)
+                .backend(Backend.JVM)
+                .build()) {
+            Terrain terrain = world.terrain();
+            terrain.addSegment(80, 0, 130, 0);
+            assertThatThrownBy(() -> terrain.addSegment(80, 0, 131, 0)).hasMessageContaining("wraps");
+            assertThatThrownBy(() -> terrain.addChain(Chain.of(0, 0, 10, 0, 70, 0)))
+                    .hasMessageContaining("piece 1");
+            float[] piece = new float[Terrain.PIECE_STRIDE];
+            terrain.readPieces(piece, null);
+            assertThat(piece[2]).isEqualTo(-20);
+            assertThat(piece[4]).isEqualTo(30);
+            TerrainBody body = terrain.addBody(199, 0, 0);
+            assertThat(body.x()).isEqualTo(99);
+            body.setVelocity(2, 0);
+            world.step(1);
+            assertThat(body.x()).isEqualTo(1);
+            body.moveTo(98, 0, 0);
+            world.step(1);
+            assertThat(body.x()).isEqualTo(98);
+        }
+    }
+}
