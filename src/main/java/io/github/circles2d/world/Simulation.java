@@ -99,6 +99,7 @@ public final class Simulation implements AutoCloseable {
         settings = new WorldSettings(events, start);
         log = new CallLog(pipeline, guard, commands);
         terrain = new TerrainTables(input.terrain, settings.bounds());
+        events.setPieces(terrain.pieces);
         needs = new Needs(pipeline, kindTable, terrain, settings);
         pending = new PendingWork(pipeline, guard, handles, commands, events, log, needs);
         copies = new Copies(pipeline, pending, handles, kindTable, events, settings, needs);
