@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainLimits;
@@ -86,6 +87,7 @@ public final class Bodies {
         }
         table.ensure(1);
         copies.forgetSaved();
+        log.call(LoggedCall.BODY, x, y, angle, 0);
         guard.changing = true;
         long handle = table.ids.handle(terrain.addBody(x, y, Surface.units(angle)));
         guard.changing = false;
@@ -106,6 +108,7 @@ public final class Bodies {
     private void removeOne(long handle) {
         int body = findMovable(handle, "be removed");
         copies.forgetSaved();
+        log.call(LoggedCall.REMOVE_BODY, body, 0);
         guard.changing = true;
         terrain.removeBody(body);
         guard.changing = false;
@@ -119,6 +122,7 @@ public final class Bodies {
         int body = findMovable(handle, "move");
         Limits.velocity(vx, vy);
         copies.forgetSaved();
+        log.call(LoggedCall.BODY_VELOCITY, body, Float.floatToRawIntBits(vx), Float.floatToRawIntBits(vy), 0);
         guard.changing = true;
         table.setVelocity(body, vx, vy);
         guard.changing = false;
@@ -132,6 +136,7 @@ public final class Bodies {
         int body = findMovable(handle, "turn");
         Limits.within("the angular velocity", velocity, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
         copies.forgetSaved();
+        log.call(LoggedCall.BODY_ANGULAR_VELOCITY, body, Float.floatToRawIntBits(velocity));
         guard.changing = true;
         table.setOmega(body, velocity);
         guard.changing = false;
@@ -152,6 +157,12 @@ public final class Bodies {
         float angle = Float.intBitsToFloat(angleBits);
         checkPlace(x, y, angle);
         copies.forgetSaved();
+        log.call(
+                travels ? LoggedCall.MOVE_BODY : LoggedCall.TELEPORT_BODY,
+                body,
+                Float.floatToRawIntBits(x),
+                Float.floatToRawIntBits(y),
+                angleBits);
         guard.changing = true;
         if (travels) {
             terrain.travel(body, x, y, Surface.units(angle));

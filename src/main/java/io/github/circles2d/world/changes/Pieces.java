@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.ChainPath;
 import io.github.circles2d.world.terrain.PieceRead;
@@ -56,6 +57,7 @@ public final class Pieces {
             KindTable.check(kind);
             TerrainLimits.segment(x1, y1, x2, y2, thickness, settings.bounds());
             begin(1);
+            log.segment(of, kind, x1, y1, x2, y2, thickness);
             guard.changing = true;
             long handle = table.ids.handle(terrain.addSegment(of, kind, x1, y1, x2, y2, thickness));
             guard.changing = false;
@@ -79,6 +81,10 @@ public final class Pieces {
                 checkSegment(k);
             }
             begin(n);
+            for (int k = 0; k < n; k++) {
+                int at = SEGMENT_STRIDE * k;
+                log.segment(of, kind, copied[at], copied[at + 1], copied[at + 2], copied[at + 3], 0f);
+            }
             guard.changing = true;
             for (int k = 0; k < n; k++) {
                 int at = SEGMENT_STRIDE * k;
@@ -137,6 +143,7 @@ public final class Pieces {
             Limits.within("to", to, -Limits.ANGLE, Limits.ANGLE);
             long opening = TerrainLimits.opening(from, to);
             begin(1);
+            log.arc(of, kind, x, y, radius, from, to, inside);
             guard.changing = true;
             long handle = table.ids.handle(terrain.addArc(of, kind, x, y, radius, from, opening, inside));
             guard.changing = false;
@@ -162,6 +169,7 @@ public final class Pieces {
             checkHandles(handles, n);
             chain.check(n, settings.bounds());
             begin(n);
+            log.chain(of, kind, chain, n, closed);
             guard.changing = true;
             terrain.addChain(of, kind, chain, n, closed, handles);
             guard.changing = false;
@@ -191,6 +199,7 @@ public final class Pieces {
     private void removeOne(long handle) {
         int piece = find(handle);
         copies.forgetSaved();
+        log.call(LoggedCall.REMOVE_PIECE, piece, 0);
         guard.changing = true;
         terrain.remove(piece);
         guard.changing = false;
@@ -203,6 +212,7 @@ public final class Pieces {
 
     private void removeAll() {
         copies.forgetSaved();
+        log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
         guard.changing = true;
         terrain.clear();
         guard.changing = false;
@@ -216,6 +226,7 @@ public final class Pieces {
         int piece = find(handle);
         KindTable.check(kind);
         copies.forgetSaved();
+        log.call(LoggedCall.PIECE_KIND, piece, kind);
         guard.changing = true;
         terrain.setKind(piece, kind);
         guard.changing = false;

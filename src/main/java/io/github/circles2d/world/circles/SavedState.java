@@ -72,26 +72,8 @@ public final class SavedState {
     /** By impulse, if circles turn: the rolling impulse. */
     public float[] rolling = new float[0];
 
-    /** Contacts of circles with pieces of terrain, ascending by circle, then by piece; only those of pieces that are still the same. */
-    public int pieceContacts;
-
-    /** By contact with a piece: the number of the circle, an index of {@link #id}. */
-    public int[] contactCircle = new int[0];
-
-    /** By contact with a piece: the id of the piece. */
-    public int[] contactPiece = new int[0];
-
-    /** By contact with a piece: -1, 0 or 1. */
-    public byte[] contactSide = new byte[0];
-
-    /** By contact with a piece: the normal impulse, at least 0. */
-    public float[] contactImpulse = new float[0];
-
-    /** By contact with a piece: the impulse of friction. */
-    public float[] contactFriction = new float[0];
-
-    /** By contact with a piece: the rolling impulse. */
-    public float[] contactRolling = new float[0];
+    /** Of circles with pieces of terrain. */
+    public final SavedPieceContacts pieceContacts = new SavedPieceContacts();
 
     public SavedState() {}
 
@@ -172,20 +154,5 @@ public final class SavedState {
             friction[k] = ofFriction;
             rolling[k] = ofRolling;
         }
-    }
-
-    /** Makes room for contacts with pieces, and sets their number. */
-    public void setPieceContacts(int count) {
-        if (contactRolling.length < count) {
-            // The length of the last one tells whether there is room.
-            int c = Math.max(count, contactRolling.length + (contactRolling.length >> 1));
-            contactCircle = new int[c];
-            contactPiece = new int[c];
-            contactSide = new byte[c];
-            contactImpulse = new float[c];
-            contactFriction = new float[c];
-            contactRolling = new float[c];
-        }
-        pieceContacts = count;
     }
 }

@@ -33,6 +33,9 @@ public final class StateHash {
     private static final long SURFACES = 0x7375726661636573L;
     private static final long TURN = 0x7475726E696E6721L;
     private static final long GRIP = 0x6772697065332121L;
+    private static final long PIECE = 0x7069656365733264L;
+    private static final long BODY = 0x626F646965733264L;
+    private static final long PIECE_CONTACT = 0x6F6E7069656365L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -103,6 +106,22 @@ public final class StateHash {
     public static long grip(int lower, int higher, float friction, float rolling) {
         int any = Float.floatToRawIntBits(friction) | Float.floatToRawIntBits(rolling);
         return any == 0 ? 0 : absorb(absorb(absorb(absorb(GRIP, lower), higher), friction), rolling);
+    }
+
+    /** What the number of a piece of terrain begins with. */
+    public static long piece() {
+        return PIECE;
+    }
+
+    /** What the number of a body of terrain begins with. */
+    public static long body() {
+        return BODY;
+    }
+
+    /** The number of a contact of a circle with a piece of terrain. */
+    static long pieceContact(int circle, int piece, int side, float impulse, float friction, float rolling) {
+        long h = absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side);
+        return absorb(absorb(absorb(h, impulse), friction), rolling);
     }
 
     public static long absorb(long hash, int word) {

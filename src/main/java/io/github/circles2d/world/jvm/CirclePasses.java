@@ -236,7 +236,7 @@ final class CirclePasses {
                 m[s + VX] = Walls.stopAtFarWall(m[s + VX], dx, m[s + DX], Walls.wallSide(circle[s + X], minX, maxX));
                 m[s + VY] = Walls.stopAtFarWall(m[s + VY], dy, m[s + DY], Walls.wallSide(circle[s + Y], minY, maxY));
                 if (pieces != null && pieces.any(slot)) {
-                    pieces.stop(slot, fromX, fromY, k, sub);
+                    pieces.move(slot, fromX, fromY, sub);
                 }
                 walls.relax(slot, X, minX, maxX, k, sub);
                 walls.relax(slot, Y, minY, maxY, k, sub);

@@ -27,6 +27,9 @@ final class PieceContactRow {
 
     static final int OY = 10;
 
+    /** Within a sub-step: the gap at its start, if the circle is deep in the piece, else 0. */
+    static final int ALLOWED = 11;
+
     // the whole numbers
     static final int NUMBERS = 4;
     static final int PIECE = 0;

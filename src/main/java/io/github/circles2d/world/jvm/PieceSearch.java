@@ -120,7 +120,7 @@ final class PieceSearch {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
             float path = CircleMath.length(state.motionClamp[s + PATH_X], state.motionClamp[s + PATH_Y]);
-            float sight = Paths.speculativeDistance(r, path) + path;
+            float sight = Paths.sight(r, path);
             float x = state.circle[s + X];
             float y = state.circle[s + Y];
             count = 0;

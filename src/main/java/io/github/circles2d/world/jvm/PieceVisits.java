@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.jvm.PieceContactRow.ALLOWED;
 import static io.github.circles2d.world.jvm.PieceContactRow.BOUNCE;
 import static io.github.circles2d.world.jvm.PieceContactRow.CURVE;
 import static io.github.circles2d.world.jvm.PieceContactRow.FEATURE;
@@ -50,6 +51,9 @@ import io.github.circles2d.world.model.Wrapping;
 
 /** The visits of pieces of terrain, by the circles that are near them. {@link OneBody} has the visit. Each worker has its own. */
 final class PieceVisits {
+    /** In a corner, one piece moves a circle into the other. */
+    private static final int ROUNDS = 2;
+
     private final State state;
     private final PieceContacts contacts;
     private final PieceGap found = new PieceGap();
@@ -322,6 +326,7 @@ final class PieceVisits {
         float[] rows = contacts.rows;
         for (int c = from; c < to; c++) {
             int row = PieceContactRow.of(c);
+            rows[row + ALLOWED] = isConstraint(c) ? CircleMath.min(rows[row + GAP], 0f) : 0f;
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
@@ -387,7 +392,6 @@ final class PieceVisits {
 
     /** The relaxing pass over the pieces of a circle. */
     void relax(int slot, StepConstants k, int sub) {
-        measure(slot, sub + 1);
         int from = contacts.first[slot];
         int to = from + contacts.count[slot];
         for (int c = from; c < to; c++) {
@@ -497,8 +501,41 @@ final class PieceVisits {
     // ---- the move
     // -------------------------------------------------------------------------------------------------------
 
-    /** Ends a circle's move in a sub-step, from a displacement, where it would pass a piece; a piece that moves takes it along. */
-    void stop(int slot, float fromX, float fromY, StepConstants k, int sub) {
+    /** Ends a circle's move in a sub-step, from a displacement, so that no piece is passed, or entered; and measures the contacts there. */
+    void move(int slot, float fromX, float fromY, int sub) {
+        stop(slot, fromX, fromY, sub);
+        measure(slot, sub + 1);
+        for (int round = 0; round < ROUNDS && keepOut(slot); round++) {
+            measure(slot, sub + 1);
+        }
+    }
+
+    /** Moves a circle out of the pieces that it is deeper in than before the sub-step; returns whether there were some. */
+    private boolean keepOut(int slot) {
+        int s = CircleRow.of(slot);
+        float[] rows = contacts.rows;
+        float outX = 0f;
+        float outY = 0f;
+        for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+            int row = PieceContactRow.of(c);
+            float nx = rows[row + NX];
+            float ny = rows[row + NY];
+            float out = rows[row + ALLOWED] - (rows[row + GAP] + (nx * outX + ny * outY));
+            if (out > 0f && isConstraint(c)) {
+                outX += nx * out;
+                outY += ny * out;
+            }
+        }
+        if (outX == 0f && outY == 0f) {
+            return false;
+        }
+        state.motion[s + DX] += outX;
+        state.motion[s + DY] += outY;
+        return true;
+    }
+
+    /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. */
+    private void stop(int slot, float fromX, float fromY, int sub) {
         int stopper = firstStop(slot, fromX, fromY, sub, true);
         if (stopper < 0) {
             return;

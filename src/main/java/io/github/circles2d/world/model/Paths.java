@@ -79,4 +79,9 @@ public final class Paths {
         float square = px * px + py * py;
         return square > 0f ? (dx * px + dy * py) / square : 0f;
     }
+
+    /** How far from its centre a circle may touch terrain in a step: with its path, and as far off it as others may push it. */
+    public static float sight(float r, float path) {
+        return (r + Tuning.MARGIN * r) + (path + CircleMath.clamp(path, Tuning.CLAMP_ALLOWANCE * r, r));
+    }
 }

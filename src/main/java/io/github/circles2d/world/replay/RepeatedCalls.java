@@ -12,9 +12,11 @@ import io.github.circles2d.world.shared.LoggedCall;
 /** Makes the calls of {@link LoggedCall} again. It checks all values, since a log may come from anywhere. */
 final class RepeatedCalls {
     private final Simulation simulation;
+    private final RepeatedTerrain terrain;
 
     RepeatedCalls(Simulation simulation) {
         this.simulation = simulation;
+        terrain = new RepeatedTerrain(simulation);
     }
 
     /** Makes a call that is neither a step nor a hash. */
@@ -36,6 +38,10 @@ final class RepeatedCalls {
             case CLEAR -> simulation.clearing().clear();
             case TORQUE -> simulation.circles().applyTorque(handle(words[0]), y);
             case WALL_SURFACE -> simulation.setWallSurface(words[0], y, z, intBitsToFloat(words[3]));
+            case SEGMENT, ARC, CHAIN_START, CHAIN_LINE, CHAIN_ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN ->
+                terrain.repeatOfPieces(call, words);
+            case BODY, REMOVE_BODY, BODY_VELOCITY, BODY_ANGULAR_VELOCITY, MOVE_BODY, TELEPORT_BODY ->
+                terrain.repeatOfBodies(call, words);
             default -> throw new IllegalStateException("a log has no repetition of " + call);
         }
     }

@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.log.LogWriter;
+import io.github.circles2d.world.terrain.ChainPath;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -140,16 +141,76 @@ public final class CallLog {
     /** A call of up to four words is to change the world. */
     public void call(LoggedCall call, int a, int b, int c, int d) {
         if (log != null) {
-            writeCommands();
-            if (stepping) {
-                log.fail(new IllegalStateException("a step in it could not be made"));
-            }
-            log.begin(call.number, call.words);
+            begin(call);
             for (int k = 0; k < call.words; k++) {
                 log.word(k == 0 ? a : k == 1 ? b : k == 2 ? c : d);
             }
             log.end();
         }
+    }
+
+    private void begin(LoggedCall call) {
+        writeCommands();
+        if (stepping) {
+            log.fail(new IllegalStateException("a step in it could not be made"));
+        }
+        log.begin(call.number, call.words);
+    }
+
+    /** A segment is to be added to a body of terrain. */
+    public void segment(int body, int kind, float x1, float y1, float x2, float y2, float thickness) {
+        if (log != null) {
+            begin(LoggedCall.SEGMENT);
+            log.word(body);
+            log.word(kind);
+            word(x1);
+            word(y1);
+            word(x2);
+            word(y2);
+            word(thickness);
+            log.end();
+        }
+    }
+
+    /** An arc is to be added to a body of terrain. */
+    public void arc(int body, int kind, float x, float y, float radius, float from, float to, boolean inside) {
+        if (log != null) {
+            begin(LoggedCall.ARC);
+            log.word(body);
+            log.word(kind);
+            word(x);
+            word(y);
+            word(radius);
+            word(from);
+            word(to);
+            log.word(inside ? 1 : 0);
+            log.end();
+        }
+    }
+
+    /** The first pieces of a chain, so many, are to be added to a body of terrain. */
+    public void chain(int body, int kind, ChainPath chain, int count, boolean closed) {
+        if (log != null) {
+            call(LoggedCall.CHAIN_START, chain.x(0), chain.y(0), 0, 0);
+            for (int k = 0; k < count; k++) {
+                long turn = chain.turn(k);
+                if (turn == 0) {
+                    call(LoggedCall.CHAIN_LINE, chain.x(k + 1), chain.y(k + 1), 0, 0);
+                } else {
+                    call(
+                            LoggedCall.CHAIN_ARC,
+                            Float.floatToRawIntBits(chain.centreX(k)),
+                            Float.floatToRawIntBits(chain.centreY(k)),
+                            (int) turn,
+                            (int) (turn >> Integer.SIZE));
+                }
+            }
+            call(LoggedCall.CHAIN, body, kind, closed ? 1 : 0, 0);
+        }
+    }
+
+    private void word(float value) {
+        log.word(Float.floatToRawIntBits(value));
     }
 
     /** A call of floats is to change the world. */

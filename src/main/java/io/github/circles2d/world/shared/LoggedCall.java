@@ -42,7 +42,52 @@ public enum LoggedCall {
     TORQUE(75, 2),
 
     /** The surface of a wall: its number, friction, rolling resistance, belt speed. */
-    WALL_SURFACE(76, 4);
+    WALL_SURFACE(76, 4),
+
+    /** A segment of terrain: the body's id, the kind, x and y of both ends, thickness. */
+    SEGMENT(77, 7),
+
+    /** An arc: the body's id, the kind, x, y, radius, from, to, whether circles are inside. */
+    ARC(78, 8),
+
+    /** The first point of a chain, which the calls behind it complete: x, y. */
+    CHAIN_START(79, 2),
+
+    /** A line of the chain: x, y of its end. */
+    CHAIN_LINE(80, 2),
+
+    /** An arc of the chain: x, y of its centre, the units of its angle as two halves. */
+    CHAIN_ARC(81, 4),
+
+    /** The chain is added: the body's id, the kind, whether it is closed. */
+    CHAIN(82, 3),
+
+    /** A piece goes: its id. */
+    REMOVE_PIECE(83, 1),
+
+    /** A piece gets a kind: its id, the kind. */
+    PIECE_KIND(84, 2),
+
+    /** All terrain goes. */
+    CLEAR_TERRAIN(85, 0),
+
+    /** A body of terrain comes: x, y, angle. */
+    BODY(86, 3),
+
+    /** A body goes: its id. */
+    REMOVE_BODY(87, 1),
+
+    /** The velocity of a body: its id, x, y. */
+    BODY_VELOCITY(88, 3),
+
+    /** The angular velocity of a body: its id, the velocity. */
+    BODY_ANGULAR_VELOCITY(89, 2),
+
+    /** A body is to travel: its id, x, y, angle. */
+    MOVE_BODY(90, 4),
+
+    /** A body is put somewhere: its id, x, y, angle. */
+    TELEPORT_BODY(91, 4);
 
     /** Numbers from here on are those of this table; lower ones are operations of commands. */
     public static final int FIRST = 64;

@@ -3,6 +3,7 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.events.ContactEvents;
@@ -92,10 +93,21 @@ public interface Pipeline extends AutoCloseable {
     /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
     void save(SavedState into);
 
+    /**
+     * Saves the contacts with pieces of terrain, with their serials. The caller leaves out those of pieces that are others now, and adds them
+     * to the hash: {@link #save(SavedState)} and {@link #hash} do not have them.
+     */
+    default void savePieceContacts(SavedPieceContacts into) {
+        into.clear();
+    }
+
     /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */
     void makeRoom(SavedState from);
 
-    /** All goes on as after the steps that led to the state, which has been checked and is not kept. Room has been made. */
+    /**
+     * All goes on as after the steps that led to the state, which has been checked and is not kept. Room has been made. The contacts with pieces
+     * have the serials of now.
+     */
     void load(SavedState from);
 
     /** Always the same; null if only the host can search the circles. */

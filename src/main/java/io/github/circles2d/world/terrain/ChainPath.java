@@ -33,23 +33,23 @@ public final class ChainPath {
         return closed;
     }
 
-    float x(int point) {
+    public float x(int point) {
         return points[2 * point];
     }
 
-    float y(int point) {
+    public float y(int point) {
         return points[2 * point + 1];
     }
 
-    float centreX(int piece) {
+    public float centreX(int piece) {
         return centres[2 * piece];
     }
 
-    float centreY(int piece) {
+    public float centreY(int piece) {
         return centres[2 * piece + 1];
     }
 
-    long turn(int piece) {
+    public long turn(int piece) {
         return turns[piece];
     }
 
@@ -96,8 +96,20 @@ public final class ChainPath {
     }
 
     public void arcTo(float centreX, float centreY, float angle) {
+        arcBy(
+                centreX,
+                centreY,
+                TerrainLimits.opening("the angle of the arc to point " + (pieces + 1) + " of the chain", angle));
+    }
+
+    /** By an angle in units. */
+    public void arcBy(float centreX, float centreY, long turn) {
         checkOpen();
         int point = pieces + 1;
+        if (!TerrainLimits.isOpening(turn)) {
+            throw new IllegalArgumentException("the arc to point " + point + " of the chain turns by " + turn
+                    + " units of an angle, but must turn by at least 2, and a turn at most");
+        }
         if (!(Math.abs(centreX) <= Limits.COORDINATE && Math.abs(centreY) <= Limits.COORDINATE)) {
             throw new IllegalArgumentException("the centre of the arc to point " + point + " of the chain is " + centreX
                     + ", " + centreY + ", but coordinates must be from " + -Limits.COORDINATE + " to "
@@ -107,7 +119,11 @@ public final class ChainPath {
             throw new IllegalArgumentException("the centre of the arc to point " + point + " of the chain is " + centreX
                     + ", " + centreY + ", which is the point before it, or too near to it");
         }
-        long turn = TerrainLimits.opening("the angle of the arc to point " + point + " of the chain", angle);
+        appendArc(centreX, centreY, turn);
+    }
+
+    private void appendArc(float centreX, float centreY, long turn) {
+        int point = pieces + 1;
         double dx = (double) x(pieces) - centreX;
         double dy = (double) y(pieces) - centreY;
         double cos = Rotation.cos((int) turn);

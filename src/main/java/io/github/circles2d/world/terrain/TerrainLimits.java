@@ -17,6 +17,9 @@ public final class TerrainLimits {
     /** Radians, of {@link #opening}: the float above a whole turn is one. */
     private static final double TURN = 2 * Math.PI * (1 + 0x1p-23);
 
+    /** In units of an angle: half of it is one. */
+    private static final int LEAST_OPENING = 2;
+
     private TerrainLimits() {}
 
     static double distance(float x1, float y1, float x2, float y2) {
@@ -36,7 +39,7 @@ public final class TerrainLimits {
             throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi");
         }
         long units = Rotation.units(angle);
-        if (Math.abs(units) < 2) {
+        if (Math.abs(units) < LEAST_OPENING) {
             throw new IllegalArgumentException(what + " is " + angle + ", which is 0, or too near to it");
         }
         return Math.max(-Rotation.TURN, Math.min(Rotation.TURN, units));
@@ -44,6 +47,11 @@ public final class TerrainLimits {
 
     static void coordinate(String what, float value) {
         Limits.within(what, value, -Limits.COORDINATE, Limits.COORDINATE);
+    }
+
+    /** Whether an arc may open so far, in units of an angle. */
+    static boolean isOpening(long units) {
+        return units >= -Rotation.TURN && units <= Rotation.TURN && (units >= LEAST_OPENING || units <= -LEAST_OPENING);
     }
 
     /** The units of the opening of an arc, counterclockwise between two angles. */

@@ -1,0 +1,91 @@
+package io.github.circles2d.world.circles;
+
+import java.util.Arrays;
+
+/**
+ * The contacts of circles with pieces of terrain, ascending by the circle's id, then by the piece's. Arrays are reused, and may be longer than their
+ * contents.
+ */
+public final class SavedPieceContacts {
+    public int count;
+
+    /** By contact: the id of the circle. */
+    public int[] circle = new int[0];
+
+    /** By contact: the id of the piece. */
+    public int[] piece = new int[0];
+
+    /** By contact: the serial that the piece had. No part of the state: a contact with another piece than that of now is none. */
+    public int[] serial = new int[0];
+
+    /** By contact: -1, 0 or 1. */
+    public byte[] side = new byte[0];
+
+    /** By contact: the normal impulse, at least 0. */
+    public float[] impulse = new float[0];
+
+    /** By contact: the impulse of friction. */
+    public float[] friction = new float[0];
+
+    /** By contact: the rolling impulse. */
+    public float[] rolling = new float[0];
+
+    SavedPieceContacts() {}
+
+    public void clear() {
+        count = 0;
+    }
+
+    /** Makes room without changing the number. */
+    public void ensure(int contacts) {
+        if (rolling.length < contacts) {
+            // The length of the last one tells whether there is room.
+            int c = Math.max(contacts, rolling.length + (rolling.length >> 1));
+            circle = Arrays.copyOf(circle, c);
+            piece = Arrays.copyOf(piece, c);
+            serial = Arrays.copyOf(serial, c);
+            side = Arrays.copyOf(side, c);
+            impulse = Arrays.copyOf(impulse, c);
+            friction = Arrays.copyOf(friction, c);
+            rolling = Arrays.copyOf(rolling, c);
+        }
+    }
+
+    /** Adds a contact behind those that there are; there is room. */
+    public void add(
+            int ofCircle,
+            int ofPiece,
+            int serialOfPiece,
+            int onSide,
+            float normalImpulse,
+            float ofFriction,
+            float ofRolling) {
+        circle[count] = ofCircle;
+        piece[count] = ofPiece;
+        serial[count] = serialOfPiece;
+        side[count] = (byte) onSide;
+        impulse[count] = normalImpulse;
+        friction[count] = ofFriction;
+        rolling[count++] = ofRolling;
+    }
+
+    /** Copies a contact to a place at or before its own. */
+    public void move(int from, int to) {
+        circle[to] = circle[from];
+        piece[to] = piece[from];
+        serial[to] = serial[from];
+        side[to] = side[from];
+        impulse[to] = impulse[from];
+        friction[to] = friction[from];
+        rolling[to] = rolling[from];
+    }
+
+    /** The part of the contacts in the hash of the state. */
+    public long hash() {
+        long sum = 0;
+        for (int k = 0; k < count; k++) {
+            sum += StateHash.pieceContact(circle[k], piece[k], side[k], impulse[k], friction[k], rolling[k]);
+        }
+        return sum;
+    }
+}
