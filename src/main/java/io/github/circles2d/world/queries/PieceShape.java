@@ -337,8 +337,10 @@ final class PieceShape {
         }
         double side = isOneSided ? 1 : -Math.signum(faceX() * ux + faceY() * uy);
         boolean hasPath = ux != 0 || uy != 0;
-        normalX = side != 0 ? side * faceX() : 0 - ux;
-        normalY = side != 0 ? side * faceY() : hasPath ? 0 - uy : 1;
+        double nx = side != 0 ? side * faceX() : 0 - ux;
+        double ny = side != 0 ? side * faceY() : hasPath ? 0 - uy : 1;
+        normalX = nx + 0.0; // no negative zeros
+        normalY = ny + 0.0;
     }
 
     /** Finds the unit vector from the piece to a point; from a point on it, that of its front. */
