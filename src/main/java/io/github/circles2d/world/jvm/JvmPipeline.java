@@ -6,6 +6,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.threads.Team;
@@ -298,6 +299,19 @@ public final class JvmPipeline implements Pipeline {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
             contacts.impulseCache().save(slot, into);
+        }
+    }
+
+    @Override
+    public void savePieceContacts(SavedPieceContacts into) {
+        into.clear();
+        if (state.pieces != null) {
+            for (int id = 0; id < state.slotOf.length; id++) {
+                int slot = state.slotOf[id];
+                if (slot >= 0) {
+                    state.pieces.save(slot, id, into);
+                }
+            }
         }
     }
 

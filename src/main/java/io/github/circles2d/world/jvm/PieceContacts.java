@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
 
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import java.util.Arrays;
 
 /**
@@ -91,6 +92,48 @@ final class PieceContacts {
         i = count;
         count = countSpare;
         countSpare = i;
+    }
+
+    /** Makes room for saved contacts. */
+    void makeRoom(SavedPieceContacts from) {
+        if (PieceContactRow.of(from.count) > rows.length) {
+            numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(from.count));
+            rows = Arrays.copyOf(rows, PieceContactRow.of(from.count));
+        }
+    }
+
+    /** Saves the contacts of a slot. */
+    void save(int slot, int id, SavedPieceContacts into) {
+        into.ensure(into.count + count[slot]);
+        for (int c = first[slot]; c < first[slot] + count[slot]; c++) {
+            int row = PieceContactRow.of(c);
+            into.add(
+                    id,
+                    piece(c),
+                    serial(c),
+                    (int) rows[row + PieceContactRow.SIDE],
+                    rows[row + PieceContactRow.IMPULSE],
+                    rows[row + PieceContactRow.FRICTION],
+                    rows[row + PieceContactRow.ROLLING]);
+        }
+    }
+
+    /** Takes over saved contacts, for which there is room, of so many circles in slots in the order of their ids. */
+    void load(SavedPieceContacts from, int[] id, int circles) {
+        int c = 0;
+        for (int slot = 0; slot < circles; slot++) {
+            first[slot] = c;
+            for (; c < from.count && from.circle[c] == id[slot]; c++) {
+                int row = PieceContactRow.of(c);
+                numbers[PieceContactRow.numbers(c) + PIECE] = from.piece[c];
+                numbers[PieceContactRow.numbers(c) + SERIAL] = from.serial[c];
+                rows[row + PieceContactRow.SIDE] = from.side[c];
+                rows[row + PieceContactRow.IMPULSE] = from.impulse[c];
+                rows[row + PieceContactRow.FRICTION] = from.friction[c];
+                rows[row + PieceContactRow.ROLLING] = from.rolling[c];
+            }
+            count[slot] = c - first[slot];
+        }
     }
 
     int piece(int contact) {

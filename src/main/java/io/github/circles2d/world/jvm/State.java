@@ -206,6 +206,9 @@ public final class State {
         if (from.turns) {
             startTurning();
         }
+        if (pieces != null) {
+            pieces.makeRoom(from.pieceContacts);
+        }
         ensureIds(from.ids);
         fields.makeRoom(from.fields);
     }
@@ -435,6 +438,9 @@ public final class State {
         fields.copy(from.fields);
         if (turning != null) {
             turning.load(from);
+        }
+        if (pieces != null) {
+            pieces.load(from.pieceContacts, id, n);
         }
         Arrays.fill(slotOf, -1);
         for (int slot = 0; slot < n; slot++) {

@@ -80,8 +80,8 @@ public final class Paths {
         return square > 0f ? (dx * px + dy * py) / square : 0f;
     }
 
-    /** How far from its centre a circle may touch terrain in a step: with its path, and as far off it as others may push it. */
+    /** How far from its centre a circle may touch terrain in a step: with its free path, and as far off it as others may push it. */
     public static float sight(float r, float path) {
-        return (r + Tuning.MARGIN * r) + (path + CircleMath.clamp(path, Tuning.CLAMP_ALLOWANCE * r, r));
+        return (r + Tuning.MARGIN * r) + (path + r); // no allowance is greater than the radius
     }
 }
