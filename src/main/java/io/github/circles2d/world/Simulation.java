@@ -104,7 +104,7 @@ public final class Simulation implements AutoCloseable {
         events.setPieces(terrain.pieces);
         needs = new Needs(pipeline, kindTable, terrain, settings);
         pending = new PendingWork(pipeline, guard, handles, commands, events, log, needs);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, needs);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, needs);
         pieces = new Pieces(guard, terrain, log, copies, settings);
         bodies = new Bodies(guard, terrain, log, copies, settings);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
@@ -122,7 +122,7 @@ public final class Simulation implements AutoCloseable {
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
         snapshots = new Snapshots(
                 guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth, needs);
+                growth, terrain, needs);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         terrainSearches = new Searches(guard, handles, kindTable, settings, view);
