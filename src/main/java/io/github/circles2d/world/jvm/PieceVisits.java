@@ -365,7 +365,7 @@ final class PieceVisits {
             return; // the move ends there instead
         }
         float along = nx * uy - ny * ux;
-        float vn = (nx * ux + ny * uy) - 0.5f * rows[row + CURVE] * along * along * k.h;
+        float vn = (nx * ux + ny * uy) - PieceGap.turned(rows[row + CURVE], along, k.h);
         float before = nx * (state.load[s + BEFORE_X] - surfaceX) + ny * (state.load[s + BEFORE_Y] - surfaceY);
         if (Constraints.staysClear(gap, impulse, vn, before, k.h, k.inverseH) != 0) {
             return;
