@@ -44,6 +44,7 @@ import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.PieceSweep;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Wrapping;
@@ -58,6 +59,9 @@ final class PieceVisits {
     private final PieceGap found = new PieceGap();
     private final OneBody visit = new OneBody();
     private final OneBodyGrip grip = new OneBodyGrip();
+
+    /** What is told of visits; null if they are not recorded. */
+    PieceTouches touches;
 
     /** Within a step. */
     private TerrainStep terrain;
@@ -231,13 +235,13 @@ final class PieceVisits {
             leave(c);
         }
         boolean vertex = found.feature > PieceGap.FACE;
-        if (vertex && isTwoSided(piece, shape) && found.height != 0f) {
+        if (vertex && isTwoSided(terrain, piece, shape) && found.height != 0f) {
             rows[k + SIDE] = found.height > 0f ? 1f : -1f;
         }
         return vertex;
     }
 
-    private boolean isTwoSided(int piece, int shape) {
+    static boolean isTwoSided(TerrainStep terrain, int piece, int shape) {
         int kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
         return PieceRow.form(shape) == PieceRow.SEGMENT
                 && terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] == 0f;
@@ -319,6 +323,9 @@ final class PieceVisits {
     /** The biased pass over the pieces of a circle: warm start, then a visit of each. */
     void solve(int slot, StepConstants k, int sub) {
         measure(slot, sub);
+        if (touches != null && sub == 0) {
+            touches.begin(slot);
+        }
         int from = contacts.first[slot];
         int to = from + contacts.count[slot];
         int s = CircleRow.of(slot);
@@ -371,6 +378,11 @@ final class PieceVisits {
             return;
         }
         visit.solve(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], before, vn, impulse, k);
+        if (touches != null) {
+            float way = nx * (state.load[s + BEFORE_Y] - surfaceY) - ny * (state.load[s + BEFORE_X] - surfaceX);
+            float spin = k.turning ? state.turning.before(slot) : 0f;
+            tell(slot, c, before, impulse + visit.impulse, slip(s, c, way, spin, k));
+        }
         if (visit.bounced) {
             float behind = Bounce.leftBehind(gap, vn, visit.impulse, k.dt, r);
             m[s + DX] -= nx * behind;
@@ -417,6 +429,10 @@ final class PieceVisits {
         float along = nx * uy - ny * ux;
         float vn = nx * ux + ny * uy;
         visit.relax(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], bounce, vn, impulse, k);
+        if (touches != null) {
+            float spin = k.turning ? state.turning.spin[s + SURFACE_SPEED] : 0f;
+            tell(slot, c, vn, visit.impulse, slip(s, c, along, spin, k));
+        }
         if (!visit.leaves) {
             m[s + VX] += nx * visit.impulse;
             m[s + VY] += ny * visit.impulse;
@@ -426,6 +442,13 @@ final class PieceVisits {
             float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
             grip(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
         }
+    }
+
+    /** Tells of a visit before its effect: the approach, what it gives along the normal, and how fast surfaces slide. */
+    private void tell(int slot, int c, float vn, float impulse, float slip) {
+        int row = PieceContactRow.of(c);
+        float surface = contacts.rows[row + NX] * surfaceX + contacts.rows[row + NY] * surfaceY;
+        touches.visited(slot, c, vn, impulse, slip, surface);
     }
 
     private float restitution(int s, int c) {
@@ -445,6 +468,17 @@ final class PieceVisits {
             grip.visit(normalImpulse, along, belt, keep);
             giveGrip(s, c);
         }
+    }
+
+    /** How fast surfaces slide, if they grip; along: against the surface, spin: surface speed of the circle. */
+    private float slip(int s, int c, float along, float spin, StepConstants k) {
+        if (!k.turning) {
+            return 0f;
+        }
+        Turning t = state.turning;
+        int kind = KindSurface.of(terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
+        float friction = Surface.friction(t.skin[s + CircleRow.FRICTION], t.kinds[kind + KindSurface.FRICTION]);
+        return Surface.hitSlip(friction, along, 0f, spin, t.kinds[kind + KindSurface.BELT] + t.skin[s + BELT]);
     }
 
     private void takeGrip(int s, int c) {
