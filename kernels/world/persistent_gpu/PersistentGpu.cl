@@ -1,4 +1,4 @@
-// uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileLevels.cl
+// uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/stages/Pieces.cl world/tiles/TileLevels.cl
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay run the stages one after
 // another, with a barrier over all of them in between.
 
@@ -83,6 +83,9 @@ void listAll(World *w, local Local *l) {
     }
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
+#ifdef TERRAIN
+    EACH(slot, w->circles) findPieces(w, slot);
+#endif
     // Several work-items a circle: there are more of them than circles.
     EACH(item, SEEKERS * w->circles) {
         seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), w->levels->haveSheets != 0, &l->findings);

@@ -1,5 +1,5 @@
-// uses: world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
-// The motion of a circle through a sub-step, with its walls. m: motion; t: traits.
+// uses: world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl world/shared/PieceVisit.cl
+// The motion of a circle through a sub-step, with its walls and pieces of terrain. m: motion; t: traits.
 
 INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
     if (w->k.driving != 0) return drivenVelocity(w, w->id[slot], invMass, m);
@@ -21,6 +21,9 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     }
     *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
     *loaded = l.LOADED_NEXT > 0.0f || t->WALL_X != 0.0f || t->WALL_Y != 0.0f;
+#ifdef TERRAIN
+    *loaded = *loaded || piecesPress(w, slot);
+#endif
     // Arrays, in a loop that stays one: few circles are at walls, and in registers this would leave a GPU room for fewer work-groups.
     float x[2] = {c.x, c.y};
     float dx[2] = {m->DX, m->DY};
@@ -206,5 +209,8 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
     w->slotOf[id] = slot;
 #ifdef TURNING
     finalizeTurning(w, slot, c.RADIUS);
+#endif
+#ifdef TERRAIN
+    finalizePieces(w, slot);
 #endif
 }

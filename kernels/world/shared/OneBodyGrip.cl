@@ -1,5 +1,5 @@
 // uses: world/shared/OneBody.cl world/shared/Surface.cl
-// The grip of a circle and something that is no circle: the Java class OneBodyGrip. Walls are the first kind.
+// The grip of a circle and something that is no circle: the Java class OneBodyGrip. Walls are the first kind, pieces of terrain the second.
 
 #ifdef TURNING
 typedef struct {
@@ -36,19 +36,48 @@ void keepWallGrip(const World *w, int slot, const Turning *t) {
     w->wallGrip[slot] = held;
 }
 
-// Of a circle and a wall.
+// Of a circle and something else.
 typedef struct {
     float friction, resistance;
-    float belt; // of the wall
+    float belt; // of the other
 } Between;
 
-Between betweenWall(const World *w, const Turning *t, int wall) {
-    global const float *row = w->surfaces + SURFACE_STRIDE * (SURFACE_OF_WALLS + wall);
+// number: of a row of surfaces.
+Between betweenSurfaces(const World *w, const Turning *t, int number) {
+    global const float *row = w->surfaces + SURFACE_STRIDE * number;
     Between b;
     b.friction = friction(t->skin.FRICTION, row[SURFACE_FRICTION]);
     b.resistance = maxf(t->skin.ROLLING_RESISTANCE, row[SURFACE_ROLLING_RESISTANCE]);
     b.belt = row[SURFACE_BELT];
     return b;
+}
+
+Between betweenWall(const World *w, const Turning *t, int wall) { return betweenSurfaces(w, t, SURFACE_OF_WALLS + wall); }
+
+// Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. Returns the impulse along the tangent.
+float warmGrip(Turning *t, const Between *b, float *friction_, float *rolling_) {
+    *friction_ = b->friction > 0.0f ? *friction_ : 0.0f;
+    *rolling_ = b->resistance > 0.0f && t->inertia > 0.0f ? *rolling_ : 0.0f;
+    t->s += t->inertia * (*rolling_ - *friction_);
+    return *friction_;
+}
+
+// A visit. along: speed against the other's surface; belt: see slip; keep: whether what acts accumulates. Returns the impulse along the
+// tangent.
+float visitGrip(Turning *t, const Between *b, float *friction_, float *rolling_, float along, float belt, float normalImpulse, bool keep) {
+    float impulse = 0.0f;
+    if (b->resistance > 0.0f && t->inertia > 0.0f) {
+        float next = rolling(*rolling_, 1.0f / t->inertia, t->s, b->resistance * normalImpulse);
+        t->s += t->inertia * (next - *rolling_);
+        *rolling_ = keep ? next : 0.0f;
+    }
+    if (b->friction > 0.0f) {
+        float next = grip(*friction_, tangentMass(0.0f, 0.0f, 1.0f, t->inertia), slip(along, 0.0f, t->s, belt), b->friction * normalImpulse);
+        impulse = next - *friction_;
+        t->s += t->inertia * -impulse;
+        *friction_ = keep ? next : 0.0f;
+    }
+    return impulse;
 }
 
 // Whether the wall of an axis holds the circle, which a visit may have to take back.
@@ -68,32 +97,18 @@ float slipAtWall(const World *w, const Turning *t, int axis, float side, int wal
 }
 #endif
 
-// Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. along: velocity along the wall.
+// As warmGrip. along: velocity along the wall.
 void warmGripOfWall(const World *w, Turning *t, int axis, float side, int wall, float *along) {
     Between b = betweenWall(w, t, wall);
-    t->friction[axis] = b.friction > 0.0f ? t->friction[axis] : 0.0f;
-    t->rolling[axis] = b.resistance > 0.0f && t->inertia > 0.0f ? t->rolling[axis] : 0.0f;
-    t->s += t->inertia * (t->rolling[axis] - t->friction[axis]);
-    *along += tangentAlong(axis, side) * t->friction[axis];
+    *along += tangentAlong(axis, side) * warmGrip(t, &b, t->friction + axis, t->rolling + axis);
 }
 
-// A visit. keep: whether what acts accumulates.
+// As visitGrip.
 void gripWall(const World *w, Turning *t, int axis, float side, int wall, float *along, float normalImpulse, bool keep) {
     Between b = betweenWall(w, t, wall);
     if (!(b.friction > 0.0f || b.resistance > 0.0f)) return;
-    float impulse = 0.0f;
-    if (b.resistance > 0.0f && t->inertia > 0.0f) {
-        float next = rolling(t->rolling[axis], 1.0f / t->inertia, t->s, b.resistance * normalImpulse);
-        t->s += t->inertia * (next - t->rolling[axis]);
-        t->rolling[axis] = keep ? next : 0.0f;
-    }
-    if (b.friction > 0.0f) {
-        float slip_ = slip(againstWall(axis, side, *along, b.belt), 0.0f, t->s, t->skin.BELT);
-        float next = grip(t->friction[axis], tangentMass(0.0f, 0.0f, 1.0f, t->inertia), slip_, b.friction * normalImpulse);
-        impulse = next - t->friction[axis];
-        t->s += t->inertia * -impulse;
-        t->friction[axis] = keep ? next : 0.0f;
-    }
+    float impulse = visitGrip(t, &b, t->friction + axis, t->rolling + axis, againstWall(axis, side, *along, b.belt), t->skin.BELT,
+                              normalImpulse, keep);
     *along += tangentAlong(axis, side) * impulse;
 }
 #endif

@@ -31,6 +31,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeWallGrip[slot] = (float4)(0.0f);
             w.homeOwn[slot] = INITIAL_OWN;
 #endif
+#ifdef TERRAIN
+            w.homePieces[slot] = (int2)(0);
+#endif
             break;
         case COMMAND_REMOVE:
             w.homeId[slot] = NONE;
@@ -39,6 +42,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         case COMMAND_POSITION:
             w.homeCircle[slot].xy = (float2)(a, b);
             w.homeMotion[slot].DISPLACEMENT = (float2)(0.0f);
+#ifdef TERRAIN
+            w.homePieces[slot] = (int2)(0);
+#endif
             break;
         case COMMAND_VELOCITY:
             w.homeMotion[slot].VELOCITY = (float2)(a, b);
@@ -49,6 +55,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].WALLS = (float2)(0.0f);
 #ifdef TURNING
             w.homeWallGrip[slot] = (float4)(0.0f);
+#endif
+#ifdef TERRAIN
+            w.homePieces[slot] = (int2)(0);
 #endif
             break;
         case COMMAND_GROW:
@@ -61,6 +70,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].WALLS = (float2)(0.0f);
 #ifdef TURNING
             w.homeWallGrip[slot] = (float4)(0.0f);
+#endif
+#ifdef TERRAIN
+            w.homePieces[slot] = (int2)(0);
 #endif
             break;
         case COMMAND_RESTITUTION:

@@ -68,7 +68,13 @@ void recordFindings(const World *w, local Findings *found, bool oneLevel) {
     }
 }
 
-bool lackContactRoom(const World *w) { return contactsListed(w) > w->contactRoom; }
+// Piece contacts have as much room.
+bool lackContactRoom(const World *w) {
+#ifdef TERRAIN
+    if (w->status[PIECES_FOUND] > w->contactRoom) return true;
+#endif
+    return contactsListed(w) > w->contactRoom;
+}
 
 void noteContacts(const World *w) {
     if (refused(w)) return;

@@ -14,6 +14,9 @@ void startStep(const World *w) {
     w->status[TILES_LISTED] = 0;
     w->status[TILES_CUT] = 0;
     w->status[FOUND] = 0;
+#ifdef TERRAIN
+    w->status[PIECES_FOUND] = 0;
+#endif
 }
 
 int bucketIn(const World *w, int l, float4 c) {
@@ -154,6 +157,9 @@ bool gatherCircle(const World *w, int i) {
 #ifdef TURNING
     gatherTurning(w, slot, from, listed.LISTED_ID, c, t.INVERSE_MASS);
     w->heavySpin[slot] = (long2)(0);
+#endif
+#ifdef TERRAIN
+    w->pieces[slot] = w->homePieces[from];
 #endif
     if (!hasOneLevel(w)) {
         w->crossLoad[slot] = 0;

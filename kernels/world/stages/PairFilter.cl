@@ -6,12 +6,14 @@ bool areOfOneGroup(CircleFields a, CircleFields b) {
     return a.group != 0 && a.group == b.group;
 }
 
+int responseOfKinds(const World *w, int a, int b) { return (w->responses[a << 4 | b >> 4] >> 2 * (b & 15)) & 3; }
+
 // Of one group: nothing; else as their kinds say.
 int responseOf(const World *w, int id, int otherId) {
     CircleFields a = w->fields[id];
     CircleFields b = w->fields[otherId];
     if (areOfOneGroup(a, b)) return PAIR_IGNORE;
-    return (w->responses[a.kind << 4 | b.kind >> 4] >> 2 * (b.kind & 15)) & 3;
+    return responseOfKinds(w, a.kind, b.kind);
 }
 
 // Of two static circles neither moves.

@@ -13,6 +13,14 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
 #endif
     integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce,
                         &loaded AND_TURNING(&turning) AND_TURNING(w->spinImpulse[slot]));
+#ifdef RECORDING
+    if (w->recording.walls) {
+        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));
+    }
+#endif
+#ifdef TERRAIN
+    if (hasPieces(w, slot)) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));
+#endif
 #ifdef TURNING
     w->surfaceSpeed[slot] = turning.s;
     keepWallGrip(w, slot, &turning);
@@ -21,11 +29,6 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     w->traits[slot] = t;
     w->wallBounce[slot] = bounce;
     w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
-#ifdef RECORDING
-    if (w->recording.walls) {
-        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m AND_TURNING(&turning));
-    }
-#endif
 }
 
 // Behind the biased pass.
@@ -37,9 +40,22 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     Turning turning = turningOf(w, slot, t, moveTurning(w, slot, w->surfaceSpeed[slot]));
     w->spinImpulse[slot] = 0.0f;
 #endif
+#ifdef TERRAIN
+    float2 from = m.DISPLACEMENT;
+    bool atPieces = hasPieces(w, slot);
+#endif
     m = integratePositions(w, slot, c, m, isStatic);
+#ifdef TERRAIN
+    if (atPieces) m.DISPLACEMENT = stopAtPieces(w, slot, c, from, m.DISPLACEMENT);
+#endif
     float2 moving = m.VELOCITY;
     if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f AND_TURNING(&turning));
+#ifdef RECORDING
+    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
+#endif
+#ifdef TERRAIN
+    if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, loaded > 0.0f, &m AND_TURNING(&turning));
+#endif
 #ifdef TURNING
     w->surfaceSpeed[slot] = turning.s;
     keepWallGrip(w, slot, &turning);
@@ -47,9 +63,6 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
-#endif
 }
 
 // n: as measured; loads: of both circles, added up.

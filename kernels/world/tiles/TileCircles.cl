@@ -50,12 +50,17 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
     return true;
 }
 
-// Returns whether it is at a wall.
+// Returns whether it is at a wall, or near a piece of terrain.
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
                  bool carried AND_TURNING(float s) AND_TURNING(float spinSum)) {
     float2 walls = t.WALLS;
+#ifdef TERRAIN
+    bool atPieces = hasPieces(w, slot);
+#else
+    bool atPieces = false;
+#endif
     // A wall that does not press holds nothing.
-    if (walls.x == 0.0f && walls.y == 0.0f &&
+    if (walls.x == 0.0f && walls.y == 0.0f && !atPieces &&
         startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
@@ -70,14 +75,17 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #endif
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce,
                         &loaded AND_TURNING(&turning) AND_TURNING(spinSum));
-#ifdef TURNING
-    w->startSpin[slot] = turning.s;
-    keepWallGrip(w, slot, &turning);
-#endif
 #ifdef RECORDING
     if (w->recording.walls) {
         noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m AND_TURNING(&turning));
     }
+#endif
+#ifdef TERRAIN
+    if (atPieces) solvePieces(w, slot, c, t.RESTITUTION, before, loaded, &m AND_TURNING(&turning));
+#endif
+#ifdef TURNING
+    w->startSpin[slot] = turning.s;
+    keepWallGrip(w, slot, &turning);
 #endif
     storeWalls(w, slot, walls, t.WALLS);
     w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
@@ -86,10 +94,10 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #ifdef TURNING
     if (isHeld(&turning, 0) || isHeld(&turning, 1)) return true;
 #endif
-    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
+    return atPieces || bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
-// started: motion as the start has left it. Returns whether it is at a wall.
+// started: motion as the start has left it. Returns whether it is at a wall, or near a piece of terrain.
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden AND_TURNING(float s)) {
     bool isStatic = burden == 0.0f;
 #ifdef TURNING
@@ -99,6 +107,10 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.WALLS;
+#ifdef TERRAIN
+        bool atPieces = hasPieces(w, slot);
+        if (atPieces) m.DISPLACEMENT = stopAtPieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
+#endif
 #ifdef RECORDING
         float2 moving = m.VELOCITY;
 #endif
@@ -106,17 +118,21 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         Turning turning = turningOf(w, slot, t, s);
 #endif
         relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden) AND_TURNING(&turning));
-#ifdef TURNING
-        s = turning.s;
-        keepWallGrip(w, slot, &turning);
-#endif
 #ifdef RECORDING
         if (w->recording.walls) {
             noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m AND_TURNING(&turning));
         }
 #endif
-        storeWalls(w, slot, walls, t.WALLS);
         atWall = hasWalls(w, c, t.WALLS);
+#ifdef TERRAIN
+        if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, isLoaded(burden), &m AND_TURNING(&turning));
+        atWall = atWall || atPieces;
+#endif
+#ifdef TURNING
+        s = turning.s;
+        keepWallGrip(w, slot, &turning);
+#endif
+        storeWalls(w, slot, walls, t.WALLS);
     }
     w->solvedMotion[slot] = m;
     w->solvedBurden[slot] = burden;

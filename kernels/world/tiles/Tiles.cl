@@ -22,7 +22,8 @@
 // finds out lies by contact, in held and impulse, numbered in a tile's order.
 #define NOT_OWN ((int) 0x80000000)
 
-// An entry of RECORD_SLOTS: a slot; AT_WALL: it has impulses of walls, or bounces off one; NOT_OWN: not the tile's.
+// An entry of RECORD_SLOTS: a slot; AT_WALL: it has impulses of walls, or bounces off one, or pieces of terrain are near; NOT_OWN: not the
+// tile's.
 #define AT_WALL 0x40000000
 #define ENTRY_SLOT 0x3fffffff
 

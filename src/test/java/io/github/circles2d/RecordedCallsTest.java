@@ -90,6 +90,12 @@ class RecordedCallsTest {
                     "explode(float, float, float, float, float, int)",
                     (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0, 1)),
             change(
+                    "explodeInSight(float, float, float, float, float)",
+                    (w, a, b) -> w.explodeInSight(0.4f, 0.4f, 1, 0.1f, 0)),
+            change(
+                    "explodeInSight(float, float, float, float, float, int)",
+                    (w, a, b) -> w.explodeInSight(0.4f, 0.4f, 1, 0.1f, 0, 1)),
+            change(
                     "add(float, float, float, float, float, float, int)",
                     (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2, 1, -1, 3)),
             change("setKind(long, int)", (w, a, b) -> w.setKind(a, 200)),
@@ -316,7 +322,8 @@ class RecordedCallsTest {
         }
         types.add(TerrainBody.class); // Terrain gives it out
         types.remove(World.Builder.class); // a snapshot has what it sets
-        types.remove(Queries.class); // it reads
+        types.remove(Queries.class); // they read
+        types.remove(TerrainQueries.class);
         types.remove(Events.class);
         for (Class<?> type : types) {
             for (Method method : type.getDeclaredMethods()) {

@@ -58,9 +58,19 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param source its remaining floats are written; its position is left as it is
      */
     public void write(FloatBuffer source) {
+        write(0, source);
+    }
+
+    /**
+     * Writes floats.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param source its remaining floats are written; its position is left as it is
+     */
+    public void write(long offset, FloatBuffer source) {
         FloatBuffer rest = source.duplicate();
-        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
-        for (long at = 0; rest.hasRemaining(); ) {
+        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
+        for (long at = offset; rest.hasRemaining(); ) {
             int count = Math.min(rest.remaining(), staging.floats().capacity());
             FloatBuffer piece = rest.slice();
             piece.limit(count);

@@ -85,14 +85,14 @@ public final class DevicePipeline implements Pipeline {
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
-            kernels = compile(false, false, false, false, false);
+            kernels = compile(false, false, false, false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> home.slots, () -> home.circles);
             queue = new StepQueue(arrays, home, plans, commands, requested, stats);
-            load(false, false, false, null);
+            load(false, false, null);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -105,14 +105,16 @@ public final class DevicePipeline implements Pipeline {
     }
 
     /**
-     * Lets the plans use kernels for contacts of any settings, for axes without walls, for circles that turn, and for steps that report, or
-     * others.
+     * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; for circles that
+     * turn, and for terrain, if there is memory for them.
      */
-    private void load(boolean anySettings, boolean edges, boolean turning, ReportReader ofReports) {
+    private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
+        boolean turning = arrays.turning();
+        boolean terrain = arrays.terrain();
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
-        String variant = variant(anySettings, edges, turning, reporting, recording);
-        StageKernels loaded = compiled(anySettings, edges, turning, reporting, recording);
+        String variant = variant(anySettings, edges, turning, terrain, reporting, recording);
+        StageKernels loaded = compiled(anySettings, edges, turning, terrain, reporting, recording);
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
         queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
@@ -134,46 +136,64 @@ public final class DevicePipeline implements Pipeline {
         EventArrays wanted = active ? reader.deciding() : null;
         boolean recordingNow = stages.touches() != null;
         if (stages.reporting() != wanted || (active && reader.isRecording() != recordingNow)) {
-            load(tuned, isEdged, arrays.turning(), reader);
+            load(tuned, isEdged, reader);
         }
     }
 
     private static String variant(
-            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
+            boolean anySettings,
+            boolean edges,
+            boolean turning,
+            boolean terrain,
+            boolean reporting,
+            boolean recording) {
         return (anySettings ? "tuned " : "")
                 + (edges ? "edges " : "")
                 + (turning ? "turning " : "")
+                + (terrain ? "terrain " : "")
                 + (recording ? "recording" : reporting ? "reporting" : "");
     }
 
     private StageKernels compiled(
-            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
+            boolean anySettings,
+            boolean edges,
+            boolean turning,
+            boolean terrain,
+            boolean reporting,
+            boolean recording) {
         return variants.computeIfAbsent(
-                variant(anySettings, edges, turning, reporting, recording),
-                key -> compile(anySettings, edges, turning, reporting, recording));
+                variant(anySettings, edges, turning, terrain, reporting, recording),
+                key -> compile(anySettings, edges, turning, terrain, reporting, recording));
     }
 
     private StageKernels compile(
-            boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
+            boolean anySettings,
+            boolean edges,
+            boolean turning,
+            boolean terrain,
+            boolean reporting,
+            boolean recording) {
         KernelSource source = Plans.source(plans, session.device());
         source = anySettings ? source.define("TUNED", 1) : source;
         source = edges ? source.define("EDGES", 1) : source;
         source = turning ? source.define("TURNING", 1) : source;
+        source = terrain ? source.define("TERRAIN", 1) : source;
         return new StageKernels(session, source, workGroupSize, reporting, recording);
     }
 
-    /** Compiles the plans anew if contacts, the edges, or circles that turn, need what the kernels do not have, which is rare. */
+    /** Compiles the plans anew if contacts, the edges, circles that turn, or terrain, need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, boolean edges, boolean turning, boolean terrain) {
         boolean tunes = tuned || contacts.areTuned();
         boolean edged = isEdged || edges;
         boolean turns = turning && !arrays.turning();
-        if (tunes != tuned || edged != isEdged || turns) {
+        boolean begins = terrain && !arrays.terrain();
+        if (tunes != tuned || edged != isEdged || turns || begins) {
             settle();
-            if (turns) {
-                makeRoomToTurn(tunes, edged);
+            if (turns || begins) {
+                makeRoomFor(tunes, edged, turns || arrays.turning(), begins || arrays.terrain());
             }
-            load(tunes, edged, arrays.turning(), reader);
+            load(tunes, edged, reader);
             tuned = tunes;
             isEdged = edged;
         }
@@ -181,17 +201,22 @@ public final class DevicePipeline implements Pipeline {
 
     private void startTurning() {
         if (!arrays.turning()) {
-            makeRoomToTurn(tuned, isEdged);
-            load(tuned, isEdged, true, reader);
+            makeRoomFor(tuned, isEdged, true, arrays.terrain());
+            load(tuned, isEdged, reader);
         }
     }
 
-    /** If a compiler refuses the kernels, or there is no memory, the world does not turn. */
-    private void makeRoomToTurn(boolean anySettings, boolean edges) {
+    /** If a compiler refuses the kernels, or there is no memory, the world does not turn, or has no terrain. */
+    private void makeRoomFor(boolean anySettings, boolean edges, boolean turning, boolean terrain) {
         boolean reporting = reader != null && reader.isActive();
-        compiled(anySettings, edges, true, reporting, reporting && reader.isRecording());
+        compiled(anySettings, edges, turning, terrain, reporting, reporting && reader.isRecording());
         stats.keep(); // the figures of the last step are worked out from arrays that give way
-        arrays.ensureTurning();
+        if (turning) {
+            arrays.ensureTurning();
+        }
+        if (terrain) {
+            arrays.ensureTerrain();
+        }
     }
 
     @Override
@@ -248,6 +273,7 @@ public final class DevicePipeline implements Pipeline {
             }
             loadForReports();
             arrays.ensureBuckets(shape.groups(home.circles));
+            parameters.ensureRoom(arrays);
             if (reader != null) {
                 reader.prepare(input.reports, stages, queue.status());
             }
@@ -324,7 +350,7 @@ public final class DevicePipeline implements Pipeline {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
         if (stages.reporting() != null) {
-            load(tuned, isEdged, arrays.turning(), null);
+            load(tuned, isEdged, null);
         }
         if (reader != null) {
             reader.close();

@@ -231,6 +231,9 @@ final class StepQueue {
                 arrays.ensureContacts(contacts);
             }
         }
+        if (status.has(StatusWord.OUT_OF_ROOM) && status.get(StatusWord.PIECES_FOUND) > arrays.contactCapacity()) {
+            arrays.ensureContacts(status.get(StatusWord.PIECES_FOUND));
+        }
         if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
             // Steps without tiles need no copies.
             for (Plan each : plans) {

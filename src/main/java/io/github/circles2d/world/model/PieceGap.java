@@ -97,6 +97,12 @@ public final class PieceGap {
         feature = !claims ? NONE : before ? AT_START : AT_END;
     }
 
+    /** How fast a way that curves turns away from a straight one on average, in a time h, at a speed along it; never faster than that. */
+    public static float turned(float curve, float along, float h) {
+        float most = Math.abs(along);
+        return CircleMath.clamp(0.5f * curve * along * along * h, -most, most);
+    }
+
     /** Whether a centre is in front of a piece. */
     public static boolean isInFront(float[] rows, int row, int shape, float ox, float oy) {
         if (PieceRow.form(shape) != PieceRow.ARC) {

@@ -55,6 +55,8 @@ public final class PieceTable {
 
     private int changedTo;
 
+    private int names;
+
     PieceTable(BodyTable bodies) {
         this.bodies = bodies;
     }
@@ -90,6 +92,11 @@ public final class PieceTable {
 
     public int bodyOf(int piece) {
         return body[piece];
+    }
+
+    /** Counts how often a piece has come or gone, or has got a kind. */
+    public int names() {
+        return names;
     }
 
     public int kindOf(int piece) {
@@ -167,6 +174,7 @@ public final class PieceTable {
         traits[PieceRow.traits(piece) + PieceRow.MOTION] = 0;
         setShape(piece, shape);
         renew(piece);
+        names++;
         return piece;
     }
 
@@ -202,6 +210,7 @@ public final class PieceTable {
 
     void setKind(int piece, int kind) {
         traits[PieceRow.traits(piece) + PieceRow.KIND] = kind;
+        names++;
         changed(piece);
     }
 
@@ -241,6 +250,7 @@ public final class PieceTable {
         ids.remove(piece);
         setShape(piece, PieceRow.NO_PIECE);
         renew(piece);
+        names++;
         if (previous >= 0 && previous != piece) {
             filler.fill(previous);
         }

@@ -14,13 +14,15 @@ final class Block implements AutoCloseable {
     private final DeviceBuffer buffer;
     private final long stride;
     private final boolean turning;
+    private final boolean terrain;
     private final Map<DeviceArray, DeviceBuffer> slices = new EnumMap<>(DeviceArray.class);
 
-    /** With the arrays of worlds that turn, or without them. */
-    Block(Session session, Index index, long elements, boolean turning) {
+    /** With the arrays of worlds that turn, and of worlds with terrain, or without them. */
+    Block(Session session, Index index, long elements, boolean turning, boolean terrain) {
         this.turning = turning;
+        this.terrain = terrain;
         stride = (elements + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-        buffer = session.allocate(index.block(), index.elementBytes(turning) * stride);
+        buffer = session.allocate(index.block(), index.elementBytes(turning, terrain) * stride);
     }
 
     DeviceBuffer buffer() {
@@ -33,12 +35,12 @@ final class Block implements AutoCloseable {
     }
 
     boolean has(DeviceArray array) {
-        return turning || !array.turns();
+        return array.isHeld(turning, terrain);
     }
 
     DeviceBuffer get(DeviceArray array) {
         return slices.computeIfAbsent(
-                array, a -> buffer.slice(a.kernelName(), a.bytesBefore() * stride, a.elementBytes() * stride));
+                array, a -> buffer.slice(a.kernelName(), a.bytesBefore(turning) * stride, a.elementBytes() * stride));
     }
 
     @Override

@@ -20,7 +20,7 @@ final class DeviceArguments {
     private static List<DeviceArray> arrays() {
         List<DeviceArray> arrays = new ArrayList<>();
         for (DeviceArray array : DeviceArray.values()) {
-            if (array.index().block() == null && !array.turns()) {
+            if (array.index().block() == null && array.isHeld(false, false)) {
                 arrays.add(array);
             }
         }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 
 /**
@@ -8,8 +9,8 @@ import io.github.circles2d.world.model.PairTable;
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  *
- * <p>The arrays of worlds that turn come last. Kernels that are compiled for such worlds (TURNING) have them; in other worlds they take no
- * memory.
+ * <p>The arrays of worlds that turn come behind these, and those of worlds with terrain last. Kernels that are compiled for such worlds (TURNING,
+ * TERRAIN) have them; in other worlds they take no memory.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -116,7 +117,7 @@ public enum DeviceArray {
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
     TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl"),
 
-    // From here on: of worlds that turn, behind the others of their blocks.
+    // From here on up to SURFACES: of worlds that turn, behind the others of their blocks.
     HOME_TURN("int2", "homeTurn", Index.HOME_SLOT, "angle, bits of the angular velocity"),
     HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "impulses of walls: friction x, y, rolling x, y"),
     HOME_OWN(
@@ -157,7 +158,28 @@ public enum DeviceArray {
     COPIED_ROLL("float4", "copiedRoll", Index.TILED_COPY, "belt speed, reach of rolling resistance, rolling mass"),
     CACHED_GRIP(
             "float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: impulses of friction and rolling"),
-    SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats");
+    SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats"),
+
+    // From here on: of worlds with terrain, behind all others of their blocks. There is room for as many piece contacts
+    // as for contacts.
+    HOME_PIECES("int2", "homePieces", Index.HOME_SLOT, "piece contacts: the first, how many"),
+    PIECES("int2", "pieces", Index.SLOT, "as homePieces; before they are found, those of the step before"),
+    HOME_PIECE("int2", "homePiece", Index.OLD_CONTACT, "by piece contact: piece, serial number"),
+    HOME_PUSH("float4", "homePush", Index.OLD_CONTACT, "by piece contact: side, impulses: normal, friction, rolling"),
+    PIECE(
+            "int4",
+            "piece",
+            Index.CONTACT,
+            "as homePiece; then PAIR_SOLID or PAIR_SENSE; where the circle is at, or AT_NOTHING if the piece is no constraint"),
+    PUSH("float4", "push", Index.CONTACT, "as homePush"),
+    MEASURED("float4", "measured", Index.CONTACT, "by piece contact: normal x, y, gap, curve"),
+    STANDING(
+            "float4",
+            "standing",
+            Index.CONTACT,
+            "by piece contact: centre against x and y of the piece, in the frame of the start of the step; target speed of a bounce"),
+    KIND_TERRAIN("float", "kindTerrain", Index.TABLE, "a row a kind, of KIND_TERRAIN_STRIDE floats"),
+    TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
@@ -208,11 +230,11 @@ public enum DeviceArray {
             return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
         }
 
-        /** Bytes of an element of each array of the block, in a world that turns or not. */
-        long elementBytes(boolean turning) {
+        /** Bytes of an element of each array of the block, in a world that turns or not, with terrain or without. */
+        long elementBytes(boolean turning, boolean terrain) {
             long sum = 0;
             for (DeviceArray array : values) {
-                sum += array.index == this && (turning || !array.turns()) ? array.elementBytes() : 0;
+                sum += array.index == this && array.isHeld(turning, terrain) ? array.elementBytes() : 0;
             }
             return sum;
         }
@@ -220,6 +242,12 @@ public enum DeviceArray {
 
     /** Floats before {@link #SURFACES} in the buffer of {@link #KIND_MOTION}: each buffer among the arguments costs time. */
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
+
+    /** Floats before {@link #KIND_TERRAIN} in the same buffer. */
+    static final int KIND_TERRAIN_AT = SURFACES_AT + DeviceArrays.SURFACE_FLOATS;
+
+    /** Floats before {@link #TERRAIN} in the same buffer: a multiple of 4. */
+    static final int TERRAIN_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;
 
     private static final DeviceArray[] values = values();
 
@@ -250,7 +278,17 @@ public enum DeviceArray {
 
     /** Whether only worlds that turn have it. */
     boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal();
+        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain();
+    }
+
+    /** Whether only worlds with terrain have it. */
+    boolean isOfTerrain() {
+        return ordinal() >= HOME_PIECES.ordinal();
+    }
+
+    /** Whether it has memory in a world that turns or not, with terrain or without. */
+    boolean isHeld(boolean turning, boolean terrain) {
+        return (turning || !turns()) && (terrain || !isOfTerrain());
     }
 
     /** The declaration as a parameter, or as a member of the struct World. */
@@ -258,28 +296,42 @@ public enum DeviceArray {
         return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
     }
 
-    /** Bytes of an element of each array that lies in the block before this one. */
-    long bytesBefore() {
+    /** Bytes of an element of each array that lies in the block before this one, in a world that turns or not. */
+    long bytesBefore(boolean turning) {
         long sum = 0;
         for (DeviceArray array : values) {
             if (array == this) {
                 break;
             }
-            sum += array.index == index ? array.elementBytes() : 0;
+            sum += array.index == index && array.isHeld(turning, true) ? array.elementBytes() : 0;
         }
         return sum;
     }
 
     /** What the kernels make the array of, out of their arguments. */
     String expression() {
-        if (this == SURFACES) {
-            return "(global float *) " + KIND_MOTION.kernelName + " + " + SURFACES_AT;
+        if (index == Index.TABLE && tableAt() > 0) {
+            return "(global " + type + " *) " + KIND_MOTION.kernelName + " + " + tableAt();
         }
         if (index.block == null) {
             return kernelName;
         }
-        String offset = bytesBefore() == 0 ? "" : " + (size_t) " + index.stride.kernelName() + " * " + bytesBefore();
+        long others = bytesBefore(false);
+        long ofTurning = turns() ? 0 : bytesBefore(true) - others;
+        long before = turns() ? bytesBefore(true) : others;
+        String bytes = ofTurning == 0 ? "" + before : "(" + before + " IF_TURNING(+ " + ofTurning + "))";
+        String offset = before == 0 && ofTurning == 0 ? "" : " + (size_t) " + index.stride.kernelName() + " * " + bytes;
         return "(global " + type + " *) (" + index.block + offset + ")";
+    }
+
+    /** Floats before this table in the buffer of another; 0 if it has its own. */
+    private int tableAt() {
+        return switch (this) {
+            case SURFACES -> SURFACES_AT;
+            case KIND_TERRAIN -> KIND_TERRAIN_AT;
+            case TERRAIN -> TERRAIN_AT;
+            default -> 0;
+        };
     }
 
     String comment() {

@@ -10,6 +10,7 @@ import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.WallMotion;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -48,6 +49,11 @@ public final class DeviceArrays {
 
     /** Whether there are the arrays of worlds that turn. */
     private boolean turning;
+
+    /** Whether there are the arrays of worlds with terrain. */
+    private boolean terrain;
+
+    private final TerrainRoom terrainRoom = new TerrainRoom();
 
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
@@ -203,12 +209,7 @@ public final class DeviceArrays {
                     case TILED_COPY -> copyCapacity;
                     default -> AS_IT_IS;
                 });
-                DeviceBuffer tables = session.allocate(
-                        "tables of kinds", (long) Float.BYTES * (DeviceArray.SURFACES_AT + SURFACE_FLOATS));
-                get(DeviceArray.KIND_MOTION).copyTo(tables, (long) Float.BYTES * DeviceArray.SURFACES_AT);
-                session.finish();
-                arrays.put(DeviceArray.KIND_MOTION, tables).close();
-                version++;
+                growTables(DeviceArray.SURFACES_AT + SURFACE_FLOATS);
             } catch (RuntimeException | Error e) {
                 turning = false;
                 throw e;
@@ -218,6 +219,58 @@ public final class DeviceArrays {
             fill(DeviceArray.HOME_OWN, slotCapacity, CircleField.NONE, CircleField.NONE, 0, 0);
             fill(DeviceArray.CACHED_GRIP, contactCapacity, 0, 0);
         }
+    }
+
+    /** Makes room for tables behind those of kinds; what is there stays. */
+    private void growTables(int floats) {
+        DeviceBuffer before = get(DeviceArray.KIND_MOTION);
+        long bytes = (long) Float.BYTES * floats;
+        if (before.bytes() < bytes) {
+            DeviceBuffer tables = session.allocate("tables of kinds", bytes);
+            before.copyTo(tables, before.bytes());
+            session.finish();
+            arrays.put(DeviceArray.KIND_MOTION, tables).close();
+            version++;
+        }
+    }
+
+    public boolean terrain() {
+        return terrain;
+    }
+
+    /** Makes room for what circles and pieces of terrain have. There are no pieces, and no circle is near one. */
+    public void ensureTerrain() {
+        if (!terrain) {
+            terrain = true;
+            try {
+                grow(slotCapacity, index -> switch (index) {
+                    case HOME_SLOT, SLOT -> slotCapacity;
+                    default -> AS_IT_IS;
+                });
+                grow(contactCapacity, index -> switch (index) {
+                    case CONTACT, OLD_CONTACT -> contactCapacity;
+                    default -> AS_IT_IS;
+                });
+                growTables(terrainRoom.floats());
+            } catch (RuntimeException | Error e) {
+                terrain = false;
+                throw e;
+            }
+            fill(DeviceArray.HOME_PIECES, slotCapacity, 0, 0);
+        }
+    }
+
+    /** Makes room for the tables of terrain; if it was too little, all of them have to be written. */
+    void ensureTerrain(int pieces, int nodes, int motionFloats) {
+        TerrainRoom wanted = terrainRoom.with(pieces, nodes, motionFloats);
+        if (wanted != null) {
+            growTables(wanted.floats());
+            terrainRoom.take(wanted);
+        }
+    }
+
+    TerrainRoom terrainRoom() {
+        return terrainRoom;
     }
 
     /** Gives all elements of an array the same value. */
@@ -235,14 +288,24 @@ public final class DeviceArrays {
 
     /** Writes the rows of surfaces, {@link #SURFACE_FLOATS} floats, where there is memory for them. */
     void writeSurfaces(IntBuffer rows) {
-        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * DeviceArray.SURFACES_AT, rows);
+        writeTable(DeviceArray.SURFACES_AT, rows);
+    }
+
+    /** Writes to the buffer of tables; at: floats before them. */
+    void writeTable(int at, IntBuffer words) {
+        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * at, words);
+    }
+
+    /** The same. */
+    void writeTable(int at, FloatBuffer words) {
+        get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * at, words);
     }
 
     public static int cellBlocks(int buckets) {
         return buckets >> 2 * BLOCK_LOG;
     }
 
-    private static int grown(int capacity, int needed) {
+    static int grown(int capacity, int needed) {
         return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), MOST_ELEMENTS);
     }
 
@@ -254,7 +317,7 @@ public final class DeviceArrays {
                 long wanted = elements.applyAsLong(index);
                 boolean stub = index.forTilesAlone() && !tiled;
                 if (wanted != AS_IT_IS && !(stub && blocks.containsKey(index))) {
-                    added.put(index, new Block(session, index, stub ? 1 : wanted, turning));
+                    added.put(index, new Block(session, index, stub ? 1 : wanted, turning, terrain));
                 }
             }
         } catch (RuntimeException | Error e) {

@@ -132,6 +132,29 @@ enum ElementField {
     HELD_FRICTION(DeviceArray.HELD_GRIP, 0, 1),
     HELD_ROLLING(DeviceArray.HELD_GRIP, 1, 1),
 
+    PIECES_FIRST(DeviceArray.PIECES, 0, 1),
+    PIECES_COUNT(DeviceArray.PIECES, 1, 1),
+
+    TOUCHED_PIECE(DeviceArray.PIECE, 0, 1),
+    TOUCHED_SERIAL(DeviceArray.PIECE, 1, 1),
+    TOUCHED(DeviceArray.PIECE, 0, 2),
+    TOUCHED_RESPONSE(DeviceArray.PIECE, 2, 1),
+    TOUCHED_FEATURE(DeviceArray.PIECE, 3, 1),
+
+    PUSH_SIDE(DeviceArray.PUSH, 0, 1),
+    PUSH_NORMAL(DeviceArray.PUSH, 1, 1),
+    PUSH_FRICTION(DeviceArray.PUSH, 2, 1),
+    PUSH_ROLLING(DeviceArray.PUSH, 3, 1),
+    PUSH_IMPULSES(DeviceArray.PUSH, 1, 3),
+
+    MEASURED_X(DeviceArray.MEASURED, 0, 1),
+    MEASURED_Y(DeviceArray.MEASURED, 1, 1),
+    MEASURED_GAP(DeviceArray.MEASURED, 2, 1),
+    MEASURED_CURVE(DeviceArray.MEASURED, 3, 1),
+
+    STANDING_PLACE(DeviceArray.STANDING, 0, 2),
+    STANDING_BOUNCE(DeviceArray.STANDING, 2, 1),
+
     CACHED_FRICTION(DeviceArray.CACHED_GRIP, 0, 1),
     CACHED_ROLLING(DeviceArray.CACHED_GRIP, 1, 1);
 

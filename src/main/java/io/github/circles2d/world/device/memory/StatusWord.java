@@ -18,6 +18,7 @@ public enum StatusWord {
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),
+    PIECES_FOUND(49, "the same of piece contacts"),
     DRAFTS(50, "events of the step, also those that there is no room for"),
     NEWCOMERS(51, "pairs that begin to touch in the step, likewise"),
     OPEN_HITS(52, "hits that are not complete after the step, likewise"),

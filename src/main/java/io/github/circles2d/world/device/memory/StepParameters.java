@@ -128,6 +128,7 @@ public final class StepParameters {
     private int surfacesVersion;
     private boolean turning;
     private boolean surfacesSent;
+    private final TerrainTables terrain = new TerrainTables();
     private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
@@ -158,6 +159,12 @@ public final class StepParameters {
         if (!surfacesAreOf(input)) {
             setSurfaces(input);
         }
+        terrain.set(input);
+    }
+
+    /** Makes room for tables of what was taken down last. */
+    public void ensureRoom(DeviceArrays arrays) {
+        terrain.ensureRoom(arrays);
     }
 
     /** For steps that do not turn: surfaces that change nothing. */
@@ -207,6 +214,7 @@ public final class StepParameters {
         return responsesVersion == input.responses.version
                 && motionVersion == input.motion.version
                 && surfacesAreOf(input)
+                && terrain.areOf(input)
                 && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels)
                 && Arrays.equals(walls, otherWalls);
@@ -253,6 +261,7 @@ public final class StepParameters {
             arrays.writeSurfaces(surfacesView);
             surfacesSent = true;
         }
+        terrain.send(arrays);
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {

@@ -17,6 +17,7 @@ public final class WorldSource {
         "world/stages/Scan.cl",
         "world/stages/Commands.cl",
         "world/stages/Grid.cl",
+        "world/stages/Pieces.cl",
         "world/stages/Contacts.cl",
         "world/stages/Sensing.cl",
         "world/stages/Readback.cl"
@@ -48,6 +49,7 @@ public final class WorldSource {
                 .define("HOLD", Tuning.HOLD)
                 .define("ASIDE", Tuning.ASIDE)
                 .define("GRAZE", Tuning.GRAZE)
+                .define("COVER", Tuning.COVER)
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)
                 .define("NEARLY_ELASTIC", Tuning.NEARLY_ELASTIC)

@@ -2,8 +2,11 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.PieceRow;
 
 /**
  * The text that the tables of the host give to the kernels: status words, structs that the host fills, the fields of elements, the argument
@@ -42,6 +45,7 @@ final class WorldTables {
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         surfaces(text);
+        terrain(text);
         text.append(TouchArrays.text()).append(EventArrays.text());
         text.append(parameters()).append(struct()).append(initialiser());
         for (SharedArray array : SharedArray.values()) {
@@ -110,6 +114,61 @@ final class WorldTables {
         text.append("#define " + name + " " + value + " // " + comment + "\n");
     }
 
+    private static void terrain(StringBuilder text) {
+        define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");
+        define(text, "TERRAIN_TRAITS", TerrainRoom.TRAITS, "before their traits, an int4 each");
+        define(text, "TERRAIN_BOXES", TerrainRoom.BOXES, "before the boxes of nodes, a float4 each");
+        define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
+        define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
+        define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
+        define(text, "KIND_TERRAIN_STRIDE", KindTerrain.STRIDE, "floats of a row of kindTerrain");
+        define(text, "KIND_RESTITUTION", KindTerrain.RESTITUTION, "restitution");
+        define(text, "KIND_ONE_WAY", KindTerrain.ONE_WAY, "1 if circles pass from behind");
+        define(text, "PIECE_STRIDE", PieceRow.STRIDE, "floats of the row of a piece");
+        define(text, "PIECE_X", PieceRow.X, "start of a line, centre of an arc");
+        define(text, "PIECE_Y", PieceRow.Y, "the same");
+        define(text, "PIECE_TX", PieceRow.TX, "direction of a line, of the middle of an arc");
+        define(text, "PIECE_TY", PieceRow.TY, "the same");
+        define(text, "PIECE_LENGTH", PieceRow.LENGTH, "length of a line, radius of an arc");
+        define(text, "PIECE_SPREAD", PieceRow.SPREAD, "cosine of half the opening of an arc");
+        define(text, "PIECE_THICKNESS", PieceRow.THICKNESS, "radius around a segment");
+        define(text, "PIECE_MOST", PieceRow.MOST, "how far a point of it moves at most in the step");
+        define(text, "PIECE_START_X", PieceRow.START_X, "start, from x and y");
+        define(text, "PIECE_START_Y", PieceRow.START_Y, "the same");
+        define(text, "PIECE_END_X", PieceRow.END_X, "end, from x and y");
+        define(text, "PIECE_END_Y", PieceRow.END_Y, "the same");
+        define(text, "PIECE_NEXT_X", PieceRow.NEXT_X, "direction in which the next piece leaves the end");
+        define(text, "PIECE_NEXT_Y", PieceRow.NEXT_Y, "the same");
+        define(text, "PIECE_MID_X", PieceRow.MID_X, "middle of its box");
+        define(text, "PIECE_MID_Y", PieceRow.MID_Y, "the same");
+        define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
+        define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
+        define(text, "TRAIT_KIND", "s" + PieceRow.KIND, "kind");
+        define(text, "TRAIT_SERIAL", "s" + PieceRow.SERIAL, "serial number");
+        define(text, "FORM_BITS", PieceRow.FORM, "of a shape");
+        define(text, "FORM_SEGMENT", PieceRow.SEGMENT, "solid on both sides");
+        define(text, "FORM_LINE", PieceRow.LINE, "of a chain");
+        define(text, "FORM_ARC", PieceRow.ARC, "arc");
+        define(text, "SOLID_OUTSIDE", PieceRow.SOLID_OUTSIDE, "of a shape: circles are inside");
+        define(text, "START_LOG", PieceRow.START_LOG, "where a shape has the joint of the start");
+        define(text, "END_LOG", PieceRow.END_LOG, "of the end");
+        define(text, "JOINT_BITS", PieceRow.JOINT, "of a joint");
+        define(text, "JOINT_FREE", PieceRow.FREE, "no other piece there");
+        define(text, "JOINT_CONVEX", PieceRow.CONVEX, "or straight");
+        define(text, "JOINT_CONCAVE", PieceRow.CONCAVE, "the surface turns towards its free side");
+        define(text, "BODY_PIVOT_X", BodyRow.PIVOT_X, "float of the motion of a body: what it turns around");
+        define(text, "BODY_PIVOT_Y", BodyRow.PIVOT_Y, "the same");
+        define(text, "BODY_VX", BodyRow.VX, "its velocity");
+        define(text, "BODY_VY", BodyRow.VY, "the same");
+        define(text, "BODY_OMEGA", BodyRow.OMEGA, "angular velocity");
+        define(text, "BODY_HEAD", BodyRow.pose(0), "floats before the first pose");
+        define(text, "BODY_POSE", BodyRow.pose(1) - BodyRow.pose(0), "floats of a pose");
+        define(text, "POSE_DX", BodyRow.DX, "float of a pose: displacement");
+        define(text, "POSE_DY", BodyRow.DY, "the same");
+        define(text, "POSE_COS", BodyRow.COS, "cosine of the angle");
+        define(text, "POSE_SIN", BodyRow.SIN, "sine");
+    }
+
     private static String parameters() {
         StringBuilder text = new StringBuilder("#define WORLD_PARAMETERS");
         String separator = " ";
@@ -129,16 +188,11 @@ final class WorldTables {
     private static String struct() {
         StringBuilder text = new StringBuilder("typedef struct {\n");
         text.append("    StepConstants k; // by value: read once, not at every use\n");
-        boolean turning = false;
-        for (DeviceArray array : DeviceArray.values()) {
-            if (array.turns() && !turning) {
-                text.append("#ifdef TURNING\n");
-                turning = true;
-            }
-            if (array != DeviceArray.CONSTANTS) {
-                text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
-            }
-        }
+        members(text, false, false);
+        text.append("#ifdef TURNING\n");
+        members(text, true, false);
+        text.append("#endif\n#ifdef TERRAIN\n");
+        members(text, false, true);
         text.append("#endif\n");
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
@@ -151,21 +205,36 @@ final class WorldTables {
         return text.append("} World;\n").toString();
     }
 
+    /** Declares the arrays of all worlds, or those that only worlds that turn have, or those with terrain. */
+    private static void members(StringBuilder text, boolean turning, boolean terrain) {
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array != DeviceArray.CONSTANTS && array.turns() == turning && array.isOfTerrain() == terrain) {
+                text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
+            }
+        }
+    }
+
     private static String initialiser() {
         String constants = DeviceArray.CONSTANTS.kernelName();
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
-        StringBuilder turning = new StringBuilder("#ifdef TURNING\n#define TURNING_ARRAYS");
+        StringBuilder turning =
+                new StringBuilder("#ifdef TURNING\n#define IF_TURNING(text) text\n#define TURNING_ARRAYS");
+        StringBuilder terrain = new StringBuilder("#ifdef TERRAIN\n#define TERRAIN_ARRAYS");
         for (DeviceArray array : DeviceArray.values()) {
             if (array != DeviceArray.CONSTANTS) {
-                (array.turns() ? turning : text).append(", ").append(array.expression());
+                (array.turns() ? turning : array.isOfTerrain() ? terrain : text)
+                        .append(", ")
+                        .append(array.expression());
             }
         }
-        text.append(" TURNING_ARRAYS");
+        text.append(" TURNING_ARRAYS TERRAIN_ARRAYS");
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
         text.append(", " + constants + "->warmScale, 0 }\n");
-        return turning.append("\n#else\n#define TURNING_ARRAYS\n#endif\n")
+        return turning.append("\n#else\n#define IF_TURNING(text)\n#define TURNING_ARRAYS\n#endif\n")
+                .append(terrain)
+                .append("\n#else\n#define TERRAIN_ARRAYS\n#endif\n")
                 .append(text)
                 .toString();
     }

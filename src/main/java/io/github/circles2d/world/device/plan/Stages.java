@@ -19,6 +19,10 @@ public final class Stages {
     private final GridStage grid;
     private final ContinuousCollisionStage continuousCollision;
     private final ContactsStage contacts;
+
+    /** Null in a world without terrain. */
+    private final Kernel pieces;
+
     private final Scan scan;
     private final Kernel degrees;
 
@@ -38,6 +42,7 @@ public final class Stages {
         grid = new GridStage(kernels, arrays, scan);
         continuousCollision = new ContinuousCollisionStage(kernels);
         contacts = new ContactsStage(kernels, arrays, scan);
+        pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
         degrees = kernels.plain("contacts_degrees");
     }
 
@@ -120,6 +125,9 @@ public final class Stages {
             grid.build(steps.levels(), slots, circles);
             if (steps.sweeping()) {
                 continuousCollision.sweep(steps.levels(), circles);
+            }
+            if (pieces != null) {
+                pieces.run(circles);
             }
             contacts.list(steps.levels(), circles, steps.thinning());
             rest.run();

@@ -48,8 +48,10 @@ class WorldTablesTest {
         for (int i = 0; i < probed.size(); i++) {
             probe.append("    out[" + i + "] = (int) sizeof(" + probed.get(i) + ");\n");
         }
-        KernelSource source =
-                WorldSource.tables().define("TURNING", 1).and(KernelSource.ofText("probe", probe + "}\n"));
+        KernelSource source = WorldSource.tables()
+                .define("TURNING", 1)
+                .define("TERRAIN", 1)
+                .and(KernelSource.ofText("probe", probe + "}\n"));
         int[] sizes = new int[probed.size()];
         try (Session session = Session.open(device);
                 DeviceBuffer out = session.allocate("sizes", 4L * sizes.length)) {

@@ -1,0 +1,202 @@
+// uses: world/shared/CircleMath.cl world/stages/World.cl
+// Pieces of terrain: where a circle stands to one, and when it touches it. The Java classes PieceGap and PieceSweep document these formulas.
+// row: of the piece; o: the centre against its x and y, in the frame of the start of the step.
+
+#ifdef TERRAIN
+// Where a circle is at.
+#define AT_NOTHING 0 // the piece is no constraint there
+#define AT_FACE 1
+#define AT_START 2
+#define AT_END 3
+
+typedef struct {
+    int feature;
+    float nx, ny; // unit normal towards the circle
+    float gap;
+    float curve;  // how the way at this gap curves towards the circle
+    float height; // of a line: of the centre, over the front
+} PieceGap;
+
+global const float *pieceRow(const World *w, int piece) {
+    return (global const float *) w->terrain + w->terrain[TERRAIN_ROWS] + PIECE_STRIDE * piece;
+}
+
+int4 pieceTraits(const World *w, int piece) {
+    return ((global const int4 *) (w->terrain + w->terrain[TERRAIN_TRAITS]))[piece];
+}
+
+int formOf(int shape) { return shape & FORM_BITS; }
+int startJoint(int shape) { return shape >> START_LOG & JOINT_BITS; }
+int endJoint(int shape) { return shape >> END_LOG & JOINT_BITS; }
+
+// Beyond an end; nx, ny: for a centre in the end itself.
+void measureVertex(global const float *row, bool before, int joint, float ox, float oy, float reach, float nx, float ny, PieceGap *g) {
+    float ex = ox - row[before ? PIECE_START_X : PIECE_END_X];
+    float ey = oy - row[before ? PIECE_START_Y : PIECE_END_Y];
+    float d = lengthf(ex, ey);
+    bool central = d == 0.0f;
+    g->nx = central ? nx : ex / d;
+    g->ny = central ? ny : ey / d;
+    g->gap = d - reach;
+    g->curve = central ? 0.0f : -1.0f / d;
+    // A joint belongs to the piece that ends there, up to where the next one begins.
+    bool claims = joint == JOINT_FREE ||
+                  (joint == JOINT_CONVEX && !before && ex * row[PIECE_NEXT_X] + ey * row[PIECE_NEXT_Y] < 0.0f);
+    g->feature = !claims ? AT_NOTHING : before ? AT_START : AT_END;
+}
+
+void measureLine(global const float *row, int shape, float ox, float oy, float r, float side, PieceGap *g) {
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
+    float t = ox * tx + oy * ty;
+    g->height = ox * ty - oy * tx;
+    float reach = r + row[PIECE_THICKNESS];
+    bool before = t < 0.0f;
+    bool behind = t > row[PIECE_LENGTH];
+    int joint = before ? startJoint(shape) : endJoint(shape);
+    if ((!before && !behind) || joint == JOINT_CONCAVE) {
+        g->feature = AT_FACE;
+        g->nx = side * ty;
+        g->ny = side * -tx;
+        g->gap = side * g->height - reach;
+        g->curve = 0.0f;
+    } else {
+        measureVertex(row, before, joint, ox, oy, reach, side * ty, side * -tx, g);
+    }
+}
+
+void measureArc(global const float *row, int shape, float ox, float oy, float r, PieceGap *g) {
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
+    float length = row[PIECE_LENGTH];
+    float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
+    float d = lengthf(ox, oy);
+    float cos_ = ox * tx + oy * ty;
+    if (cos_ >= row[PIECE_SPREAD] * d) {
+        bool central = d == 0.0f;
+        g->feature = AT_FACE;
+        g->nx = central ? out * tx : out * (ox / d);
+        g->ny = central ? out * ty : out * (oy / d);
+        g->gap = out * (d - length) - r;
+        g->curve = central ? 0.0f : -out / d;
+    } else {
+        bool left = tx * oy - ty * ox > 0.0f;
+        bool before = left == (out < 0.0f);
+        int joint = before ? startJoint(shape) : endJoint(shape);
+        measureVertex(row, before, joint, ox, oy, r, out * tx, out * ty, g);
+    }
+}
+
+// side: 1 or -1 for a segment, 1 for a piece that has a front.
+void measurePiece(global const float *row, int shape, float ox, float oy, float r, float side, PieceGap *g) {
+    g->height = 0.0f;
+    if (formOf(shape) == FORM_ARC) {
+        measureArc(row, shape, ox, oy, r, g);
+    } else {
+        measureLine(row, shape, ox, oy, r, side, g);
+    }
+}
+
+// How fast a way that curves turns away from a straight one on average, in a time h, at a speed along it; never faster than that.
+float turnedWay(float curve, float along, float h) {
+    float most = fabs(along);
+    return clampf(0.5f * curve * along * along * h, -most, most);
+}
+
+// Whether a centre is in front of a piece.
+bool isInFront(global const float *row, int shape, float ox, float oy) {
+    if (formOf(shape) != FORM_ARC) return ox * row[PIECE_TY] - oy * row[PIECE_TX] >= 0.0f;
+    float d = lengthf(ox, oy);
+    float length = row[PIECE_LENGTH];
+    return (shape & SOLID_OUTSIDE) != 0 ? d <= length : d >= length;
+}
+
+// Of a centre and the nearest point of a piece with its thickness; joints do not matter.
+float distanceOfPiece(global const float *row, int shape, float ox, float oy) {
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
+    float length = row[PIECE_LENGTH];
+    float cos_ = ox * tx + oy * ty;
+    if (formOf(shape) != FORM_ARC) {
+        float t = clampf(cos_, 0.0f, length);
+        return lengthf(ox - t * tx, oy - t * ty) - row[PIECE_THICKNESS];
+    }
+    float d = lengthf(ox, oy);
+    if (cos_ >= row[PIECE_SPREAD] * d) return fabs(d - length);
+    float start = lengthf(ox - row[PIECE_START_X], oy - row[PIECE_START_Y]);
+    float end = lengthf(ox - row[PIECE_END_X], oy - row[PIECE_END_Y]);
+    return minf(start, end);
+}
+
+// Whether a vertex, at o and as thick as its piece, is no higher than a slack over the face of a piece, between its ends.
+bool coversVertex(global const float *row, int shape, float side, float ox, float oy, float thickness, float slack) {
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
+    float length = row[PIECE_LENGTH];
+    float cos_ = ox * tx + oy * ty;
+    if (formOf(shape) != FORM_ARC) {
+        float height = side * (ox * ty - oy * tx) - row[PIECE_THICKNESS];
+        return cos_ >= -slack && cos_ <= length + slack && height + thickness <= slack;
+    }
+    float d = lengthf(ox, oy);
+    float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
+    return cos_ >= row[PIECE_SPREAD] * d - slack && out * (d - length) + thickness <= slack;
+}
+
+#define NEVER_TOUCHES 2.0f
+
+float timeOfLine(global const float *row, int shape, float ox, float oy, float ux, float uy, float reach, float side) {
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
+    float height = side * (ox * ty - oy * tx);
+    float sinks = -(side * (ux * ty - uy * tx));
+    float deep = height - (reach - GRAZE * reach);
+    if (!(sinks > 0.0f) || !(deep < sinks)) return NEVER_TOUCHES;
+    float t = maxf((height - reach) / sinks, 0.0f);
+    float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
+    bool meets = (along >= 0.0f || startJoint(shape) == JOINT_CONCAVE) &&
+                 (along <= row[PIECE_LENGTH] || endJoint(shape) == JOINT_CONCAVE);
+    return meets ? t : NEVER_TOUCHES;
+}
+
+// When a point leaves a circle around 0, unless it gets no farther than a graze.
+float timeFromInside(float ox, float oy, float ux, float uy, float radius, float graze) {
+    float b = ox * ux + oy * uy;
+    float a = ux * ux + uy * uy;
+    float c = radius * radius - (ox * ox + oy * oy);
+    if (!isLonger(ox + ux, oy + uy, radius + graze) || !(radius > 0.0f)) return NEVER_TOUCHES;
+    if (!(c > 0.0f)) return b > 0.0f ? 0.0f : NEVER_TOUCHES;
+    // The root that loses no digits.
+    float root = sqrt(b * b + a * c);
+    return b > 0.0f ? c / (b + root) : (root - b) / a;
+}
+
+float timeOfArc(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
+    float length = row[PIECE_LENGTH];
+    float t = (shape & SOLID_OUTSIDE) != 0 ? timeFromInside(ox, oy, ux, uy, length - r, GRAZE * r)
+                                           : timeOfImpact(-ox, -oy, ux, uy, length + r);
+    if (!(t < 1.0f)) return NEVER_TOUCHES;
+    float x = ox + t * ux;
+    float y = oy + t * uy;
+    float cos_ = x * row[PIECE_TX] + y * row[PIECE_TY];
+    return cos_ >= row[PIECE_SPREAD] * lengthf(x, y) ? t : NEVER_TOUCHES;
+}
+
+// As a share of a motion u; more than 1 if it does not touch, or gets no deeper than a graze.
+float timeOfPiece(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
+    float reach = r + row[PIECE_THICKNESS];
+    float t = formOf(shape) == FORM_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
+                                        : timeOfLine(row, shape, ox, oy, ux, uy, reach, side);
+    int start = startJoint(shape);
+    int end = endJoint(shape);
+#pragma unroll 1
+    for (int vertex = 0; vertex < 2; vertex++) {
+        bool looks = vertex == 0 ? start == JOINT_FREE : end == JOINT_FREE || end == JOINT_CONVEX;
+        if (!looks) continue;
+        float dx = row[vertex == 0 ? PIECE_START_X : PIECE_END_X] - ox;
+        float dy = row[vertex == 0 ? PIECE_START_Y : PIECE_END_Y] - oy;
+        t = minf(timeOfImpact(dx, dy, ux, uy, reach), t);
+    }
+    return t;
+}
+#endif

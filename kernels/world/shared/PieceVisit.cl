@@ -1,0 +1,379 @@
+// uses: world/shared/Piece.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
+// contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
+// come here, and all others would pay for the registers.
+//
+// c: circle; m: motion; boundary: of sub-steps, from 0 to their number.
+
+#ifdef TERRAIN
+bool hasPieces(const World *w, int slot) { return w->pieces[slot].PIECES_COUNT > 0; }
+
+// Whether a piece presses a circle.
+bool piecesPress(const World *w, int slot) {
+    int2 own = w->pieces[slot];
+    bool press = false;
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) press |= w->push[k].PUSH_NORMAL > 0.0f;
+    return press;
+}
+
+// The base of a circle against x and y of a piece.
+float2 offsetOf(const World *w, float4 c, global const float *row) {
+#ifdef EDGES
+    if (w->levels->periodX < INFINITY || w->levels->periodY < INFINITY) {
+        float midX = row[PIECE_MID_X];
+        float midY = row[PIECE_MID_Y];
+        return (float2)(ACROSS_X(w, c.x - midX) + (midX - row[PIECE_X]), ACROSS_Y(w, c.y - midY) + (midY - row[PIECE_Y]));
+    }
+#endif
+    return (float2)(c.x - row[PIECE_X], c.y - row[PIECE_Y]);
+}
+
+// Of a body that moves.
+global const float *bodyOf(const World *w, int motion) {
+    return (global const float *) w->terrain + w->terrain[TERRAIN_MOTION] + (BODY_HEAD + BODY_POSE * (w->k.subSteps + 1)) * motion;
+}
+
+global const float *poseOf(global const float *body, int boundary) { return body + BODY_HEAD + BODY_POSE * boundary; }
+
+// Its pivot against x and y of a piece.
+float2 pivotOf(global const float *body, global const float *row) {
+    return (float2)(body[BODY_PIVOT_X] - row[PIECE_X], body[BODY_PIVOT_Y] - row[PIECE_Y]);
+}
+
+// A place, against x and y of a piece, in the frame of the start of the step. o: offset; d: displacement.
+float2 inFrame(const World *w, global const float *row, int motion, float2 o, float2 d, int boundary) {
+    if (motion == 0) return (float2)(o.x + d.x, o.y + d.y);
+    global const float *body = bodyOf(w, motion);
+    global const float *pose = poseOf(body, boundary);
+    float2 p = pivotOf(body, row);
+    float x = (o.x - p.x) + (d.x - pose[POSE_DX]);
+    float y = (o.y - p.y) + (d.y - pose[POSE_DY]);
+    float cos_ = pose[POSE_COS];
+    float sin_ = pose[POSE_SIN];
+    return (float2)((cos_ * x + sin_ * y) + p.x, (cos_ * y - sin_ * x) + p.y);
+}
+
+bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
+
+// Returns whether the circle is at a vertex.
+bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
+    int4 touched = w->piece[k];
+    float side = w->push[k].PUSH_SIDE;
+    global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
+    int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
+    float2 o = inFrame(w, row, traits.TRAIT_MOTION, offsetOf(w, c, row), d, boundary);
+    w->standing[k].STANDING_PLACE = o;
+    if (side == 0.0f) {
+        w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+        return false;
+    }
+    PieceGap g;
+    measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    float nx = g.nx;
+    float ny = g.ny;
+    if (traits.TRAIT_MOTION != 0) {
+        global const float *pose = poseOf(bodyOf(w, traits.TRAIT_MOTION), boundary);
+        float cos_ = pose[POSE_COS];
+        float sin_ = pose[POSE_SIN];
+        nx = cos_ * g.nx - sin_ * g.ny;
+        ny = sin_ * g.nx + cos_ * g.ny;
+    }
+    w->measured[k] = (float4)(nx, ny, g.gap, g.curve);
+    w->piece[k].TOUCHED_FEATURE = g.feature;
+    bool vertex = g.feature > AT_FACE;
+    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+    if (vertex && twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
+    return vertex;
+}
+
+// A free vertex under which another piece has its face is no constraint.
+void coverTouched(const World *w, int k, int2 own, float r) {
+    int4 touched = w->piece[k];
+    int feature = touched.TOUCHED_FEATURE;
+    if (feature <= AT_FACE || touched.TOUCHED_RESPONSE != PAIR_SOLID) return;
+    int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
+    bool start = feature == AT_START;
+    if ((start ? startJoint(traits.TRAIT_SHAPE) : endJoint(traits.TRAIT_SHAPE)) != JOINT_FREE) return;
+    global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
+    float2 place = w->standing[k].STANDING_PLACE;
+    float ex = row[start ? PIECE_START_X : PIECE_END_X];
+    float ey = row[start ? PIECE_START_Y : PIECE_END_Y];
+#pragma unroll 1
+    for (int other = own.PIECES_FIRST; other < own.PIECES_FIRST + own.PIECES_COUNT; other++) {
+        int4 under = w->piece[other];
+        if (under.TOUCHED_FEATURE != AT_FACE || under.TOUCHED_RESPONSE != PAIR_SOLID) continue;
+        int4 traitsUnder = pieceTraits(w, under.TOUCHED_PIECE);
+        if (traitsUnder.TRAIT_MOTION != traits.TRAIT_MOTION) continue;
+        float2 from = w->standing[other].STANDING_PLACE;
+        float x = (from.x - place.x) + ex;
+        float y = (from.y - place.y) + ey;
+        if (coversVertex(pieceRow(w, under.TOUCHED_PIECE), traitsUnder.TRAIT_SHAPE, w->push[other].PUSH_SIDE, x, y,
+                         row[PIECE_THICKNESS], COVER * r)) {
+            w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+            return;
+        }
+    }
+}
+
+// Measures all contacts of a circle, and forgets the impulses of those that are none there.
+void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
+    int end = own.PIECES_FIRST + own.PIECES_COUNT;
+    bool vertices = false;
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
+    if (vertices && own.PIECES_COUNT > 1) {
+#pragma unroll 1
+        for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
+    }
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < end; k++) {
+        if (w->piece[k].TOUCHED_FEATURE != AT_NOTHING) continue;
+        w->push[k].PUSH_IMPULSES = (float3)(0.0f);
+        w->standing[k].STANDING_BOUNCE = 0.0f;
+    }
+}
+
+// How fast the surface of a piece moves where a circle is nearest to it.
+float2 surfaceOf(const World *w, global const float *row, int motion, float4 c, float2 d, float4 g, int boundary) {
+    if (motion == 0) return (float2)(0.0f);
+    global const float *body = bodyOf(w, motion);
+    global const float *pose = poseOf(body, boundary);
+    float reach = c.RADIUS + g.MEASURED_GAP;
+    float2 p = pivotOf(body, row);
+    float2 o = offsetOf(w, c, row);
+    float x = ((o.x - p.x) + (d.x - pose[POSE_DX])) - g.MEASURED_X * reach;
+    float y = ((o.y - p.y) + (d.y - pose[POSE_DY])) - g.MEASURED_Y * reach;
+    float omega = body[BODY_OMEGA];
+    return (float2)(body[BODY_VX] - omega * y, body[BODY_VY] + omega * x);
+}
+
+bool isConstraint(int4 touched) {
+    return touched.TOUCHED_FEATURE != AT_NOTHING && touched.TOUCHED_RESPONSE == PAIR_SOLID;
+}
+
+float restitutionAt(const World *w, float own, int kind) {
+    return maxf(own, w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_RESTITUTION]);
+}
+
+#ifdef TURNING
+// impulse: along the tangent.
+void takeGrip(float4 g, float impulse, float4 *m) {
+    m->VX += -g.MEASURED_Y * impulse;
+    m->VY += g.MEASURED_X * impulse;
+}
+
+void gripPiece(const World *w, int k, int kind, float4 g, float along, float normalImpulse, bool keep, float4 *m, Turning *turning) {
+    Between b = betweenSurfaces(w, turning, kind);
+    if (!(b.friction > 0.0f || b.resistance > 0.0f)) return;
+    float4 push = w->push[k];
+    float friction_ = push.PUSH_FRICTION;
+    float rolling_ = push.PUSH_ROLLING;
+    takeGrip(g, visitGrip(turning, &b, &friction_, &rolling_, along, b.belt + turning->skin.BELT, normalImpulse, keep), m);
+    w->push[k].PUSH_FRICTION = friction_;
+    w->push[k].PUSH_ROLLING = rolling_;
+}
+#endif
+
+// The warm start of a contact.
+void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) {
+    int4 touched = w->piece[k];
+    float4 push = w->push[k];
+    if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
+        w->push[k].PUSH_FRICTION = 0.0f;
+        w->push[k].PUSH_ROLLING = 0.0f;
+        return;
+    }
+    float4 g = w->measured[k];
+    m->VX += g.MEASURED_X * push.PUSH_NORMAL;
+    m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
+#ifdef TURNING
+    Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
+    float friction_ = push.PUSH_FRICTION;
+    float rolling_ = push.PUSH_ROLLING;
+    takeGrip(g, warmGrip(turning, &b, &friction_, &rolling_), m);
+    w->push[k].PUSH_FRICTION = friction_;
+    w->push[k].PUSH_ROLLING = rolling_;
+#endif
+}
+
+// Where a visit of a piece is to be recorded: in solvePiece behind each way out but the last one's #endif, and in relaxPiece.
+void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+    const StepConstants *s = &w->k;
+    int4 touched = w->piece[k];
+    if (!isConstraint(touched)) return;
+    int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
+    float4 g = w->measured[k];
+    float impulse = w->push[k].PUSH_NORMAL;
+    float gap = g.MEASURED_GAP;
+    float nx = g.MEASURED_X;
+    float ny = g.MEASURED_Y;
+    float2 surface =
+        surfaceOf(w, pieceRow(w, touched.TOUCHED_PIECE), traits.TRAIT_MOTION, c, m->DISPLACEMENT, g, w->subStep);
+    float ux = m->VX - surface.x;
+    float uy = m->VY - surface.y;
+    w->standing[k].STANDING_BOUNCE = 0.0f;
+    // The move ends there instead.
+    if (gap > MARGIN * c.RADIUS && impulse == 0.0f && isLonger(ux * s->h, uy * s->h, CAP * c.RADIUS)) return;
+    float along = nx * uy - ny * ux;
+    float vn = (nx * ux + ny * uy) - turnedWay(g.MEASURED_CURVE, along, s->h);
+    float vnBefore = nx * (before.x - surface.x) + ny * (before.y - surface.y);
+    if (!(impulse > 0.0f) && staysClear(s, gap, vn, vnBefore)) return;
+    Found f = foundOneBody(s, gap, c.RADIUS, restitutionAt(w, restitution, traits.TRAIT_KIND), s->thresholdRate, impulse, loaded);
+    f.before = vnBefore;
+    Visited visited;
+    float bounce = solveOneBody(s, &f, vn, &visited);
+    float change = visited.leaves ? 0.0f : visited.impulse;
+    bool bounces = !visited.solved && !visited.leaves;
+    if (bounces) {
+        float behind = leftBehind(gap, vn, change, s->dt, c.RADIUS);
+        m->DX -= nx * behind;
+        m->DY -= ny * behind;
+    }
+    w->standing[k].STANDING_BOUNCE = bounce;
+    m->VX += nx * change;
+    m->VY += ny * change;
+    w->push[k].PUSH_NORMAL = visited.normalImpulse;
+#ifdef TURNING
+    if (bounces) gripPiece(w, k, traits.TRAIT_KIND, g, along, change, false, m, turning);
+#endif
+}
+
+// The biased pass over the pieces of a circle. before: velocity before any impulse.
+void solvePieces(const World *w, int slot, float4 c, float restitution, float2 before, bool loaded,
+                 float4 *m AND_TURNING(Turning *turning)) {
+    int2 own = w->pieces[slot];
+    int end = own.PIECES_FIRST + own.PIECES_COUNT;
+    measurePieces(w, own, c, m->DISPLACEMENT, w->subStep);
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, m AND_TURNING(turning));
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < end; k++) {
+        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning));
+    }
+}
+
+void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+    const StepConstants *s = &w->k;
+    int4 touched = w->piece[k];
+    if (!isConstraint(touched)) return;
+    float4 g = w->measured[k];
+    float4 push = w->push[k];
+    float gap = g.MEASURED_GAP;
+    float bounce = w->standing[k].STANDING_BOUNCE;
+    bool held = push.PUSH_FRICTION != 0.0f || push.PUSH_ROLLING != 0.0f;
+    if (gap > 0.0f && !(push.PUSH_NORMAL > 0.0f) && !(bounce > 0.0f) && !held) return;
+    int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
+    float2 surface =
+        surfaceOf(w, pieceRow(w, touched.TOUCHED_PIECE), traits.TRAIT_MOTION, c, m->DISPLACEMENT, g, w->subStep + 1);
+    float nx = g.MEASURED_X;
+    float ny = g.MEASURED_Y;
+    float ux = m->VX - surface.x;
+    float uy = m->VY - surface.y;
+    float vn = nx * ux + ny * uy;
+    Found f = foundOneBody(s, gap, c.RADIUS, restitutionAt(w, restitution, traits.TRAIT_KIND), s->thresholdRate, push.PUSH_NORMAL, loaded);
+#ifdef TURNING
+    f.held = held;
+#endif
+    Visited visited;
+    relaxOneBody(s, &f, bounce, vn, &visited);
+    if (!visited.leaves) {
+        m->VX += nx * visited.impulse;
+        m->VY += ny * visited.impulse;
+        w->push[k].PUSH_NORMAL = bounce > 0.0f ? 0.0f : visited.normalImpulse; // that of a bounce is not kept
+    }
+#ifdef TURNING
+    float normal = visited.solved ? visited.whole : visited.leaves ? push.PUSH_NORMAL : visited.impulse;
+    gripPiece(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, normal, visited.solved && !(bounce > 0.0f), m, turning);
+#endif
+}
+
+// The relaxing pass over the pieces of a circle, behind its move.
+void relaxPieces(const World *w, int slot, float4 c, float restitution, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+    int2 own = w->pieces[slot];
+    measurePieces(w, own, c, m->DISPLACEMENT, w->subStep + 1);
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        relaxPiece(w, k, c, restitution, loaded, m AND_TURNING(turning));
+    }
+}
+
+// What stops a circle first in a sub-step, if anything does.
+typedef struct {
+    int contact;  // NONE: nothing
+    float share;  // of the move
+    float2 place; // against x and y of the piece, in the frame of the start of the step
+} Stop;
+
+// from, to: displacements; moving: whether pieces that move count.
+Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
+    Stop stop = {NONE, 1.0f, (float2)(0.0f)};
+    bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        int4 touched = w->piece[k];
+        float side = w->push[k].PUSH_SIDE;
+        int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
+        int motion = traits.TRAIT_MOTION;
+        if (side == 0.0f || touched.TOUCHED_RESPONSE != PAIR_SOLID || (motion == 0 ? !fast : !moving)) continue;
+        global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
+        float2 o = offsetOf(w, c, row);
+        float2 at = inFrame(w, row, motion, o, from, w->subStep);
+        float2 then = inFrame(w, row, motion, o, to, w->subStep + 1);
+        float ux = motion == 0 ? to.x - from.x : then.x - at.x;
+        float uy = motion == 0 ? to.y - from.y : then.y - at.y;
+        if (motion != 0 && !isLonger(ux, uy, CAP * c.RADIUS)) continue;
+        float t = timeOfPiece(row, traits.TRAIT_SHAPE, at.x, at.y, ux, uy, c.RADIUS, side);
+        if (t < stop.share) {
+            stop.share = t;
+            stop.contact = k;
+            stop.place = (float2)(at.x + t * ux, at.y + t * uy);
+        }
+    }
+    return stop;
+}
+
+// The displacement at the place where a piece that moves has met the circle, as the piece has it at a boundary.
+float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundary) {
+    global const float *row = pieceRow(w, piece);
+    global const float *body = bodyOf(w, pieceTraits(w, piece).TRAIT_MOTION);
+    global const float *pose = poseOf(body, boundary);
+    float2 p = pivotOf(body, row);
+    float x = place.x - p.x;
+    float y = place.y - p.y;
+    float cos_ = pose[POSE_COS];
+    float sin_ = pose[POSE_SIN];
+    float2 o = offsetOf(w, c, row);
+    float ox = o.x - p.x;
+    float oy = o.y - p.y;
+    return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
+}
+
+// Ends a circle's move in a sub-step, from a displacement to another, where it would pass a piece; a piece that moves takes it along.
+float2 stopAtPieces(const World *w, int slot, float4 c, float2 from, float2 to) {
+    int2 own = w->pieces[slot];
+    // A loop, so that what looks for them is there once: first at all, then, if one takes it along, at those at rest.
+#pragma unroll 1
+    for (int moving = 1; moving >= 0; moving--) {
+        Stop stop = firstStop(w, own, c, from, to, moving != 0);
+        if (stop.contact == NONE) break;
+        int piece = w->piece[stop.contact].TOUCHED_PIECE;
+        if (moving == 0 || pieceTraits(w, piece).TRAIT_MOTION == 0) {
+            return (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
+        }
+        to = takenAlong(w, piece, c, stop.place, w->subStep + 1);
+    }
+    return to;
+}
+
+// Ends the step; all goes home.
+void finalizePieces(const World *w, int slot) {
+    int2 own = w->pieces[slot];
+    w->homePieces[slot] = own;
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        w->homePiece[k] = w->piece[k].TOUCHED;
+        w->homePush[k] = w->push[k];
+    }
+}
+#endif

@@ -1,0 +1,82 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.world.model.PieceRow;
+
+/**
+ * Where the tables of terrain lie behind {@link DeviceArray#TERRAIN}, which begins with a head: so many floats before the rows of pieces, their
+ * traits, the boxes of nodes, their links, and the motion of bodies; then the number of nodes.
+ */
+final class TerrainRoom {
+    static final int ROWS = 0;
+    static final int TRAITS = 1;
+    static final int BOXES = 2;
+    static final int LINKS = 3;
+    static final int MOTION = 4;
+    static final int NODES = 5;
+
+    /** Ints of the head: a multiple of 4, as all that follows, for kernels that read vectors. */
+    static final int HEAD = 8;
+
+    /** Floats of the box of a node. */
+    static final int BOX = 4;
+
+    /** Ints of its links. */
+    static final int LINK = 2;
+
+    private int pieces;
+    private int nodes;
+    private int motionFloats;
+
+    /** Counts how often tables have moved, which then have to be written again. */
+    private int version;
+
+    /** More room, if this is too little; or null. */
+    TerrainRoom with(int morePieces, int moreNodes, int moreFloats) {
+        if (morePieces <= pieces && moreNodes <= nodes && moreFloats <= motionFloats) {
+            return null;
+        }
+        TerrainRoom more = new TerrainRoom();
+        more.pieces = room(pieces, morePieces);
+        more.nodes = room(nodes, moreNodes);
+        more.motionFloats = room(motionFloats, moreFloats);
+        return more;
+    }
+
+    private static int room(int capacity, int needed) {
+        return needed <= capacity ? capacity : DeviceArrays.grown(capacity, needed);
+    }
+
+    /** Becomes as another one. */
+    void take(TerrainRoom other) {
+        pieces = other.pieces;
+        nodes = other.nodes;
+        motionFloats = other.motionFloats;
+        version++;
+    }
+
+    int version() {
+        return version;
+    }
+
+    /** Floats of all tables, with those before these. */
+    int floats() {
+        return DeviceArray.TERRAIN_AT + at(MOTION) + motionFloats;
+    }
+
+    /** Floats from {@link DeviceArray#TERRAIN} to one of these. */
+    int at(int table) {
+        int rows = HEAD;
+        int traits = rows + PieceRow.of(pieces);
+        int boxes = traits + PieceRow.traits(pieces);
+        int links = boxes + BOX * nodes;
+        int motion = links + LINK * nodes + 3 & ~3;
+        return switch (table) {
+            case ROWS -> rows;
+            case TRAITS -> traits;
+            case BOXES -> boxes;
+            case LINKS -> links;
+            case MOTION -> motion;
+            default -> throw new IllegalArgumentException("no table " + table);
+        };
+    }
+}
