@@ -177,15 +177,16 @@ final class PieceVisits {
                 cover(c, from, to, r);
             }
         }
-        for (int c = from; c < to; c++) {
-            if (contacts.numbers[PieceContactRow.numbers(c) + FEATURE] == PieceGap.NONE) {
-                int k = PieceContactRow.of(c);
-                contacts.rows[k + IMPULSE] = 0f;
-                contacts.rows[k + PieceContactRow.FRICTION] = 0f;
-                contacts.rows[k + ROLLING] = 0f;
-                contacts.rows[k + BOUNCE] = 0f;
-            }
-        }
+    }
+
+    /** The piece is no constraint of the circle now. */
+    private void leave(int c) {
+        int k = PieceContactRow.of(c);
+        contacts.numbers[PieceContactRow.numbers(c) + FEATURE] = PieceGap.NONE;
+        contacts.rows[k + IMPULSE] = 0f;
+        contacts.rows[k + PieceContactRow.FRICTION] = 0f;
+        contacts.rows[k + ROLLING] = 0f;
+        contacts.rows[k + BOUNCE] = 0f;
     }
 
     /** Returns whether the circle is at a vertex. */
@@ -209,7 +210,7 @@ final class PieceVisits {
         rows[k + OX] = localX;
         rows[k + OY] = localY;
         if (side == 0f) {
-            contacts.numbers[number + FEATURE] = PieceGap.NONE;
+            leave(c);
             return false;
         }
         found.measure(terrain.rows, row, shape, localX, localY, r, side);
@@ -227,6 +228,12 @@ final class PieceVisits {
         rows[k + GAP] = found.gap;
         rows[k + CURVE] = found.curve;
         contacts.numbers[number + FEATURE] = found.feature;
+        if (found.feature == PieceGap.FACE) {
+            return false;
+        }
+        if (found.feature == PieceGap.NONE) {
+            leave(c);
+        }
         boolean vertex = found.feature > PieceGap.FACE;
         if (vertex && isTwoSided(terrain, piece, shape) && found.height != 0f) {
             rows[k + SIDE] = found.height > 0f ? 1f : -1f;
@@ -270,7 +277,7 @@ final class PieceVisits {
                 float side = contacts.rows[j + SIDE];
                 if (PieceGap.covers(
                         terrain.rows, PieceRow.of(under), shape(under), side, x, y, thickness, Tuning.COVER * r)) {
-                    contacts.numbers[number + FEATURE] = PieceGap.NONE;
+                    leave(c);
                     return;
                 }
             }
@@ -562,15 +569,19 @@ final class PieceVisits {
         float r = state.circle[s + RADIUS];
         float dx = state.motion[s + DX];
         float dy = state.motion[s + DY];
+        boolean fast = CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r);
         int stopper = -1;
         share = 1f;
+        if (!fast && !(moving && terrain.bodies > 1)) {
+            return stopper;
+        }
         for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
             int piece = contacts.piece(c);
             int motion = motion(piece);
             float side = contacts.rows[PieceContactRow.of(c) + SIDE];
             if (side == 0f
                     || contacts.numbers[PieceContactRow.numbers(c) + RESPONSE] != PairTable.SOLID
-                    || motion != 0 && !moving) {
+                    || (motion == 0 ? !fast : !moving)) {
                 continue;
             }
             int row = PieceRow.of(piece);
@@ -580,9 +591,9 @@ final class PieceVisits {
             float x = localX;
             float y = localY;
             toFrame(row, motion, ox, oy, dx, dy, sub + 1);
-            float ux = localX - x;
-            float uy = localY - y;
-            if (CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
+            float ux = motion == 0 ? dx - fromX : localX - x;
+            float uy = motion == 0 ? dy - fromY : localY - y;
+            if (motion == 0 || CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
                 float t = PieceSweep.time(terrain.rows, row, shape(piece), x, y, ux, uy, r, side);
                 if (t < share) {
                     share = t;
