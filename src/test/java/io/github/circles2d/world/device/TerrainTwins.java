@@ -1,5 +1,9 @@
 package io.github.circles2d.world.device;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.world.circles.SavedPieceContacts;
+import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.KindTerrain;
@@ -11,6 +15,8 @@ import io.github.circles2d.world.shared.Pipeline;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 
 /** Random tables of terrain, which pipelines are given in place of those of their simulations: also such as no world has. */
@@ -20,7 +26,8 @@ final class TerrainTwins {
     private final TerrainStep tables = new TerrainStep();
     private final Bounds bounds;
     private final float length;
-    private int subSteps = 4;
+    private final int subSteps = 4;
+    private Pipeline[] pipelines;
 
     /** Pieces are about as long as that. */
     TerrainTwins(Bounds bounds, float length) {
@@ -29,7 +36,8 @@ final class TerrainTwins {
     }
 
     /** The same pipelines, in steps with these tables. */
-    Pipeline[] on(Pipeline... pipelines) {
+    Pipeline[] on(Pipeline... all) {
+        pipelines = all;
         Pipeline[] with = new Pipeline[pipelines.length];
         for (int k = 0; k < pipelines.length; k++) {
             Pipeline pipeline = pipelines[k];
@@ -52,6 +60,26 @@ final class TerrainTwins {
         } catch (InvocationTargetException e) {
             throw e.getCause();
         }
+    }
+
+    /** Compares the contacts of circles with pieces; returns their number. */
+    int assertSameContacts(String when) {
+        List<String> expected = contacts(pipelines[0]);
+        for (Pipeline pipeline : pipelines) {
+            assertThat(contacts(pipeline)).as(when + " on " + pipeline.device()).isEqualTo(expected);
+        }
+        return expected.size();
+    }
+
+    private static List<String> contacts(Pipeline pipeline) {
+        SavedPieceContacts saved = new SavedState().pieceContacts;
+        pipeline.savePieceContacts(saved);
+        List<String> contacts = new ArrayList<>();
+        for (int k = 0; k < saved.count; k++) {
+            contacts.add(saved.circle[k] + " " + saved.piece[k] + " " + saved.serial[k] + " " + saved.side[k] + " "
+                    + saved.impulse[k] + " " + saved.friction[k] + " " + saved.rolling[k]);
+        }
+        return contacts;
     }
 
     private void prepare(StepInput input) {
