@@ -311,20 +311,21 @@ typedef struct {
 // from, to: displacements; moving: whether pieces that move count.
 Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
+    bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         int4 touched = w->piece[k];
         float side = w->push[k].PUSH_SIDE;
         int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
         int motion = traits.TRAIT_MOTION;
-        if (side == 0.0f || touched.TOUCHED_RESPONSE != PAIR_SOLID || (motion != 0 && !moving)) continue;
+        if (side == 0.0f || touched.TOUCHED_RESPONSE != PAIR_SOLID || (motion == 0 ? !fast : !moving)) continue;
         global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
         float2 o = offsetOf(w, c, row);
         float2 at = inFrame(w, row, motion, o, from, w->subStep);
         float2 then = inFrame(w, row, motion, o, to, w->subStep + 1);
-        float ux = then.x - at.x;
-        float uy = then.y - at.y;
-        if (!isLonger(ux, uy, CAP * c.RADIUS)) continue;
+        float ux = motion == 0 ? to.x - from.x : then.x - at.x;
+        float uy = motion == 0 ? to.y - from.y : then.y - at.y;
+        if (motion != 0 && !isLonger(ux, uy, CAP * c.RADIUS)) continue;
         float t = timeOfPiece(row, traits.TRAIT_SHAPE, at.x, at.y, ux, uy, c.RADIUS, side);
         if (t < stop.share) {
             stop.share = t;

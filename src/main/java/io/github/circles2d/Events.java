@@ -4,7 +4,8 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRows;
 
 /**
- * The contacts of circles, and of circles and walls, since the last call of {@link World#events}: which began, hit and ended.
+ * The contacts of circles, of circles and walls, and of circles and pieces of {@link Terrain}, since the last call of {@link World#events}:
+ * which began, hit and ended.
  * {@link World#report} sets the types that a world reports.
  *
  * <pre>{@code
@@ -33,8 +34,13 @@ import io.github.circles2d.world.events.EventRows;
  * that {@link World#teleport} moves touches nothing on its way, nor does one that is not static and that {@link World#setPosition}
  * moves. A sensor notices all circles of a crowd. A sensor at a wall has the events of any circle at a wall.
  *
+ * <p><b>Terrain:</b> a circle and a piece are a pair, as a circle and a wall are, with the gap of a wall. Who rolls along a chain ends with
+ * one piece and begins with the next. A piece that moves with its body counts as a wall that moves does. A piece that only senses a circle
+ * notices it as a sensor does, if it comes from the free side of a piece that has one. If a piece is removed, its pairs end with the next
+ * step, under its old handle. Static circles touch no terrain.
+ *
  * <p><b>Kinds decide</b> which pairs are reported: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for
- * those of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A pair of which no type is reported is not
+ * those of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A piece of terrain has a kind, too. A pair of which no type is reported is not
  * followed: it ends in silence if its circles get such kinds, and begins if it touches when it is reported again.
  *
  * <p><b>Hits:</b> a pair {@link #HIT hits} if an impulse acted and its approach speed is at least {@link World#setHitSpeed}, whether
@@ -50,9 +56,9 @@ import io.github.circles2d.world.events.EventRows;
  * so it may begin, with speed and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
  *
  * <p><b>Removed circles:</b> a circle may be in several events. If a game removes circles while it reads, later events name them by
- * stale handles: {@link World#contains} is false for these. It is false for the 0 of a wall, too.
+ * stale handles: {@link World#contains} is false for these. It is false for the 0 of a wall or piece, too.
  *
- * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those
+ * <p><b>Order:</b> step, lower id, higher id (walls after circles, pieces after walls by their ids), then begin, hit, end. Events of a removed circle come before those
  * of a circle that has its id now. The events and their order are the same on every back end, device and number of threads.
  *
  * <p>There is one object per world, which each call of {@link World#events} and {@link World#takeEvents} fills again; steps do not touch it. Reading it makes
@@ -142,17 +148,27 @@ public final class Events {
      * The circle of higher id.
      *
      * @param event its number, from 0 on
-     * @return its handle; stale if the circle has been removed; 0 for a wall
+     * @return its handle; stale if the circle has been removed; 0 for a wall and for a piece of terrain
      */
     public long b(int event) {
         return rows.b(event);
     }
 
     /**
+     * The piece of terrain.
+     *
+     * @param event its number, from 0 on
+     * @return its handle; stale if the piece has been removed; 0 if there are two circles, or a wall
+     */
+    public long piece(int event) {
+        return rows.piece(event);
+    }
+
+    /**
      * The wall.
      *
      * @param event its number, from 0 on
-     * @return which; null if there are two circles
+     * @return which; null if there are two circles, or a piece of terrain
      */
     public Side side(int event) {
         int side = rows.side(event);
@@ -211,7 +227,7 @@ public final class Events {
     }
 
     /**
-     * The direction from circle a to circle b, or to the wall.
+     * The direction from circle a to circle b, to the wall or to the piece.
      *
      * @param event its number, from 0 on
      * @return x of a unit vector; 0 for an end

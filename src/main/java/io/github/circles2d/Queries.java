@@ -23,7 +23,8 @@ import io.github.circles2d.world.search.Searches;
  *
  * <p><b>Circles</b> have their present places: those after all steps that were asked for, with the changes that wait for the next step
  * (circles that were added, removed, moved or resized, and kinds). Queries find static circles and sensors like all others. A static
- * circle that {@link World#setPosition} lets travel is found at the place where it sets out. Queries do not find walls. They change
+ * circle that {@link World#setPosition} lets travel is found at the place where it sets out. Queries do not find walls, and {@link #terrain} has
+ * those for terrain. They change
  * nothing, and can be made at any time between two steps.
  *
  * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
@@ -86,17 +87,28 @@ public final class Queries {
     public static final int NORMAL_Y = CastSearch.NORMAL_Y;
 
     private final Searches searches;
+    private final TerrainQueries terrain;
 
     /** Which circles are found; null for all. */
     private final CategoryFilter filter;
 
-    Queries(Searches searches) {
-        this(searches, null);
+    Queries(Searches searches, Searches ofTerrain) {
+        this(searches, new TerrainQueries(ofTerrain, null), null);
     }
 
-    private Queries(Searches searches, CategoryFilter filter) {
+    private Queries(Searches searches, TerrainQueries terrain, CategoryFilter filter) {
         this.searches = searches;
+        this.terrain = terrain;
         this.filter = filter;
+    }
+
+    /**
+     * The same questions about the pieces of {@link Terrain}, with the same mask.
+     *
+     * @return always the same object
+     */
+    public TerrainQueries terrain() {
+        return terrain;
     }
 
     /**
@@ -108,7 +120,7 @@ public final class Queries {
      * @return queries with this mask; a mask of this object no longer counts for them
      */
     public Queries withMask(int mask) {
-        return new Queries(searches, searches.filter(mask));
+        return new Queries(searches, terrain.withMask(mask), searches.filter(mask));
     }
 
     // ---- overlaps

@@ -155,7 +155,7 @@ public final class World implements AutoCloseable {
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
                         .with(b.surfaces()));
-        queries = new Queries(simulation.searches());
+        queries = new Queries(simulation.searches(), simulation.terrainSearches());
         terrain = new Terrain(simulation);
     }
 
@@ -752,6 +752,41 @@ public final class World implements AutoCloseable {
      */
     public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
         return simulation.bulk().explode(true, mask, x, y, radius, impulse, falloff);
+    }
+
+    /**
+     * Pushes the circles near a point away from it, as {@link #explode(float, float, float, float, float)} does, but those that are hidden
+     * behind terrain: a circle gets nothing if a piece that would stop it is between the point and its centre. A ray from the point
+     * decides, as {@link TerrainQueries#rayCast(float, float, float, float, float[])} finds pieces, but pieces at the point itself hide
+     * nobody.
+     *
+     * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
+     * @param y y of the point, likewise
+     * @param radius a length, 0 to 1e10
+     * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
+     * @param falloff a length, 0 to 1e10
+     * @return the number of circles that got an impulse
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public int explodeInSight(float x, float y, float radius, float impulse, float falloff) {
+        return simulation.bulk().explodeInSight(false, 0, x, y, radius, impulse, falloff);
+    }
+
+    /**
+     * Pushes some of the circles near a point away from it, as {@link #explodeInSight(float, float, float, float, float)} does: those
+     * whose kind's category ({@link Kind#setCategory}) has a bit of a mask.
+     *
+     * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
+     * @param y y of the point, likewise
+     * @param radius a length, 0 to 1e10
+     * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
+     * @param falloff a length, 0 to 1e10
+     * @param mask the bits of the categories to push
+     * @return the number of circles that got an impulse
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public int explodeInSight(float x, float y, float radius, float impulse, float falloff, int mask) {
+        return simulation.bulk().explodeInSight(true, mask, x, y, radius, impulse, falloff);
     }
 
     // ---- the world

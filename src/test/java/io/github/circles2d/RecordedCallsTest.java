@@ -31,6 +31,10 @@ class RecordedCallsTest {
 
     private static final float[] TWO = {0.3f, 0.4f, 0.7f, 0.6f};
 
+    /** Lines and an arc, closed. */
+    private static final Chain CHAIN =
+            Chain.of(0.9f, 0.1f, 0.9f, 0.5f, 0.7f, 0.5f).arcTo(0.5f, 0.5f, -3).close();
+
     /** Every method that changes what the next step does, or what a snapshot has, with a call of it that does. */
     private static final Map<String, Change> CHANGES = new TreeMap<>(Map.ofEntries(
             change("add(float, float, float, float)", (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2)),
@@ -86,6 +90,12 @@ class RecordedCallsTest {
                     "explode(float, float, float, float, float, int)",
                     (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0, 1)),
             change(
+                    "explodeInSight(float, float, float, float, float)",
+                    (w, a, b) -> w.explodeInSight(0.4f, 0.4f, 1, 0.1f, 0)),
+            change(
+                    "explodeInSight(float, float, float, float, float, int)",
+                    (w, a, b) -> w.explodeInSight(0.4f, 0.4f, 1, 0.1f, 0, 1)),
+            change(
                     "add(float, float, float, float, float, float, int)",
                     (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2, 1, -1, 3)),
             change("setKind(long, int)", (w, a, b) -> w.setKind(a, 200)),
@@ -128,6 +138,55 @@ class RecordedCallsTest {
             change("Kind.setGreatestSpeed(float)", (w, a, b) -> w.kind(0).setGreatestSpeed(0.1f)),
             change("setGravity(float, float)", (w, a, b) -> w.setGravity(1, -2)),
             change("setBounds(float, float, float, float)", (w, a, b) -> w.setBounds(0.25f, 0.25f, 0.9f, 0.8f)),
+            change("Kind.setOneWay(boolean)", (w, a, b) -> w.kind(3).setOneWay(true)),
+            change("Terrain.addSegment(float, float, float, float)", (w, a, b) -> w.terrain()
+                    .addSegment(0, 0.2f, 1, 0.1f)),
+            change("Terrain.addSegment(float, float, float, float, float, int)", (w, a, b) -> w.terrain()
+                    .addSegment(0, 0.2f, 1, 0.1f, 0.05f, 3)),
+            change("Terrain.addArc(float, float, float, float, float, ArcSide)", (w, a, b) -> w.terrain()
+                    .addArc(0.5f, 0.5f, 0.4f, -3, 0.1f, ArcSide.INNER)),
+            change("Terrain.addArc(float, float, float, float, float, ArcSide, int)", (w, a, b) -> w.terrain()
+                    .addArc(0.5f, 0.5f, 0.4f, -3, 0.1f, ArcSide.OUTER, 255)),
+            change("Terrain.addChain(Chain)", (w, a, b) -> w.terrain().addChain(CHAIN)),
+            change("Terrain.addChain(Chain, int, long[])", (w, a, b) -> w.terrain()
+                    .addChain(Chain.from(0.9f, 0.9f).arcTo(0.5f, 0.5f, 1).close(), 9, new long[2])),
+            change("Terrain.addSegments(float[], int, long[])", (w, a, b) -> w.terrain()
+                    .addSegments(new float[] {0, 0, 1, 1, 1, 0, 0, 1}, 2, new long[2])),
+            change("Terrain.remove(long)", (w, a, b) -> {
+                long[] pieces = new long[CHAIN.pieces()];
+                w.terrain().addChain(CHAIN, 4, pieces);
+                w.terrain().remove(pieces[1]);
+            }),
+            change("Terrain.setKind(long, int)", (w, a, b) -> w.terrain()
+                    .setKind(w.terrain().addSegment(0, 0, 1, 1), 77)),
+            change("Terrain.clear()", (w, a, b) -> {
+                liftOf(w);
+                w.terrain().clear();
+            }),
+            change("Terrain.addBody(float, float, float)", (w, a, b) -> w.terrain()
+                    .addBody(0.5f, 0.5f, 2)),
+            change("TerrainBody.addSegment(float, float, float, float)", (w, a, b) -> liftOf(w)
+                    .addSegment(0, 0, 1, 1)),
+            change("TerrainBody.addSegment(float, float, float, float, float, int)", (w, a, b) -> liftOf(w)
+                    .addSegment(0, 0, 1, 1, 0.1f, 1)),
+            change("TerrainBody.addArc(float, float, float, float, float, ArcSide)", (w, a, b) -> liftOf(w)
+                    .addArc(0, 0, 0.1f, 0, 1, ArcSide.OUTER)),
+            change("TerrainBody.addArc(float, float, float, float, float, ArcSide, int)", (w, a, b) -> liftOf(w)
+                    .addArc(0, 0, 0.1f, 0, 1, ArcSide.OUTER, 8)),
+            change("TerrainBody.addChain(Chain)", (w, a, b) -> liftOf(w).addChain(CHAIN)),
+            change("TerrainBody.addChain(Chain, int, long[])", (w, a, b) -> liftOf(w)
+                    .addChain(CHAIN, 1, null)),
+            change("TerrainBody.addSegments(float[], int, long[])", (w, a, b) -> liftOf(w)
+                    .addSegments(new float[] {0, 0, 1, 1}, 2, null)),
+            change("TerrainBody.setVelocity(float, float)", (w, a, b) -> liftOf(w)
+                    .setVelocity(1, -2)),
+            change("TerrainBody.setAngularVelocity(float)", (w, a, b) -> liftOf(w)
+                    .setAngularVelocity(-9)),
+            change("TerrainBody.moveTo(float, float, float)", (w, a, b) -> liftOf(w)
+                    .moveTo(0.3f, 0.2f, 1)),
+            change("TerrainBody.teleport(float, float, float)", (w, a, b) -> liftOf(w)
+                    .teleport(0.3f, 0.2f, 1)),
+            change("TerrainBody.remove()", (w, a, b) -> liftOf(w).remove()),
             change("step(float)", (w, a, b) -> w.step(0.01f)),
             change("step(float, int)", (w, a, b) -> w.step(0.01f, 3)),
             change("restore(ByteBuffer)", (w, a, b) -> w.restore(snapshotOfAnother()))));
@@ -167,6 +226,7 @@ class RecordedCallsTest {
             "Kind.gravityScale",
             "Kind.greatestSpeed",
             "Kind.inertia",
+            "Kind.isOneWay",
             "Kind.isSensor",
             "Kind.mask",
             "Kind.number",
@@ -213,6 +273,25 @@ class RecordedCallsTest {
             "takeEvents",
             "takePositions",
             "takePositionsById",
+            "terrain",
+            "Terrain.body",
+            "Terrain.bodyOf",
+            "Terrain.contains",
+            "Terrain.ground",
+            "Terrain.handle",
+            "Terrain.idLimit",
+            "Terrain.kindOf",
+            "Terrain.readPieces",
+            "Terrain.size",
+            "TerrainBody.angle",
+            "TerrainBody.angularVelocity",
+            "TerrainBody.exists",
+            "TerrainBody.handle",
+            "TerrainBody.toString",
+            "TerrainBody.vx",
+            "TerrainBody.vy",
+            "TerrainBody.x",
+            "TerrainBody.y",
             "torque",
             "touching",
             "vx",
@@ -241,8 +320,10 @@ class RecordedCallsTest {
                 types.add(given);
             }
         }
+        types.add(TerrainBody.class); // Terrain gives it out
         types.remove(World.Builder.class); // a snapshot has what it sets
-        types.remove(Queries.class); // it reads
+        types.remove(Queries.class); // they read
+        types.remove(TerrainQueries.class);
         types.remove(Events.class);
         for (Class<?> type : types) {
             for (Method method : type.getDeclaredMethods()) {
@@ -292,6 +373,14 @@ class RecordedCallsTest {
             player.step(1 / 60f, 5);
             assertThat(player.hash()).isEqualTo(world.hash());
         }
+    }
+
+    /** A body with a piece, that moves. */
+    private static TerrainBody liftOf(World world) {
+        TerrainBody lift = world.terrain().addBody(0.7f, 0.2f, -1);
+        lift.addSegment(-0.1f, 0, 0.1f, 0);
+        lift.setVelocity(0, 0.5f);
+        return lift;
     }
 
     private static World newWorld() {

@@ -298,6 +298,45 @@ class WorldAllocationTest {
         }
     }
 
+    @Test
+    void terrainAllocatesNothing() {
+        Scene scene = Scenes.packed(1250, Scenes.SEED);
+        int batch = 20;
+        long[] found = new long[20_000];
+        int[] ends = new int[batch];
+        float[] hits = new float[Queries.HIT_STRIDE * found.length];
+        float[] numbers = new float[5 * batch];
+        for (int k = 0; k < numbers.length; k++) {
+            numbers[k] = 0.3f + 0.4f * k / numbers.length;
+        }
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            world.terrain().addChain(Chain.of(0.9f, 0.2f, 0.5f, 0.1f, 0.1f, 0.2f));
+            TerrainBody body = world.terrain().addBody(0.5f, 0.5f, 0);
+            body.addSegment(-0.2f, 0, 0.2f, 0);
+            body.addArc(0, 0.1f, 0.1f, 0, 3, ArcSide.OUTER, 3);
+            body.setAngularVelocity(1);
+            world.kind(3).setSensor(true);
+            world.report(Events.BEGIN | Events.HIT | Events.END);
+            TerrainQueries queries = world.queries().terrain();
+            TerrainQueries some = queries.withMask(1);
+            Runnable frame = () -> {
+                world.step(scene.timeStep());
+                consume(world.events());
+                consume(world.explodeInSight(0.5f, 0.5f, 0.1f, 0, 0, 1));
+                consume(some.pick(0.5f, 0.5f, 1)
+                        + some.rayCast(numbers, batch, found, hits)
+                        + queries.overlapCircle(0.5f, 0.5f, 0.2f, found)
+                        + queries.overlapBox(0.2f, 0.2f, 0.8f, 0.8f, found)
+                        + queries.nearest(0.5f, 0.5f, Float.POSITIVE_INFINITY, 200, found, hits)
+                        + queries.rayCastAll(0, 0, 1, 1, found, hits)
+                        + queries.circleCastAll(0, 0, 0.1f, 1, 1, found, hits)
+                        + queries.nearest(numbers, batch, 0.1f, 9, found, hits)
+                        + queries.circleCastAll(numbers, batch, ends, found, hits));
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
     private static void assertAllocatesNothing(Runnable frame) {
         for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
             frame.run();

@@ -44,6 +44,26 @@ class WorldLoadsTest {
     }
 
     @Test
+    void piecesOfTerrainBearAsWallsDo() {
+        try (World world = column()) {
+            float[] loads = new float[6];
+            world.terrain().addChain(Chain.of(9, 10, 5, 6, 1, 10)); // a valley of 45 degrees
+            for (int id = 0; id < 3; id++) {
+                world.setPosition(world.handle(id), 5, 9 + 2.1f * id);
+            }
+            world.step(1 / 60f, 900);
+            world.readLoadsById(loads, null);
+            assertThat(loads[0]).as("two pieces and the circle above").isEqualTo(3);
+            float each = 9 * GRAVITY / (float) Math.sqrt(2);
+            assertThat(loads[1]).isCloseTo(2 * each + 7 * GRAVITY, within(0.5f));
+            assertThat(loads[2]).isEqualTo(2);
+            world.terrain().clear();
+            world.readLoadsById(loads, null);
+            assertThat(loads[0]).as("they are gone").isEqualTo(1);
+        }
+    }
+
+    @Test
     void nothingPressesACircleThatFliesOrThatNoStepHasMoved() {
         try (World world = column()) {
             float[] loads = new float[8];

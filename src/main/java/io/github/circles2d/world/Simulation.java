@@ -31,6 +31,7 @@ import io.github.circles2d.world.reports.Reports;
 import io.github.circles2d.world.saves.Journal;
 import io.github.circles2d.world.saves.Snapshots;
 import io.github.circles2d.world.search.Searches;
+import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
@@ -90,6 +91,7 @@ public final class Simulation implements AutoCloseable {
     private final Snapshots snapshots;
     private final Journal journal;
     private final Searches searches;
+    private final Searches terrainSearches;
     private final GridLevels levels = new GridLevels();
 
     /** A world without circles; closes the pipeline. The parameters have been checked. */
@@ -99,9 +101,10 @@ public final class Simulation implements AutoCloseable {
         settings = new WorldSettings(events, start);
         log = new CallLog(pipeline, guard, commands);
         terrain = new TerrainTables(input.terrain, settings.bounds());
+        events.setPieces(terrain.pieces);
         needs = new Needs(pipeline, kindTable, terrain, settings);
         pending = new PendingWork(pipeline, guard, handles, commands, events, log, needs);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, needs);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, needs);
         pieces = new Pieces(guard, terrain, log, copies, settings);
         bodies = new Bodies(guard, terrain, log, copies, settings);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
@@ -112,15 +115,17 @@ public final class Simulation implements AutoCloseable {
         circles = new Circles(
                 guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes,
                 needs);
-        bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes);
+        TerrainView view = new TerrainView(terrain, input.terrain, kindTable, handles.fields(), settings);
+        bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes, view);
         readings = new Readings(guard, handles, pipeline, pending, copies.last());
         loads = new Loads(guard, handles, copies, settings);
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
         snapshots = new Snapshots(
                 guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth, needs);
+                growth, terrain, needs);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
+        terrainSearches = new Searches(guard, handles, kindTable, settings, view);
         try {
             needs.prepare();
         } catch (RuntimeException | Error e) {
@@ -189,6 +194,11 @@ public final class Simulation implements AutoCloseable {
 
     public Searches searches() {
         return searches;
+    }
+
+    /** The searches for pieces of terrain. */
+    public Searches terrainSearches() {
+        return terrainSearches;
     }
 
     public void setGravity(float x, float y) {

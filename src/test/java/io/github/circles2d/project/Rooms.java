@@ -92,7 +92,7 @@ final class Rooms {
                     "world.queries"),
             entry("world.terrain", "world.circles", "world.model"),
             entry("world.circles", "world.model"),
-            entry("world.events", "world.circles", "world.model"),
+            entry("world.events", "world.terrain", "world.circles", "world.model"),
             entry(
                     "world.device",
                     "world.shared",

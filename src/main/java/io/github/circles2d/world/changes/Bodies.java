@@ -3,13 +3,13 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.BodyTable;
-import io.github.circles2d.world.terrain.TerrainLimits;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls on bodies of terrain. */

@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.WorldSettings;
@@ -16,6 +17,10 @@ import java.util.function.ToIntFunction;
 public final class BulkChanges {
     // The functions of the calls. They are linked before memory, or the stack, may end in a call.
     private static final Guard.FloatsChange<BulkChanges> EXPLODE = BulkChanges::explode;
+
+    // which circles an explosion pushes
+    private static final int MASKED = 1;
+    private static final int IN_SIGHT = 2;
 
     /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
     private interface Preparation<A> {
@@ -38,6 +43,7 @@ public final class BulkChanges {
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
     private final CategoryFilter filter;
+    private final TerrainView view;
 
     private final Call<Void> removal;
     private final Call<float[]> positions;
@@ -53,7 +59,9 @@ public final class BulkChanges {
             KindTable kindTable,
             Copies copies,
             WorldSettings settings,
-            PreparedChanges changes) {
+            PreparedChanges changes,
+            TerrainView view) {
+        this.view = view;
         this.guard = guard;
         this.handles = handles;
         this.copies = copies;
@@ -177,19 +185,27 @@ public final class BulkChanges {
 
     /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
-        return (int) guard.change(this, mask, masked ? 1 : 0, x, y, radius, impulse, falloff, EXPLODE);
+        return (int) guard.change(this, mask, masked ? MASKED : 0, x, y, radius, impulse, falloff, EXPLODE);
     }
 
-    private long explode(int mask, float masked, float x, float y, float radius, float impulse, float falloff) {
+    /** The same of the circles that no piece of terrain hides. */
+    public int explodeInSight(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
+        int only = IN_SIGHT + (masked ? MASKED : 0);
+        return (int) guard.change(this, mask, only, x, y, radius, impulse, falloff, EXPLODE);
+    }
+
+    private long explode(int mask, float only, float x, float y, float radius, float impulse, float falloff) {
         explosion.set(x, y, radius, impulse, falloff, settings.bounds());
         filter.setMask(mask);
         float[] circles = copies.last().circles();
+        boolean masked = ((int) only & MASKED) != 0;
+        boolean hides = ((int) only & IN_SIGHT) != 0 && view.look();
         changes.begin(0);
         int pushed = 0;
         int s = 0;
         for (int id = 0; id < handles.end(); id++) {
             if (handles.lives(id)) {
-                if ((masked == 0 || filter.admits(id)) && explosion.reaches(circles, s)) {
+                if ((!masked || filter.admits(id)) && explosion.reaches(circles, s) && !(hides && isHidden(id))) {
                     changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     pushed++;
                 }
@@ -198,5 +214,9 @@ public final class BulkChanges {
         }
         changes.make(Commands.IMPULSE);
         return pushed;
+    }
+
+    private boolean isHidden(int id) {
+        return view.isHidden(id, explosion.x(), explosion.y(), explosion.dx(), explosion.dy());
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
@@ -10,7 +11,6 @@ import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.ChainPath;
 import io.github.circles2d.world.terrain.PieceRead;
 import io.github.circles2d.world.terrain.PieceTable;
-import io.github.circles2d.world.terrain.TerrainLimits;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls on pieces of terrain. A change acts from the next step on. */
@@ -59,7 +59,7 @@ public final class Pieces {
             begin(1);
             log.segment(of, kind, x1, y1, x2, y2, thickness);
             guard.changing = true;
-            long handle = table.ids.handle(terrain.addSegment(of, kind, x1, y1, x2, y2, thickness));
+            long handle = table.ids.handle(terrain.addSegment(of, kind, x1, y1, x2, y2, thickness + 0f));
             guard.changing = false;
             return handle;
         } catch (RuntimeException | Error e) {

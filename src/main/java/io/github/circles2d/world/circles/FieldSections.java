@@ -81,6 +81,8 @@ final class FieldSections {
         s.fields.clearAll();
         s.kinds.clear();
         s.touches.clear();
+        s.terrain.clear();
+        s.pieceContacts.clear();
         if (sections < 0) {
             throw SnapshotCodec.refused("it cannot have " + sections + " sections");
         }

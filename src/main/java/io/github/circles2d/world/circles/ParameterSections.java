@@ -21,6 +21,7 @@ import java.nio.ByteBuffer;
  *            1,003: int 14; floats: surfaces that grip: friction and rolling resistance of circles; friction, rolling resistance and
  *            belt speed of each wall, by {@link WallMotion#of}
  *            1,004, 1,005: what circles turn by, as {@link TurnSections} has it
+ *            1,006, 1,007: terrain, and contacts with it, as {@link TerrainSection} has them
  * </pre>
  */
 final class ParameterSections {
@@ -33,6 +34,8 @@ final class ParameterSections {
     private static final int SURFACES = FIRST + 3;
     private static final int TURNS = FIRST + 4;
     private static final int GRIPS = FIRST + 5;
+    private static final int TERRAIN = FIRST + 6;
+    private static final int TERRAIN_CONTACTS = FIRST + 7;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
@@ -45,7 +48,9 @@ final class ParameterSections {
                 + (KindSection.isNeeded(s.kinds) ? 1 : 0)
                 + (hasSurfaces(s) ? 1 : 0)
                 + (TurnSections.circles(s) > 0 ? 1 : 0)
-                + (TurnSections.impulses(s) > 0 ? 1 : 0);
+                + (TurnSections.impulses(s) > 0 ? 1 : 0)
+                + (s.terrain.isAsAtFirst() ? 0 : 1)
+                + (s.pieceContacts.count > 0 ? 1 : 0);
     }
 
     private static int ofFloats(SavedState s) {
@@ -65,7 +70,9 @@ final class ParameterSections {
         int surfaces = hasSurfaces(s) ? SURFACE_BYTES : 0;
         int ofTurns =
                 (TurnSections.circles(s) > 0 ? Integer.BYTES : 0) + (TurnSections.impulses(s) > 0 ? Integer.BYTES : 0);
-        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s);
+        long terrain = s.terrain.isAsAtFirst() ? 0 : Integer.BYTES + TerrainSection.bytes(s.terrain);
+        long contacts = s.pieceContacts.count > 0 ? Integer.BYTES + TerrainSection.bytes(s.pieceContacts) : 0;
+        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s) + terrain + contacts;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -97,6 +104,14 @@ final class ParameterSections {
             out.putInt(GRIPS);
             TurnSections.writeImpulses(s, impulses, out);
         }
+        if (!s.terrain.isAsAtFirst()) {
+            out.putInt(TERRAIN);
+            TerrainSection.write(s.terrain, out);
+        }
+        if (s.pieceContacts.count > 0) {
+            out.putInt(TERRAIN_CONTACTS);
+            TerrainSection.write(s.pieceContacts, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -110,6 +125,8 @@ final class ParameterSections {
             case SURFACES -> readSurfaces(in, s);
             case TURNS -> TurnSections.readCircles(in, s);
             case GRIPS -> TurnSections.readImpulses(in, s);
+            case TERRAIN -> TerrainSection.readTerrain(in, s);
+            case TERRAIN_CONTACTS -> TerrainSection.readContacts(in, s);
             default -> readFloats(in, s, number);
         }
     }

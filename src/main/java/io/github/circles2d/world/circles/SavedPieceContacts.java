@@ -30,7 +30,7 @@ public final class SavedPieceContacts {
     /** By contact: the rolling impulse. */
     public float[] rolling = new float[0];
 
-    SavedPieceContacts() {}
+    public SavedPieceContacts() {}
 
     public void clear() {
         count = 0;

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * slots, so every pipeline saves the same state in the same way.
  *
  * <p>It has three parts, and the owner of each fills and reads it: the world's parameters and kinds; the ids in use, their generations and the
- * fields of {@link CircleField} ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Arrays are reused, and may be longer than their
+ * fields of {@link CircleField} ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Terrain is the host's. Arrays are reused, and may be longer than their
  * contents.
  */
 public final class SavedState {
@@ -71,6 +71,8 @@ public final class SavedState {
 
     /** By impulse, if circles turn: the rolling impulse. */
     public float[] rolling = new float[0];
+
+    public final SavedTerrain terrain = new SavedTerrain();
 
     /** Of circles with pieces of terrain. */
     public final SavedPieceContacts pieceContacts = new SavedPieceContacts();

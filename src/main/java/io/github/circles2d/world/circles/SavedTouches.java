@@ -19,12 +19,15 @@ public final class SavedTouches {
     /** Of these, the speed along the surfaces. */
     public static final int SLIP = 6;
 
-    /** Ints of a late event: its type, the number of its wall or -1. */
+    /** Ints of a late event: its type, the number of its wall, -1 or {@link #PIECE}. */
     public static final int LATE_INTS = 2;
+
+    /** In the place of a wall: a piece of terrain, which has the second handle. */
+    public static final int PIECE = 4;
 
     public int pairs;
 
-    /** By pair: the lower id above the higher one, or above the code of a wall; ascending. */
+    /** By pair: the lower id above the higher one, or above the code of a wall or piece; ascending. */
     public long[] pair = new long[0];
 
     /** Number of hits that are not complete. */
@@ -36,7 +39,7 @@ public final class SavedTouches {
     /** By open hit: its values so far. */
     public float[] openValues = new float[0];
 
-    /** Number of events, of removed circles, that the next step reports; in their order. */
+    /** Number of events, of removed circles and pieces, that the next step reports; in their order. */
     public int late;
 
     /** By late event: both handles. */

@@ -238,6 +238,7 @@ public final class SnapshotCodec {
         TurnSections.checkRollingImpulses(s);
         checkTargets(s);
         checkGrowth(s);
+        TerrainSection.checkChains(s.terrain);
         return length;
     }
 

@@ -6,6 +6,7 @@ import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.terrain.PieceTable;
 import java.nio.IntBuffer;
 
 /**
@@ -16,7 +17,7 @@ import java.nio.IntBuffer;
  * <p>{@link TouchTracker} follows pairs, {@link PairPlace} knows where pairs are, {@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds,
  * {@link TouchSnapshots} saves and restores, and {@link TouchingList} lists pairs.
  *
- * <p>A wall is the partner of a circle too, under a {@link WallCode}.
+ * <p>A wall is the partner of a circle too, under a {@link WallCode}, and so is a piece of terrain, under a {@link PieceCode}.
  */
 public final class ContactEvents {
     /** Type: a pair begins to touch. */
@@ -46,6 +47,7 @@ public final class ContactEvents {
     private final TouchingPairs pairs = new TouchingPairs();
     private final ReportTable reported = new ReportTable();
     private final KnownCircles circles = new KnownCircles();
+    private final KnownPieces pieces = new KnownPieces(circles);
 
     /** Events of the step to come, in no order: at first those of removed circles. */
     private final EventRows step = new EventRows();
@@ -53,7 +55,7 @@ public final class ContactEvents {
     private final EventQueue queue = new EventQueue();
     private final TouchTracker tracker;
     private final TouchingList touching;
-    private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles);
+    private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles, pieces);
 
     private final PairPlace place;
 
@@ -64,7 +66,7 @@ public final class ContactEvents {
 
     /** As if many steps had been made. */
     ContactEvents(int stamp) {
-        tracker = new TouchTracker(reported, circles, pairs, step, stamp);
+        tracker = new TouchTracker(reported, circles, pieces, pairs, step, stamp);
         place = new PairPlace(tracker);
         touching = new TouchingList(tracker, pairs, circles);
     }
@@ -119,9 +121,10 @@ public final class ContactEvents {
     }
 
     public void prepare(KindTable kinds, StepReports reports) {
-        reported.resolve(kinds, circles);
-        boolean records = reported.solids() || reported.wallsOfCircles();
-        reports.set(records, reported.senses(), reported.seeking(), reported.seekingVersion());
+        reported.resolve(kinds, circles, pieces);
+        boolean ofPieces = reported.piecesOfCircles();
+        boolean records = reported.solids() || reported.wallsOfCircles() || ofPieces;
+        reports.set(records, ofPieces, reported.senses(), reported.seeking(), reported.seekingVersion());
     }
 
     /** Makes room for {@link #report}. */
@@ -165,7 +168,7 @@ public final class ContactEvents {
         }
         tracker.forgetUnreported();
         for (int late = step.count - 1; late >= 0; late--) {
-            if (!reported.mayReport(step.side(late) != EventOrder.NO_SIDE, step.type(late))) {
+            if (!reported.mayReport(step.isOfWall(late), step.type(late))) {
                 step.remove(late);
             }
         }
@@ -224,6 +227,37 @@ public final class ContactEvents {
         circles.learn(commands, handles);
     }
 
+    // ---- pieces of terrain come and go
+    // -------------------------------------------------------------------------------
+
+    /** Sets which pieces of terrain circles may touch; there are none yet. */
+    public void setPieces(PieceTable table) {
+        pieces.setTable(table);
+    }
+
+    /** Whether no piece has come or gone since {@link #learnPieces}, nor got another kind. */
+    public boolean knowsPieces() {
+        return pieces.isCurrent();
+    }
+
+    /** Makes room, so that {@link #learnPieces} does not run out of memory. All steps have been made. */
+    public void makeRoomForPieces() {
+        pieces.ensure();
+        if (pieces.anyGone()) {
+            place.bringHere();
+            tracker.makeRoomForGone();
+        }
+    }
+
+    /** Ends the pairs of pieces that have gone, and learns the handles of new ones, and kinds. */
+    public void learnPieces() {
+        if (pieces.anyGone()) {
+            place.changedHere();
+            tracker.endGone();
+        }
+        pieces.read();
+    }
+
     // ---- pairs that only a device knows
     // ------------------------------------------------------------------------------
 
@@ -239,8 +273,7 @@ public final class ContactEvents {
 
     /** Takes a pair over; openHit is where the values of an incomplete hit begin, or -1. */
     public void receive(int lower, int higher, float[] values, int openHit) {
-        int pair =
-                pairs.add(lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
+        int pair = pairs.add(lower, higher, circles.handle(lower), pieces.handleOfPartner(higher));
         if (openHit >= 0) {
             int hit = tracker.open().addValues(values, openHit);
             if (arena().wraps()) {
@@ -296,9 +329,9 @@ public final class ContactEvents {
     /** Publishes the {@link EventRow}s of a step that a device has decided, and those of circles removed before it. */
     public void publishDecided(IntBuffer rows, int first, int count, boolean ordered) {
         if (ordered && step.count == 0) {
-            queue.publishDecided(rows, first, count, circles, arena());
+            queue.publishDecided(rows, first, count, circles, pieces, arena());
         } else {
-            step.addDecided(rows, first, count, 0, circles, arena());
+            step.addDecided(rows, first, count, 0, circles, pieces, arena());
             publish(1);
         }
     }
@@ -387,7 +420,13 @@ public final class ContactEvents {
 
     /** Memory of the arrays. */
     public long bytes() {
-        return queue.bytes() + step.bytes() + touching.bytes() + circles.bytes() + pairs.bytes() + reported.bytes();
+        return queue.bytes()
+                + step.bytes()
+                + touching.bytes()
+                + circles.bytes()
+                + pieces.bytes()
+                + pairs.bytes()
+                + reported.bytes();
     }
 
     // ---- snapshots

@@ -23,8 +23,8 @@ public final class EventQueue {
     }
 
     /** Adds the events of a step that a device has decided, in order. */
-    void publishDecided(IntBuffer rows, int first, int count, KnownCircles circles, Bounds arena) {
-        events.addDecided(rows, first, count, steps, circles, arena);
+    void publishDecided(IntBuffer rows, int first, int count, KnownCircles circles, KnownPieces pieces, Bounds arena) {
+        events.addDecided(rows, first, count, steps, circles, pieces, arena);
         steps++;
     }
 

@@ -72,14 +72,21 @@ public final class EventRows {
     }
 
     /** Adds rows of a step that a device has decided, with the handles that their circles have. */
-    void addDecided(IntBuffer from, int firstRow, int rows, long stepNumber, KnownCircles circles, Bounds arena) {
+    void addDecided(
+            IntBuffer from,
+            int firstRow,
+            int rows,
+            long stepNumber,
+            KnownCircles circles,
+            KnownPieces pieces,
+            Bounds arena) {
         ensure(count + rows);
         BulkCopies.get(from, STRIDE * firstRow, words, STRIDE * count, STRIDE * rows);
         Arrays.fill(step, count, count + rows, stepNumber);
         for (int row = count; row < count + rows; row++) {
             int higher = words[STRIDE * row + HIGHER];
             a[row] = circles.handle(words[STRIDE * row + LOWER]);
-            b[row] = EventOrder.isWall(higher) ? 0 : circles.handle(higher);
+            b[row] = pieces.handleOfPartner(higher);
             if (arena.wraps()) {
                 bringInside(row, arena);
             }
@@ -183,12 +190,36 @@ public final class EventRows {
 
     /** The handle of the other circle, or 0. */
     public long b(int event) {
-        return b[check(event)];
+        return isPiece(event) ? 0 : b[event];
+    }
+
+    /** The handle of the piece of terrain, or 0. */
+    public long piece(int event) {
+        return isPiece(event) ? b[event] : 0;
+    }
+
+    private boolean isPiece(int event) {
+        return PieceCode.isPiece(words[STRIDE * check(event) + HIGHER]);
+    }
+
+    /** The handle of the other circle or of the piece, or 0. */
+    long partner(int row) {
+        return b[row];
     }
 
     /** The number of the wall, or -1. */
     public int side(int event) {
-        return EventOrder.side(words[STRIDE * check(event) + HIGHER]);
+        int side = sideOf(check(event));
+        return side == EventOrder.PIECE ? EventOrder.NO_SIDE : side;
+    }
+
+    boolean isOfWall(int row) {
+        return EventOrder.isWall(words[STRIDE * row + HIGHER]);
+    }
+
+    /** See {@link EventOrder#side}. */
+    int sideOf(int row) {
+        return EventOrder.side(words[STRIDE * row + HIGHER]);
     }
 
     /** The approach speed. */

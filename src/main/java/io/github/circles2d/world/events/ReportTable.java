@@ -36,6 +36,7 @@ final class ReportTable {
     private int resolvedVersion = -1;
     private int resolvedKinds = -1;
     private int resolvedCircles = -1;
+    private int resolvedPieces = -1;
 
     /** By kind, a row of bits: the kinds with which it makes contacts that are reported. */
     private final long[] solidWith = new long[KINDS * ROW];
@@ -49,6 +50,7 @@ final class ReportTable {
     private boolean seeks;
     private boolean solids;
     private boolean wallsOfCircles;
+    private boolean piecesOfCircles;
     private boolean senses;
     private int seekingVersion;
 
@@ -134,7 +136,7 @@ final class ReportTable {
     }
 
     /** Finds out what follows, if anything has changed. */
-    void resolve(KindTable kinds, KnownCircles circles) {
+    void resolve(KindTable kinds, KnownCircles circles, KnownPieces pieces) {
         boolean same = resolvedVersion == version && resolvedKinds == kinds.version();
         if (!same) {
             resolvedVersion = version;
@@ -144,6 +146,22 @@ final class ReportTable {
         if (!same || resolvedCircles != circles.kindsVersion()) {
             resolvedCircles = circles.kindsVersion();
             resolveCircles(circles);
+            same = false;
+        }
+        if (!same || resolvedPieces != pieces.version()) {
+            resolvedPieces = pieces.version();
+            resolvePieces(circles, pieces);
+        }
+    }
+
+    /** Finds out whether something of circles and pieces that there are is reported. */
+    private void resolvePieces(KnownCircles circles, KnownPieces pieces) {
+        piecesOfCircles = false;
+        for (int piece = 0; piece < KINDS; piece++) {
+            for (int kind = 0; kind < KINDS && pieces.has(piece); kind++) {
+                long row = solidWith[ROW * kind + piece / Long.SIZE] | senseWith[ROW * kind + piece / Long.SIZE];
+                piecesOfCircles |= circles.has(kind) && (row & 1L << piece) != 0;
+            }
         }
     }
 
@@ -211,6 +229,10 @@ final class ReportTable {
 
     boolean wallsOfCircles() {
         return wallsOfCircles;
+    }
+
+    boolean piecesOfCircles() {
+        return piecesOfCircles;
     }
 
     /** Whether something of pairs of circles that there are, and that are only sensed, is. */

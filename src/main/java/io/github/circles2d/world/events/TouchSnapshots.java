@@ -9,12 +9,15 @@ final class TouchSnapshots {
     private final EventRows step;
     private final ReportTable reported;
     private final KnownCircles circles;
+    private final KnownPieces pieces;
 
-    TouchSnapshots(TouchingPairs pairs, EventRows step, ReportTable reported, KnownCircles circles) {
+    TouchSnapshots(
+            TouchingPairs pairs, EventRows step, ReportTable reported, KnownCircles circles, KnownPieces pieces) {
         this.pairs = pairs;
         this.step = step;
         this.reported = reported;
         this.circles = circles;
+        this.pieces = pieces;
     }
 
     /** Saves all, which includes hits that are not complete. */
@@ -41,9 +44,9 @@ final class TouchSnapshots {
 
     private void saveLate(SavedTouches into, int k, int row) {
         into.lateHandles[2 * k] = step.a(row);
-        into.lateHandles[2 * k + 1] = step.b(row);
+        into.lateHandles[2 * k + 1] = step.partner(row);
         into.lateInts[SavedTouches.LATE_INTS * k] = step.type(row);
-        into.lateInts[SavedTouches.LATE_INTS * k + 1] = step.side(row);
+        into.lateInts[SavedTouches.LATE_INTS * k + 1] = step.sideOf(row);
         step.copyValues(row, into.lateValues, SavedTouches.VALUES * k);
     }
 
@@ -53,10 +56,9 @@ final class TouchSnapshots {
         for (int k = 0; k < from.pairs; k++) {
             int lower = (int) (from.pair[k] >>> Integer.SIZE);
             int higher = (int) from.pair[k];
-            boolean isWall = EventOrder.isWall(higher);
             boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
-            if (reported.mayReport(isWall, ContactEvents.OF_PAIR_TYPES)) {
-                int pair = pairs.add(lower, higher, circles.handle(lower), isWall ? 0 : circles.handle(higher));
+            if (reported.mayReport(EventOrder.isWall(higher), ContactEvents.OF_PAIR_TYPES)) {
+                int pair = pairs.add(lower, higher, circles.handle(lower), pieces.handleOfPartner(higher));
                 if (isOpen) {
                     pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
                 }
@@ -73,9 +75,10 @@ final class TouchSnapshots {
         int side = from.lateInts[SavedTouches.LATE_INTS * k + 1];
         long a = from.lateHandles[2 * k];
         long b = from.lateHandles[2 * k + 1];
-        if (reported.mayReport(side != EventOrder.NO_SIDE, type)) {
+        int higher = EventOrder.higher(b, side);
+        if (reported.mayReport(EventOrder.isWall(higher), type)) {
             int rank = type == ContactEvents.HIT ? EventRow.LATE_HIT : EventRow.LATE_END;
-            int row = step.add((int) a, EventOrder.higher(b, side), rank, a, b);
+            int row = step.add((int) a, higher, rank, a, b);
             step.setValues(row, from.lateValues, SavedTouches.VALUES * k);
         }
     }

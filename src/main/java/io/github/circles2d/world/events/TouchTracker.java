@@ -13,6 +13,7 @@ final class TouchTracker {
 
     private final ReportTable reported;
     private final KnownCircles circles;
+    private final KnownPieces pieces;
     private final TouchingPairs pairs;
 
     /** Events of the step to come, in no order: at first those of removed circles. */
@@ -30,9 +31,16 @@ final class TouchTracker {
     /** The stamp of the step that is being looked at: another than that of the step before. */
     private int now;
 
-    TouchTracker(ReportTable reported, KnownCircles circles, TouchingPairs pairs, EventRows step, int stamp) {
+    TouchTracker(
+            ReportTable reported,
+            KnownCircles circles,
+            KnownPieces pieces,
+            TouchingPairs pairs,
+            EventRows step,
+            int stamp) {
         this.reported = reported;
         this.circles = circles;
+        this.pieces = pieces;
         this.pairs = pairs;
         this.step = step;
         now = stamp;
@@ -75,6 +83,11 @@ final class TouchTracker {
         if (EventOrder.isWall(higher)) {
             return WallCode.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
         }
+        if (PieceCode.isPiece(higher)) {
+            return reported.isUniform()
+                    ? reported.types(0, 0)
+                    : reported.types(circles.kind(lower), pieces.kind(PieceCode.piece(higher)));
+        }
         return typesOfCircles(lower, higher);
     }
 
@@ -110,7 +123,32 @@ final class TouchTracker {
 
     private boolean isOfRemoved(int pair) {
         int higher = pairs.higher(pair);
-        return circles.isRemoved(pairs.lower(pair)) || !EventOrder.isWall(higher) && circles.isRemoved(higher);
+        return circles.isRemoved(pairs.lower(pair)) || EventOrder.isCircle(higher) && circles.isRemoved(higher);
+    }
+
+    /** Makes room for the events of pairs that {@link #endGone} ends. */
+    void makeRoomForGone() {
+        int ends = 0;
+        for (int pair = 0; pair < pairs.count; pair++) {
+            ends += isOfGone(pair) ? 1 : 0;
+        }
+        step.ensure(step.count + 2 * ends);
+    }
+
+    /** Ends the pairs of pieces that are no more. */
+    void endGone() {
+        for (int pair = pairs.count - 1; pair >= 0; pair--) {
+            if (isOfGone(pair)) {
+                addOpenHit(pair, EventRow.LATE_HIT);
+                add(pair, EventRow.LATE_END);
+                pairs.remove(pair);
+            }
+        }
+    }
+
+    private boolean isOfGone(int pair) {
+        int higher = pairs.higher(pair);
+        return PieceCode.isPiece(higher) && pieces.isGone(PieceCode.piece(higher));
     }
 
     /** See {@link ContactEvents#concerns}. */
@@ -141,12 +179,12 @@ final class TouchTracker {
         for (TouchRecords list : records) {
             told += list.told();
         }
-        return told != pairs.count - pairs.walls;
+        return told != pairs.count - pairs.others;
     }
 
     void endStep(TouchRecords... records) {
         boolean misses = misses(records);
-        boolean ends = misses || pairs.walls > 0;
+        boolean ends = misses || pairs.others > 0;
         stillOpen.clear();
         for (TouchRecords list : records) {
             for (int k = 0; k < list.endedCount(); k++) {
@@ -180,7 +218,7 @@ final class TouchTracker {
     private void end(boolean misses) {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             int stamp = pairs.stamp(pair);
-            if (misses || EventOrder.isWall(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
+            if (misses || !EventOrder.isCircle(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
                 addOpenHit(pair, EventRow.HIT);
                 add(pair, EventRow.END);
                 pairs.remove(pair);
@@ -193,8 +231,7 @@ final class TouchTracker {
         int higher = list.higher(r);
         int pair = list.pair(r);
         if (pair == TouchingPairs.NONE) {
-            pair = pairs.add(
-                    lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
+            pair = pairs.add(lower, higher, circles.handle(lower), pieces.handleOfPartner(higher));
             pairs.stamp(pair, now);
             add(pair, EventRow.BEGIN, list, r);
         }

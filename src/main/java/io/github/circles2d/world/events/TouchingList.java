@@ -19,7 +19,7 @@ final class TouchingList {
         for (int pair = 0; pair < pairs.count; pair++) {
             int lower = pairs.lower(pair);
             int higher = pairs.higher(pair);
-            if (!EventOrder.isWall(higher) && tracker.typesOf(lower, higher) != 0) {
+            if (EventOrder.isCircle(higher) && tracker.typesOf(lower, higher) != 0) {
                 int ofLower = circles.kind(lower);
                 int ofHigher = circles.kind(higher);
                 if (ofLower == kindA && ofHigher == kindB) {

@@ -18,7 +18,7 @@ final class TouchingPairs {
     private static final int STRIDE = 4;
     private static final int LOWER = 0;
 
-    /** The higher id, or the code of a wall. */
+    /** The higher id, or the code of a wall or piece. */
     private static final int HIGHER = 1;
 
     /** The last step that saw the pair touch. */
@@ -31,8 +31,8 @@ final class TouchingPairs {
 
     int count;
 
-    /** How many of them are with walls. */
-    int walls;
+    /** How many of them are with walls or pieces of terrain. */
+    int others;
 
     /** Counts how often numbers have been given to other pairs than those of new or gone circles, or of ended touches. */
     int numbering;
@@ -71,7 +71,7 @@ final class TouchingPairs {
 
     void clear() {
         numbering++;
-        walls = 0;
+        others = 0;
         if (count > 0) {
             Arrays.fill(first, NONE);
             count = 0;
@@ -144,14 +144,14 @@ final class TouchingPairs {
         rows[row + HIGHER] = higherId;
         rows[row + STAMP] = NEVER;
         rows[row + OPEN] = NONE;
-        walls += EventOrder.isWall(higherId) ? 1 : 0;
+        others += EventOrder.isCircle(higherId) ? 0 : 1;
         chain(pair);
         return pair;
     }
 
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
-        walls -= EventOrder.isWall(higher(pair)) ? 1 : 0;
+        others -= EventOrder.isCircle(higher(pair)) ? 0 : 1;
         link(pair, next[pair]);
         int last = --count;
         if (pair != last) {

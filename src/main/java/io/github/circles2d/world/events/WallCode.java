@@ -6,6 +6,8 @@ import io.github.circles2d.world.model.Limits;
 
 /** The codes of the four walls, as partners of circles. They lie above all ids. */
 public final class WallCode {
+    static final int WALLS = 4;
+
     private WallCode() {}
 
     /** The code of a wall: axis 0 or 1, side 1 for the lower wall and -1 for the upper. */

@@ -45,6 +45,9 @@ final class CirclePasses {
     /** Null in a step without terrain. */
     private PieceVisits pieces;
 
+    /** What is told of visits of pieces; null if they are not recorded. */
+    PieceTouches pieceTouches;
+
     CirclePasses(State state) {
         this.state = state;
         walls = new WallVisits(state);
@@ -57,6 +60,7 @@ final class CirclePasses {
         } else {
             pieces = pieces == null ? new PieceVisits(state) : pieces;
             pieces.begin(terrain, k);
+            pieces.touches = pieceTouches;
         }
     }
 

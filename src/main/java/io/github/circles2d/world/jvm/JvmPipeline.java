@@ -131,6 +131,9 @@ public final class JvmPipeline implements Pipeline {
         Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
         solver.record(touches);
+        if (pieces != null) {
+            pieces.touches = touches == null ? null : touches.pieces;
+        }
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
     }
 
@@ -185,7 +188,7 @@ public final class JvmPipeline implements Pipeline {
         end(worker, CONTACTS);
         solver.solve(worker, constants);
         if (recorder != null) {
-            recorder.end(worker, constants, reports);
+            recorder.end(worker, terrain, constants, reports);
         }
         end(worker, SOLVER);
     }

@@ -28,6 +28,9 @@ final class PieceSearch {
     private final PieceContacts contacts;
     private final Finder[] finders;
 
+    /** What is told of contacts; null if they are not recorded. */
+    PieceTouches touches;
+
     PieceSearch(State state, Team team) {
         this.state = state;
         this.team = team;
@@ -54,12 +57,7 @@ final class PieceSearch {
         finders[worker].find(from, to, terrain);
         team.sync(worker);
         if (worker == 0) {
-            int all = 0;
-            for (int k = 0; k < team.size(); k++) {
-                finders[k].place = all;
-                all += finders[k].found;
-            }
-            contacts.ensureNext(all);
+            contacts.ensureNext(found());
         }
         team.sync(worker);
         Finder mine = finders[worker];
@@ -70,8 +68,21 @@ final class PieceSearch {
         team.sync(worker);
         if (worker == 0) {
             contacts.take();
+            if (touches != null) {
+                touches.ensure(found());
+            }
         }
         team.sync(worker);
+    }
+
+    /** Finds the places of what the workers have found, and returns how many contacts that are. */
+    private int found() {
+        int all = 0;
+        for (int k = 0; k < team.size(); k++) {
+            finders[k].place = all;
+            all += finders[k].found;
+        }
+        return all;
     }
 
     /** What a worker looks with. */

@@ -44,6 +44,7 @@ import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.PieceSweep;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Wrapping;
@@ -58,6 +59,9 @@ final class PieceVisits {
     private final PieceGap found = new PieceGap();
     private final OneBody visit = new OneBody();
     private final OneBodyGrip grip = new OneBodyGrip();
+
+    /** What is told of visits; null if they are not recorded. */
+    PieceTouches touches;
 
     /** Within a step. */
     private TerrainStep terrain;
@@ -173,15 +177,16 @@ final class PieceVisits {
                 cover(c, from, to, r);
             }
         }
-        for (int c = from; c < to; c++) {
-            if (contacts.numbers[PieceContactRow.numbers(c) + FEATURE] == PieceGap.NONE) {
-                int k = PieceContactRow.of(c);
-                contacts.rows[k + IMPULSE] = 0f;
-                contacts.rows[k + PieceContactRow.FRICTION] = 0f;
-                contacts.rows[k + ROLLING] = 0f;
-                contacts.rows[k + BOUNCE] = 0f;
-            }
-        }
+    }
+
+    /** The piece is no constraint of the circle now. */
+    private void leave(int c) {
+        int k = PieceContactRow.of(c);
+        contacts.numbers[PieceContactRow.numbers(c) + FEATURE] = PieceGap.NONE;
+        contacts.rows[k + IMPULSE] = 0f;
+        contacts.rows[k + PieceContactRow.FRICTION] = 0f;
+        contacts.rows[k + ROLLING] = 0f;
+        contacts.rows[k + BOUNCE] = 0f;
     }
 
     /** Returns whether the circle is at a vertex. */
@@ -205,7 +210,7 @@ final class PieceVisits {
         rows[k + OX] = localX;
         rows[k + OY] = localY;
         if (side == 0f) {
-            contacts.numbers[number + FEATURE] = PieceGap.NONE;
+            leave(c);
             return false;
         }
         found.measure(terrain.rows, row, shape, localX, localY, r, side);
@@ -223,14 +228,20 @@ final class PieceVisits {
         rows[k + GAP] = found.gap;
         rows[k + CURVE] = found.curve;
         contacts.numbers[number + FEATURE] = found.feature;
+        if (found.feature == PieceGap.FACE) {
+            return false;
+        }
+        if (found.feature == PieceGap.NONE) {
+            leave(c);
+        }
         boolean vertex = found.feature > PieceGap.FACE;
-        if (vertex && isTwoSided(piece, shape) && found.height != 0f) {
+        if (vertex && isTwoSided(terrain, piece, shape) && found.height != 0f) {
             rows[k + SIDE] = found.height > 0f ? 1f : -1f;
         }
         return vertex;
     }
 
-    private boolean isTwoSided(int piece, int shape) {
+    static boolean isTwoSided(TerrainStep terrain, int piece, int shape) {
         int kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
         return PieceRow.form(shape) == PieceRow.SEGMENT
                 && terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] == 0f;
@@ -266,7 +277,7 @@ final class PieceVisits {
                 float side = contacts.rows[j + SIDE];
                 if (PieceGap.covers(
                         terrain.rows, PieceRow.of(under), shape(under), side, x, y, thickness, Tuning.COVER * r)) {
-                    contacts.numbers[number + FEATURE] = PieceGap.NONE;
+                    leave(c);
                     return;
                 }
             }
@@ -312,6 +323,9 @@ final class PieceVisits {
     /** The biased pass over the pieces of a circle: warm start, then a visit of each. */
     void solve(int slot, StepConstants k, int sub) {
         measure(slot, sub);
+        if (touches != null && sub == 0) {
+            touches.begin(slot);
+        }
         int from = contacts.first[slot];
         int to = from + contacts.count[slot];
         int s = CircleRow.of(slot);
@@ -364,6 +378,11 @@ final class PieceVisits {
             return;
         }
         visit.solve(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], before, vn, impulse, k);
+        if (touches != null) {
+            float way = nx * (state.load[s + BEFORE_Y] - surfaceY) - ny * (state.load[s + BEFORE_X] - surfaceX);
+            float spin = k.turning ? state.turning.before(slot) : 0f;
+            tell(slot, c, before, impulse + visit.impulse, slip(s, c, way, spin, k));
+        }
         if (visit.bounced) {
             float behind = Bounce.leftBehind(gap, vn, visit.impulse, k.dt, r);
             m[s + DX] -= nx * behind;
@@ -410,6 +429,10 @@ final class PieceVisits {
         float along = nx * uy - ny * ux;
         float vn = nx * ux + ny * uy;
         visit.relax(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], bounce, vn, impulse, k);
+        if (touches != null) {
+            float spin = k.turning ? state.turning.spin[s + SURFACE_SPEED] : 0f;
+            tell(slot, c, vn, visit.impulse, slip(s, c, along, spin, k));
+        }
         if (!visit.leaves) {
             m[s + VX] += nx * visit.impulse;
             m[s + VY] += ny * visit.impulse;
@@ -419,6 +442,13 @@ final class PieceVisits {
             float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
             grip(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
         }
+    }
+
+    /** Tells of a visit before its effect: the approach, what it gives along the normal, and how fast surfaces slide. */
+    private void tell(int slot, int c, float vn, float impulse, float slip) {
+        int row = PieceContactRow.of(c);
+        float surface = contacts.rows[row + NX] * surfaceX + contacts.rows[row + NY] * surfaceY;
+        touches.visited(slot, c, vn, impulse, slip, surface);
     }
 
     private float restitution(int s, int c) {
@@ -438,6 +468,17 @@ final class PieceVisits {
             grip.visit(normalImpulse, along, belt, keep);
             giveGrip(s, c);
         }
+    }
+
+    /** How fast surfaces slide, if they grip; along: against the surface, spin: surface speed of the circle. */
+    private float slip(int s, int c, float along, float spin, StepConstants k) {
+        if (!k.turning) {
+            return 0f;
+        }
+        Turning t = state.turning;
+        int kind = KindSurface.of(terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
+        float friction = Surface.friction(t.skin[s + CircleRow.FRICTION], t.kinds[kind + KindSurface.FRICTION]);
+        return Surface.hitSlip(friction, along, 0f, spin, t.kinds[kind + KindSurface.BELT] + t.skin[s + BELT]);
     }
 
     private void takeGrip(int s, int c) {
@@ -528,15 +569,19 @@ final class PieceVisits {
         float r = state.circle[s + RADIUS];
         float dx = state.motion[s + DX];
         float dy = state.motion[s + DY];
+        boolean fast = CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r);
         int stopper = -1;
         share = 1f;
+        if (!fast && !(moving && terrain.bodies > 1)) {
+            return stopper;
+        }
         for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
             int piece = contacts.piece(c);
             int motion = motion(piece);
             float side = contacts.rows[PieceContactRow.of(c) + SIDE];
             if (side == 0f
                     || contacts.numbers[PieceContactRow.numbers(c) + RESPONSE] != PairTable.SOLID
-                    || motion != 0 && !moving) {
+                    || (motion == 0 ? !fast : !moving)) {
                 continue;
             }
             int row = PieceRow.of(piece);
@@ -546,9 +591,9 @@ final class PieceVisits {
             float x = localX;
             float y = localY;
             toFrame(row, motion, ox, oy, dx, dy, sub + 1);
-            float ux = localX - x;
-            float uy = localY - y;
-            if (CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
+            float ux = motion == 0 ? dx - fromX : localX - x;
+            float uy = motion == 0 ? dy - fromY : localY - y;
+            if (motion == 0 || CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
                 float t = PieceSweep.time(terrain.rows, row, shape(piece), x, y, ux, uy, r, side);
                 if (t < share) {
                     share = t;

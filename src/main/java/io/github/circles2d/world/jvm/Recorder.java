@@ -6,6 +6,7 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.model.TerrainStep;
 
 /** Records what a step reports, and hands it over: what contacts and walls do, and which pairs are sensed. */
 final class Recorder {
@@ -33,6 +34,7 @@ final class Recorder {
 
     /** What records contacts and walls in such a step; null if nothing does. */
     Touches touches(StepReports reports) {
+        touches.recordPieces(reports.recording && reports.pieces);
         return reports.recording ? touches : null;
     }
 
@@ -55,11 +57,11 @@ final class Recorder {
         }
     }
 
-    void end(int worker, StepConstants k, StepReports reports) {
+    void end(int worker, TerrainStep terrain, StepConstants k, StepReports reports) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         if (reports.recording) {
-            touches.endStep(worker, from, to, k);
+            touches.endStep(worker, from, to, terrain, k);
         }
         if (reports.sensing) {
             sensing.find(worker, records[worker], from, to, k);

@@ -78,6 +78,7 @@ public final class Solver {
         touches = recorder;
         for (CirclePasses each : movers) {
             each.walls.touches = recorder == null ? null : recorder.walls;
+            each.pieceTouches = recorder == null ? null : recorder.pieces;
         }
         for (PairVisits each : likeVisits) {
             each.touches = recorder;
@@ -99,6 +100,9 @@ public final class Solver {
         crossVisits[worker].turn(k.turning);
         if (movers[worker].walls.touches != null) {
             movers[worker].walls.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        }
+        if (movers[worker].pieceTouches != null) {
+            movers[worker].pieceTouches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {

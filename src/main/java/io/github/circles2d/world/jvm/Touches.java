@@ -19,8 +19,10 @@ import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
 
@@ -62,6 +64,12 @@ final class Touches {
 
     /** Null if walls are not reported. */
     final WallTouches walls;
+
+    /** Null in a step that reports no pieces of terrain. */
+    PieceTouches pieces;
+
+    private PieceTouches ofPieces;
+    private final PieceGap[] gaps;
 
     /** By worker: what it tells of the step. */
     private final TouchRecords[] records;
@@ -106,8 +114,20 @@ final class Touches {
         this.records = records;
         walls = events.hasWalls() ? new WallTouches(state, events) : null;
         listed = new int[team.most()][64];
+        gaps = new PieceGap[team.most()];
         count = new int[team.most()];
         fast = new int[team.most()][BLOCK];
+    }
+
+    /** Whether pieces of terrain are recorded, which a world may get at any time. */
+    void recordPieces(boolean some) {
+        if (some && ofPieces == null) {
+            for (int worker = 0; worker < gaps.length; worker++) {
+                gaps[worker] = new PieceGap();
+            }
+            ofPieces = new PieceTouches(state, events);
+        }
+        pieces = some ? ofPieces : null;
     }
 
     void ensure(int many) {
@@ -374,13 +394,16 @@ final class Touches {
         places[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
     }
 
-    /** Ends a step: records the pairs that need it, and tells of a part of the slots at walls. */
-    void endStep(int worker, int fromSlot, int toSlot, StepConstants k) {
+    /** Ends a step: records the pairs that need it, and tells of a part of the slots at walls and pieces. */
+    void endStep(int worker, int fromSlot, int toSlot, TerrainStep terrain, StepConstants k) {
         for (int n = 0; n < count[worker]; n++) {
             record(records[worker], listed[worker][n], k);
         }
         if (walls != null) {
             walls.endStep(records[worker], fromSlot, toSlot, k);
+        }
+        if (pieces != null) {
+            pieces.endStep(records[worker], gaps[worker], fromSlot, toSlot, terrain, k);
         }
     }
 
@@ -426,6 +449,7 @@ final class Touches {
                 + (slips == null ? 0 : 4L * slips.length)
                 + 4L * (number.length + numberBefore.length)
                 + wanted.length
-                + (walls == null ? 0 : walls.bytes());
+                + (walls == null ? 0 : walls.bytes())
+                + (ofPieces == null ? 0 : ofPieces.bytes());
     }
 }

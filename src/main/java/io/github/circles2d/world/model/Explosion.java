@@ -9,6 +9,11 @@ public final class Explosion {
     private float falloff;
     private float periodX;
     private float periodY;
+
+    // of a circle
+    private float dx;
+
+    private float dy;
     private float impulseX;
     private float impulseY;
 
@@ -32,8 +37,8 @@ public final class Explosion {
 
     /** Whether a circle gets {@link #impulseX} and {@link #impulseY}. */
     public boolean reaches(float[] circles, int row) {
-        float dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
-        float dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);
+        dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
+        dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);
         float distance = CircleMath.length(dx, dy);
         float gap = CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f);
         float reach = radius + falloff;
@@ -45,6 +50,23 @@ public final class Explosion {
         impulseX = impulse * share * (dx / distance);
         impulseY = impulse * share * (dy / distance);
         return true;
+    }
+
+    public float x() {
+        return x;
+    }
+
+    public float y() {
+        return y;
+    }
+
+    /** How far from it the centre of the circle is. */
+    public float dx() {
+        return dx;
+    }
+
+    public float dy() {
+        return dy;
     }
 
     public float impulseX() {

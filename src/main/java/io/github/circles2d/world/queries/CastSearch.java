@@ -152,7 +152,12 @@ public final class CastSearch {
         write(to, at, length, endX, endY, 0, 0);
     }
 
-    private static void write(float[] to, int at, double distance, double x, double y, double nx, double ny) {
+    /** Writes a hit of nothing, infinitely far away. */
+    public static void writeNone(float[] to, int at) {
+        write(to, at, Double.POSITIVE_INFINITY, 0, 0, 0, 0);
+    }
+
+    static void write(float[] to, int at, double distance, double x, double y, double nx, double ny) {
         to[at + DISTANCE] = (float) distance;
         to[at + X] = (float) x;
         to[at + Y] = (float) y;

@@ -2,6 +2,7 @@ package io.github.circles2d.world.reads;
 
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
@@ -44,6 +45,7 @@ public final class Loads {
         Arrays.fill(loads, Float.NaN);
         float subStep = settings.lastSubStep();
         addWalls(state, subStep, loads);
+        addPieces(state, subStep, loads);
         for (int k = 0; k < state.impulses; k++) {
             float force = state.normalImpulse[k] / subStep;
             add(loads, state.lo[k], force);
@@ -66,6 +68,21 @@ public final class Loads {
                 if (speed > 0) {
                     add(loads, id, mass * speed / subStep);
                 }
+            }
+        }
+    }
+
+    /** What a piece of terrain has given is a speed, too. Contacts and circles are in the order of ids. */
+    private static void addPieces(SavedState state, float subStep, float[] loads) {
+        SavedPieceContacts contacts = state.pieceContacts;
+        int k = 0;
+        for (int c = 0; c < contacts.count; c++) {
+            while (state.id[k] != contacts.circle[c]) {
+                k++;
+            }
+            if (contacts.impulse[c] > 0) {
+                float mass = state.circle[CircleRow.STRIDE * k + CircleRow.MASS];
+                add(loads, contacts.circle[c], mass * contacts.impulse[c] / subStep);
             }
         }
     }

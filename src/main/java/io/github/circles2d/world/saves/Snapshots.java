@@ -18,6 +18,7 @@ import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.TerrainTables;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 
@@ -46,6 +47,7 @@ public final class Snapshots {
     private final Forces forces;
     private final Travels travels;
     private final Growth growth;
+    private final TerrainTables terrain;
     private final Needs needs;
 
     public Snapshots(
@@ -62,6 +64,7 @@ public final class Snapshots {
             Forces forces,
             Travels travels,
             Growth growth,
+            TerrainTables terrain,
             Needs needs) {
         this.guard = guard;
         this.pipeline = pipeline;
@@ -76,6 +79,7 @@ public final class Snapshots {
         this.forces = forces;
         this.travels = travels;
         this.growth = growth;
+        this.terrain = terrain;
         this.needs = needs;
     }
 
@@ -147,6 +151,7 @@ public final class Snapshots {
         forces.makeRoom(saved);
         travels.makeRoom(saved);
         growth.makeRoom(saved);
+        terrain.makeRoom(saved.terrain);
         needs.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
         events.makeRoom(saved.touches, saved.ids);
@@ -163,6 +168,7 @@ public final class Snapshots {
         pending.drop();
         travels.restored();
         growth.restored();
+        terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
         pipeline.load(saved);
         settings.set(saved.parameters());
         needs.restored(saved);

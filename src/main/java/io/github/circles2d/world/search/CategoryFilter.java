@@ -31,7 +31,7 @@ public final class CategoryFilter implements IdFilter {
         return admitsKind(fields.getInt(CircleField.KIND, id));
     }
 
-    private boolean admitsKind(int kind) {
+    boolean admitsKind(int kind) {
         return (kinds.get(KindField.CATEGORY, kind) & mask) != 0;
     }
 

@@ -20,7 +20,7 @@ import io.github.circles2d.world.shared.WorldSettings;
  * pays twice at most. On an NVIDIA H200 10,000 rays among 100,000 circles take 1.0 ms behind a step and 0.7 again, while its host takes
  * 11 to 14 ms for as many among 1,250 to 15,000. The other numbers are estimates, by what a transfer, a launch and a tree cost.
  */
-final class DeviceAnswers {
+final class DeviceAnswers implements Answers {
     private static final int LEAST_CIRCLES = 1000;
     private static final int LEAST_BATCH = 512;
     private static final int MANY_CIRCLES = 20_000;
@@ -113,8 +113,9 @@ final class DeviceAnswers {
         return batch.filter == null ? null : batch.filter.kinds();
     }
 
-    /** Answers queries that find all. Returns how many circles they find, or {@link #LEFT}. */
-    int all(QueryBatch batch) {
+    /** May be {@link #LEFT}. */
+    @Override
+    public int all(QueryBatch batch) {
         if (!takes(batch)) {
             return LEFT;
         }
@@ -160,8 +161,9 @@ final class DeviceAnswers {
         hits.writeHit(search.distance(found), search.x(found), search.y(found), batch.hits, CastSearch.HIT_STRIDE * k);
     }
 
-    /** Answers queries that find one circle each or none. Returns how many find one, or {@link #LEFT}. */
-    int one(QueryBatch batch) {
+    /** May be {@link #LEFT}. */
+    @Override
+    public int one(QueryBatch batch) {
         if (!takes(batch) || !search.few(batch.shape, queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
             return LEFT;
         }
@@ -183,8 +185,9 @@ final class DeviceAnswers {
         return count;
     }
 
-    /** Answers queries for the nearest. Returns how many circles they find, or {@link #LEFT}. */
-    int nearest(QueryBatch batch) {
+    /** May be {@link #LEFT}. */
+    @Override
+    public int nearest(QueryBatch batch) {
         int most = batch.most;
         if (!takes(batch)
                 || !search.few(

@@ -8,7 +8,7 @@ import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /** Answers queries by a tree on the host. The first after a change reads all circles and builds it. */
-final class HostAnswers {
+final class HostAnswers implements Answers {
     private final HandleTable handles;
     private final LastReading last;
     private final WorldSettings settings;
@@ -24,8 +24,8 @@ final class HostAnswers {
         this.settings = settings;
     }
 
-    /** Answers queries that find all. Returns how many circles they find. */
-    int all(QueryBatch batch) {
+    @Override
+    public int all(QueryBatch batch) {
         int room = batch.room();
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
@@ -48,8 +48,8 @@ final class HostAnswers {
         }
     }
 
-    /** Answers queries that find one circle each or none. Returns how many find one; a single query's handle is in element 0. */
-    int one(QueryBatch batch) {
+    @Override
+    public int one(QueryBatch batch) {
         int count = 0;
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);
@@ -63,8 +63,8 @@ final class HostAnswers {
         return count;
     }
 
-    /** Answers queries for the nearest. Returns how many circles they find. */
-    int nearest(QueryBatch batch) {
+    @Override
+    public int nearest(QueryBatch batch) {
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);

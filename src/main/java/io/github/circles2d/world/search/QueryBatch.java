@@ -108,10 +108,10 @@ final class QueryBatch {
         distances = distancesTo;
     }
 
-    /** Takes the array for the first hits. */
+    /** Takes the array for the first hits, or those of the nearest. */
     void takeHits(String name, float[] to) {
         if (to != null) {
-            requireRoom(name, to.length, (long) CastSearch.HIT_STRIDE * n);
+            requireRoom(name, to.length, (long) CastSearch.HIT_STRIDE * n * most);
         }
         hits = to;
     }
@@ -182,6 +182,9 @@ final class QueryBatch {
     void fillUp(int q, int count) {
         for (int k = count; isBatch && k < most; k++) {
             takeNearest(q, k, 0, Double.POSITIVE_INFINITY);
+            if (hits != null) {
+                CastSearch.writeNone(hits, CastSearch.HIT_STRIDE * (most * q + k));
+            }
         }
     }
 

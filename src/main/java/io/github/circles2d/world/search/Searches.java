@@ -11,8 +11,8 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /**
- * The searches for circles, one or many in a call. The device that has the circles answers where that is faster, else a tree on the
- * host; both find the same. {@code Queries} documents what each call gives. Where a call takes a filter, null admits all circles.
+ * The searches for circles, or for pieces of terrain, one or many in a call. The device that has the circles answers where that is faster,
+ * else the host; both find the same. {@code Queries} documents what each call gives. Where a call takes a filter, null admits all.
  */
 public final class Searches {
     /** Kinds of answers. */
@@ -26,12 +26,15 @@ public final class Searches {
     private final HandleTable handles;
     private final KindTable kinds;
     private final QueryBatch batch;
-    private final HostAnswers host;
+    private final Answers host;
+
+    /** Null for pieces of terrain, which are on the host. */
     private final DeviceAnswers device;
 
     /** Takes the handle that a single query finds. */
     private final long[] found = new long[1];
 
+    /** Searches for circles. */
     public Searches(
             Guard guard,
             Pipeline pipeline,
@@ -48,12 +51,22 @@ public final class Searches {
         device = new DeviceAnswers(pipeline, handles, pending, last, settings);
     }
 
+    /** Searches for pieces of terrain. */
+    public Searches(Guard guard, HandleTable handles, KindTable kinds, WorldSettings settings, TerrainView terrain) {
+        this.guard = guard;
+        this.handles = handles;
+        this.kinds = kinds;
+        batch = new QueryBatch(settings);
+        host = new PieceAnswers(terrain);
+        device = null;
+    }
+
     /** Does nothing, if a query can be made at all. */
     public void requireOpen() {
         guard.check();
     }
 
-    /** Admits the circles whose kind's category has a bit of a mask. */
+    /** Admits those whose kind's category has a bit of a mask. */
     public CategoryFilter filter(int mask) {
         requireOpen();
         return new CategoryFilter(handles.fields(), kinds, mask);
@@ -99,14 +112,22 @@ public final class Searches {
         return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
     }
 
-    /** Finds the circles nearest to a point. */
+    /** The nearest piece to a point, or 0. */
+    public long nearestOne(CategoryFilter filter, float x, float y, float within, float[] hit) {
+        QueryShape shape = QueryShape.NEAREST;
+        found[0] = 0;
+        answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, 1, null, found, hit);
+        return found[0];
+    }
+
+    /** Finds the circles nearest to a point, and their distances, or pieces, and their hits. */
     public int nearest(CategoryFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int)
                 answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, most, null, to, distances);
     }
 
-    /** Finds the circles nearest to each of many points. */
+    /** The same for each of many points. */
     public int nearest(
             CategoryFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
@@ -150,7 +171,8 @@ public final class Searches {
             } else {
                 batch.within = Limits.within("within", within, 0, Float.POSITIVE_INFINITY);
                 batch.most = Limits.within("most", most, 1, Integer.MAX_VALUE);
-                batch.takeFew(to, places);
+                batch.takeFew(to, device == null ? null : places);
+                batch.takeHits(isBatch || most > 1 ? "hits" : "hit", device == null ? places : null);
             }
             int count = answer(wanted);
             batch.end();
@@ -163,19 +185,15 @@ public final class Searches {
     }
 
     private int answer(Wanted wanted) {
-        int count =
-                switch (wanted) {
-                    case ALL -> device.all(batch);
-                    case ONE -> device.one(batch);
-                    case NEAREST -> device.nearest(batch);
-                };
-        if (count != DeviceAnswers.LEFT) {
-            return count;
-        }
+        int count = device == null ? DeviceAnswers.LEFT : answer(wanted, device);
+        return count == DeviceAnswers.LEFT ? answer(wanted, host) : count;
+    }
+
+    private int answer(Wanted wanted, Answers by) {
         return switch (wanted) {
-            case ALL -> host.all(batch);
-            case ONE -> host.one(batch);
-            case NEAREST -> host.nearest(batch);
+            case ALL -> by.all(batch);
+            case ONE -> by.one(batch);
+            case NEAREST -> by.nearest(batch);
         };
     }
 }

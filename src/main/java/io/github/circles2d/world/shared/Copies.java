@@ -3,8 +3,10 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The copies of the state that hold until it changes: the last bulk reading, and the saved state. Also its hash. */
 public final class Copies {
@@ -14,8 +16,10 @@ public final class Copies {
     private final KindTable kinds;
     private final ContactEvents events;
     private final WorldSettings settings;
+    private final TerrainTables terrain;
     private final LastReading last;
     private final SavedState saved = new SavedState();
+    private final SavedPieceContacts contacts = new SavedPieceContacts();
 
     /** Whether {@link #saved} is the state as it is now. */
     private boolean savedCurrent;
@@ -27,6 +31,7 @@ public final class Copies {
             KindTable kinds,
             ContactEvents events,
             WorldSettings settings,
+            TerrainTables terrain,
             Needs needs) {
         this.pipeline = pipeline;
         this.pending = pending;
@@ -34,6 +39,7 @@ public final class Copies {
         this.kinds = kinds;
         this.events = events;
         this.settings = settings;
+        this.terrain = terrain;
         last = new LastReading(pipeline, handles, pending, needs);
     }
 
@@ -74,12 +80,26 @@ public final class Copies {
             pending.settle();
             handles.save(saved);
             pipeline.save(saved);
+            saveTerrain();
             events.save(saved.touches);
             saved.setParameters(settings.parameters());
             saved.kinds.copy(kinds);
             savedCurrent = true;
         }
         return saved;
+    }
+
+    private void saveTerrain() {
+        terrain.save(saved.terrain);
+        savePieceContacts(saved.pieceContacts);
+    }
+
+    private void savePieceContacts(SavedPieceContacts into) {
+        into.clear();
+        if (terrain.isThere()) {
+            pipeline.savePieceContacts(into);
+            terrain.keepPresent(into);
+        }
     }
 
     /** The same object, which the caller fills with another state: it is none of now. */
@@ -91,6 +111,12 @@ public final class Copies {
     /** The hash of the state as of now. */
     public long hash() {
         pending.settle();
-        return pipeline.hash() + handles.fields().hash() + kinds.hash() + settings.hash();
+        savePieceContacts(contacts);
+        return pipeline.hash()
+                + handles.fields().hash()
+                + kinds.hash()
+                + settings.hash()
+                + terrain.hash()
+                + contacts.hash();
     }
 }

@@ -60,7 +60,7 @@ public final class Needs {
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
         boolean before = turns;
-        prepare(next.parameters(), turns || turns(next), hasTerrain);
+        prepare(next.parameters(), turns || turns(next), hasTerrain || next.terrain.hasPieces());
         turns = before;
     }
 

@@ -57,6 +57,13 @@ public final class PendingWork {
             drop();
             guard.changing = false;
         }
+        if (events.isOn() && !events.knowsPieces()) {
+            finish();
+            events.makeRoomForPieces();
+            guard.changing = true;
+            events.learnPieces();
+            guard.changing = false;
+        }
     }
 
     /** Makes the pipeline ready for circles that turn, or for terrain, if the world has begun to need that. */

@@ -1,5 +1,7 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.SavedTerrain;
+import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
@@ -266,6 +268,102 @@ public final class BodyTable {
             }
         }
         moverCount = kept;
+    }
+
+    /** The part of the bodies in the hash of the state: one number for each but the ground. */
+    long hash() {
+        long sum = 0;
+        for (int id = 1; id < ids.end(); id++) {
+            if (ids.lives(id)) {
+                sum += hash(id);
+            }
+        }
+        return sum;
+    }
+
+    private long hash(int id) {
+        long h = absorb(absorb(StateHash.absorb(StateHash.body(), id), x[id]), y[id]);
+        h = StateHash.absorb(StateHash.absorb(StateHash.absorb(h, angle[id]), vx[id]), vy[id]);
+        h = StateHash.absorb(h, omega[id]);
+        if (travels[id]) {
+            h = StateHash.absorb(StateHash.absorb(h, targetX[id]), targetY[id]);
+            h = StateHash.absorb(h, targetAngle[id]);
+        }
+        return h;
+    }
+
+    private static long absorb(long h, double value) {
+        long bits = Double.doubleToRawLongBits(value);
+        return StateHash.absorb(StateHash.absorb(h, (int) bits), (int) (bits >> Integer.SIZE));
+    }
+
+    void save(SavedTerrain to) {
+        int n = ids.end();
+        ids.save(to.bodyGeneration);
+        for (int id = 0; id < n; id++) {
+            to.bodyLives[id] = ids.lives(id);
+        }
+        System.arraycopy(x, 0, to.x, 0, n);
+        System.arraycopy(y, 0, to.y, 0, n);
+        System.arraycopy(angle, 0, to.angle, 0, n);
+        System.arraycopy(vx, 0, to.vx, 0, n);
+        System.arraycopy(vy, 0, to.vy, 0, n);
+        System.arraycopy(omega, 0, to.omega, 0, n);
+        System.arraycopy(travels, 0, to.travels, 0, n);
+        System.arraycopy(targetX, 0, to.targetX, 0, n);
+        System.arraycopy(targetY, 0, to.targetY, 0, n);
+        System.arraycopy(targetAngle, 0, to.targetAngle, 0, n);
+    }
+
+    /** Makes room for bodies of a saved state. */
+    void makeRoom(int bodies) {
+        if (bodies > ids.room()) {
+            setRoom(bodies);
+        }
+    }
+
+    /** Whether the saved bodies are those that are there, wherever they are. */
+    boolean areThose(SavedTerrain from) {
+        boolean same = from.bodyIds == ids.end();
+        for (int id = 0; same && id < from.bodyIds; id++) {
+            same = ids.isSame(id, from.bodyLives[id], from.bodyGeneration[id]);
+        }
+        return same;
+    }
+
+    /** Takes over saved bodies, without pieces yet; there is room. */
+    void load(SavedTerrain from) {
+        int n = from.bodyIds;
+        ids.load(from.bodyGeneration, n);
+        for (int id = 0; id < n; id++) {
+            if (from.bodyLives[id]) {
+                ids.revive(id);
+            }
+            firstPiece[id] = -1;
+        }
+        loadPoses(from);
+    }
+
+    /** Takes over where saved bodies are, and how they move. */
+    void loadPoses(SavedTerrain from) {
+        int n = from.bodyIds;
+        moverCount = 0;
+        Arrays.fill(isMover, false);
+        System.arraycopy(from.x, 0, x, 0, n);
+        System.arraycopy(from.y, 0, y, 0, n);
+        System.arraycopy(from.angle, 0, angle, 0, n);
+        System.arraycopy(from.vx, 0, vx, 0, n);
+        System.arraycopy(from.vy, 0, vy, 0, n);
+        System.arraycopy(from.omega, 0, omega, 0, n);
+        System.arraycopy(from.travels, 0, travels, 0, n);
+        System.arraycopy(from.targetX, 0, targetX, 0, n);
+        System.arraycopy(from.targetY, 0, targetY, 0, n);
+        System.arraycopy(from.targetAngle, 0, targetAngle, 0, n);
+        for (int id = 1; id < n; id++) {
+            if (ids.lives(id)) {
+                note(id);
+            }
+        }
     }
 
     /** Removes all but the ground. */

@@ -3,6 +3,7 @@ package io.github.circles2d.world.terrain;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.TerrainLimits;
 import java.util.Arrays;
 
 /** Points in a row, and what joins them: lines, and arcs. It only grows, so a thread that reads a part of it finds that part whole. */
@@ -49,6 +50,11 @@ public final class ChainPath {
         return centres[2 * piece + 1];
     }
 
+    /** Of an arc. */
+    float radius(int piece) {
+        return (float) TerrainLimits.distance(x(piece), y(piece), centreX(piece), centreY(piece));
+    }
+
     public long turn(int piece) {
         return turns[piece];
     }
@@ -60,7 +66,7 @@ public final class ChainPath {
                 if (turns[k] == 0) {
                     TerrainLimits.extent(TerrainLimits.distance(x(k), y(k), x(k + 1), y(k + 1)), bounds);
                 } else {
-                    TerrainLimits.extent(2 * TerrainLimits.distance(x(k), y(k), centreX(k), centreY(k)), bounds);
+                    TerrainLimits.extent(2.0 * radius(k), bounds);
                 }
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException("piece " + k + " of the chain: " + e.getMessage(), e);
@@ -118,6 +124,11 @@ public final class ChainPath {
         if (TerrainLimits.isTooShort(x(pieces), y(pieces), centreX, centreY)) {
             throw new IllegalArgumentException("the centre of the arc to point " + point + " of the chain is " + centreX
                     + ", " + centreY + ", which is the point before it, or too near to it");
+        }
+        double radius = TerrainLimits.distance(x(pieces), y(pieces), centreX, centreY);
+        if (radius > Limits.COORDINATE) {
+            throw new IllegalArgumentException("the radius of the arc to point " + point + " of the chain is " + radius
+                    + ", but must be at most " + Limits.COORDINATE);
         }
         appendArc(centreX, centreY, turn);
     }

@@ -1,5 +1,7 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.SavedTerrain;
+import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.PieceRow;
 import java.util.Arrays;
 
@@ -9,7 +11,7 @@ import java.util.Arrays;
  */
 public final class PieceTable {
     // a form: of a line; of an arc the centre, the direction of its middle, the radius
-    static final int FORM = 5;
+    static final int FORM = SavedTerrain.FORM;
     static final int X = 0;
     static final int Y = 1;
     static final int X2 = 2;
@@ -53,6 +55,8 @@ public final class PieceTable {
 
     private int changedTo;
 
+    private int names;
+
     PieceTable(BodyTable bodies) {
         this.bodies = bodies;
     }
@@ -61,18 +65,21 @@ public final class PieceTable {
     public void ensure(int more) {
         int needed = ids.size() + more;
         if (needed > ids.room()) {
-            int c = Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1));
-            form = Arrays.copyOf(form, FORM * c);
-            half = Arrays.copyOf(half, c);
-            body = Arrays.copyOf(body, c);
-            before = Arrays.copyOf(before, c);
-            after = Arrays.copyOf(after, c);
-            nextOfBody = Arrays.copyOf(nextOfBody, c);
-            previousOfBody = Arrays.copyOf(previousOfBody, c);
-            traits = Arrays.copyOf(traits, PieceRow.TRAITS * c);
-            rows = Arrays.copyOf(rows, PieceRow.STRIDE * c);
-            ids.setRoom(c);
+            setRoom(Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1)));
         }
+    }
+
+    private void setRoom(int c) {
+        form = Arrays.copyOf(form, FORM * c);
+        half = Arrays.copyOf(half, c);
+        body = Arrays.copyOf(body, c);
+        before = Arrays.copyOf(before, c);
+        after = Arrays.copyOf(after, c);
+        nextOfBody = Arrays.copyOf(nextOfBody, c);
+        previousOfBody = Arrays.copyOf(previousOfBody, c);
+        traits = Arrays.copyOf(traits, PieceRow.TRAITS * c);
+        rows = Arrays.copyOf(rows, PieceRow.STRIDE * c);
+        ids.setRoom(c);
     }
 
     PieceRows filler() {
@@ -87,8 +94,17 @@ public final class PieceTable {
         return body[piece];
     }
 
+    /** Counts how often a piece has come or gone, or has got a kind. */
+    public int names() {
+        return names;
+    }
+
     public int kindOf(int piece) {
         return traits[PieceRow.traits(piece) + PieceRow.KIND];
+    }
+
+    int serial(int piece) {
+        return traits[PieceRow.traits(piece) + PieceRow.SERIAL];
     }
 
     int shape(int piece) {
@@ -158,6 +174,7 @@ public final class PieceTable {
         traits[PieceRow.traits(piece) + PieceRow.MOTION] = 0;
         setShape(piece, shape);
         renew(piece);
+        names++;
         return piece;
     }
 
@@ -193,6 +210,7 @@ public final class PieceTable {
 
     void setKind(int piece, int kind) {
         traits[PieceRow.traits(piece) + PieceRow.KIND] = kind;
+        names++;
         changed(piece);
     }
 
@@ -232,8 +250,107 @@ public final class PieceTable {
         ids.remove(piece);
         setShape(piece, PieceRow.NO_PIECE);
         renew(piece);
+        names++;
         if (previous >= 0 && previous != piece) {
             filler.fill(previous);
+        }
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    /** What of a shape is not a joint. */
+    private static int withoutJoints(int shape) {
+        return shape & (PieceRow.FORM | PieceRow.SOLID_OUTSIDE);
+    }
+
+    /** The part of the pieces in the hash of the state: one number for each. */
+    long hash() {
+        long sum = 0;
+        for (int piece = 0; piece < ids.end(); piece++) {
+            if (ids.lives(piece)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.piece(), piece), withoutJoints(shape(piece)));
+                h = StateHash.absorb(StateHash.absorb(h, kindOf(piece)), body[piece]);
+                h = StateHash.absorb(StateHash.absorb(h, after[piece]), half[piece]);
+                for (int k = FORM * piece; k < FORM * (piece + 1); k++) {
+                    h = StateHash.absorb(h, form[k]);
+                }
+                sum += h;
+            }
+        }
+        return sum;
+    }
+
+    void save(SavedTerrain to) {
+        int n = ids.end();
+        ids.save(to.pieceGeneration);
+        for (int piece = 0; piece < n; piece++) {
+            to.shape[piece] = (byte) withoutJoints(shape(piece));
+            to.kind[piece] = (byte) kindOf(piece);
+        }
+        System.arraycopy(body, 0, to.body, 0, n);
+        System.arraycopy(after, 0, to.after, 0, n);
+        System.arraycopy(half, 0, to.half, 0, n);
+        System.arraycopy(form, 0, to.form, 0, FORM * n);
+    }
+
+    /** Makes room for pieces of a saved state. */
+    void makeRoom(int pieces) {
+        if (pieces > ids.room()) {
+            setRoom(pieces);
+        }
+    }
+
+    /** Whether the saved pieces are those that are there, by their bits. */
+    boolean areThose(SavedTerrain from) {
+        boolean same = from.pieceIds == ids.end();
+        for (int piece = 0; same && piece < from.pieceIds; piece++) {
+            same = ids.isSame(piece, from.lives(piece), from.pieceGeneration[piece])
+                    && (!ids.lives(piece) || isThat(from, piece));
+        }
+        return same;
+    }
+
+    private boolean isThat(SavedTerrain from, int piece) {
+        boolean same = from.shape[piece] == withoutJoints(shape(piece))
+                && Byte.toUnsignedInt(from.kind[piece]) == kindOf(piece)
+                && from.body[piece] == body[piece]
+                && from.after[piece] == after[piece]
+                && from.half[piece] == half[piece];
+        for (int k = FORM * piece; same && k < FORM * (piece + 1); k++) {
+            same = Float.floatToRawIntBits(from.form[k]) == Float.floatToRawIntBits(form[k]);
+        }
+        return same;
+    }
+
+    /** Takes over saved pieces, whose bodies are there; there is room. Rows have to be filled. */
+    void load(SavedTerrain from) {
+        int n = from.pieceIds;
+        int before = ids.end();
+        ids.load(from.pieceGeneration, n);
+        System.arraycopy(from.body, 0, body, 0, n);
+        System.arraycopy(from.half, 0, half, 0, n);
+        System.arraycopy(from.form, 0, form, 0, FORM * n);
+        for (int piece = 0; piece < n; piece++) {
+            this.before[piece] = -1;
+            after[piece] = -1;
+            setShape(piece, from.shape[piece]);
+            traits[PieceRow.traits(piece) + PieceRow.KIND] = Byte.toUnsignedInt(from.kind[piece]);
+            traits[PieceRow.traits(piece) + PieceRow.MOTION] = 0;
+            renew(piece);
+            if (from.lives(piece)) {
+                ids.revive(piece);
+                link(piece);
+            }
+        }
+        for (int piece = n; piece < before; piece++) {
+            setShape(piece, PieceRow.NO_PIECE);
+            renew(piece);
+        }
+        for (int piece = 0; piece < n; piece++) {
+            if (from.lives(piece) && from.after[piece] >= 0) {
+                join(piece, from.after[piece]);
+            }
         }
     }
 

@@ -57,6 +57,31 @@ public final class TerrainIds {
         generation = Arrays.copyOf(generation, ids);
     }
 
+    void save(int[] generations) {
+        System.arraycopy(generation, 0, generations, 0, end);
+    }
+
+    /** Whether a saved id has been used as often as it has been here. */
+    boolean isSame(int id, boolean lives, int generations) {
+        return live[id] == lives && generation[id] == generations;
+    }
+
+    /** Begins to take over saved ids, none of which lives yet; there is room. */
+    void load(int[] generations, int ids) {
+        Arrays.fill(live, false);
+        Arrays.fill(generation, 0);
+        System.arraycopy(generations, 0, generation, 0, ids);
+        end = ids;
+        size = 0;
+        noneFreeBelow = 0;
+    }
+
+    /** A saved id lives. */
+    void revive(int id) {
+        live[id] = true;
+        size++;
+    }
+
     /** There is room. */
     int add() {
         int id = noneFreeBelow;

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.circles.SavedPieceContacts;
+import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.PieceRow;
@@ -132,7 +134,7 @@ public final class TerrainTables {
                 centreY,
                 (float) ((cos * dx - sin * dy) / radius),
                 (float) ((sin * dx + cos * dy) / radius),
-                (float) radius,
+                chain.radius(k),
                 half);
     }
 
@@ -184,6 +186,60 @@ public final class TerrainTables {
             }
         }
         bodies.clear();
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    public long hash() {
+        return pieces.hash() + bodies.hash();
+    }
+
+    public void save(SavedTerrain to) {
+        to.setIds(pieces.ids.end(), bodies.ids.end());
+        pieces.save(to);
+        bodies.save(to);
+    }
+
+    /** Leaves out contacts with pieces that are others now. */
+    public void keepPresent(SavedPieceContacts contacts) {
+        int kept = 0;
+        for (int k = 0; k < contacts.count; k++) {
+            if (contacts.serial[k] == pieces.serial(contacts.piece[k])) {
+                contacts.move(k, kept++);
+            }
+        }
+        contacts.count = kept;
+    }
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    public void makeRoom(SavedTerrain from) {
+        pieces.makeRoom(from.pieceIds);
+        bodies.makeRoom(from.bodyIds);
+    }
+
+    /** Takes over saved terrain, which has been checked; contacts get the serials of now. There is room. */
+    public void load(SavedTerrain from, Bounds to, SavedPieceContacts contacts) {
+        boolean wrapsAlike =
+                bounds.edgeX() == to.edgeX() && bounds.edgeY() == to.edgeY() && !(to.wraps() && bounds.differs(to));
+        setBounds(to);
+        if (wrapsAlike && bodies.areThose(from) && pieces.areThose(from)) {
+            bodies.loadPoses(from); // as in each rollback: nothing of the ground has changed
+            bodiesChanged = true;
+        } else {
+            bodies.load(from);
+            pieces.load(from);
+            groundChanged = true;
+        }
+        for (int body = groundChanged ? 0 : 1; body < bodies.ids.end(); body++) {
+            if (bodies.firstPiece[body] >= 0) {
+                rest(body);
+            }
+        }
+        for (int k = 0; k < contacts.count; k++) {
+            contacts.serial[k] = pieces.serial(contacts.piece[k]);
+        }
+        lags = false;
     }
 
     // ---- steps

@@ -1,8 +1,4 @@
-package io.github.circles2d.world.terrain;
-
-import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.model.Rotation;
+package io.github.circles2d.world.model;
 
 /** The values that terrain takes. */
 public final class TerrainLimits {
@@ -14,6 +10,8 @@ public final class TerrainLimits {
     /** Of the length of a piece and of its radius: a share of its coordinates, above their rounding. */
     private static final double LEAST_SHARE = 0x1p-20;
 
+    private static final double LEAST_LENGTH = 0x1p-40;
+
     /** Radians, of {@link #opening}: the float above a whole turn is one. */
     private static final double TURN = 2 * Math.PI * (1 + 0x1p-23);
 
@@ -22,19 +20,23 @@ public final class TerrainLimits {
 
     private TerrainLimits() {}
 
-    static double distance(float x1, float y1, float x2, float y2) {
+    public static double distance(float x1, float y1, float x2, float y2) {
         double dx = (double) x2 - x1;
         double dy = (double) y2 - y1;
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    static boolean isTooShort(float x1, float y1, float x2, float y2) {
+    private static double leastLength(double coordinate) {
+        return Math.max(LEAST_SHARE * coordinate, LEAST_LENGTH);
+    }
+
+    public static boolean isTooShort(float x1, float y1, float x2, float y2) {
         double most = Math.max(Math.max(Math.abs(x1), Math.abs(y1)), Math.max(Math.abs(x2), Math.abs(y2)));
-        return !(distance(x1, y1, x2, y2) > LEAST_SHARE * most);
+        return !(distance(x1, y1, x2, y2) > leastLength(most));
     }
 
     /** The units of an angle between the ends of an arc, at most a turn, which is a circle. */
-    static long opening(String what, double angle) {
+    public static long opening(String what, double angle) {
         if (!(Math.abs(angle) <= TURN)) {
             throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi");
         }
@@ -45,12 +47,12 @@ public final class TerrainLimits {
         return Math.max(-Rotation.TURN, Math.min(Rotation.TURN, units));
     }
 
-    static void coordinate(String what, float value) {
+    public static void coordinate(String what, float value) {
         Limits.within(what, value, -Limits.COORDINATE, Limits.COORDINATE);
     }
 
     /** Whether an arc may open so far, in units of an angle. */
-    static boolean isOpening(long units) {
+    public static boolean isOpening(long units) {
         return units >= -Rotation.TURN && units <= Rotation.TURN && (units >= LEAST_OPENING || units <= -LEAST_OPENING);
     }
 
@@ -81,15 +83,16 @@ public final class TerrainLimits {
         coordinate("x", x);
         coordinate("y", y);
         Limits.within("radius", radius, 0f, Limits.COORDINATE);
-        if (!(radius > LEAST_SHARE * Math.max(Math.abs(x), Math.abs(y)))) {
+        if (!(radius
+                >= leastLength(Math.max(Math.abs(x), Math.abs(y))))) { // a chain's radius may have been rounded to it
             throw new IllegalArgumentException(
-                    "the radius is " + radius + ", but must be more than 2^-20 of the coordinates of the centre");
+                    "the radius is " + radius + ", but must be at least 2^-20 of the coordinates of the centre");
         }
         extent(2.0 * radius, bounds);
     }
 
     /** A piece is at most half as long as an axis that wraps, so there is one short way to it. */
-    static void extent(double extent, Bounds bounds) {
+    public static void extent(double extent, Bounds bounds) {
         float period = Math.min(bounds.periodX(), bounds.periodY());
         if (extent > 0.5 * period) {
             throw new IllegalArgumentException("a piece is " + (float) extent

@@ -1,0 +1,400 @@
+package io.github.circles2d.world.queries;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.TerrainStep;
+import java.util.Arrays;
+
+/**
+ * The searches among pieces of terrain, by the shape of the query. Where an axis wraps, each piece has an image a period farther to either
+ * side.
+ */
+public final class TerrainSearch {
+    /** More than what boxes and ends lose by rounding, by its share of coordinates. */
+    private static final double MARGIN = 0x1p-21;
+
+    /** Most images of a piece, itself among them: three along each axis. */
+    private static final int IMAGES = 9;
+
+    private static final int BOX = 4;
+
+    private final PieceShape shape = new PieceShape();
+    private final FoundIds overlaps = new FoundIds();
+    private final Found found = new Found();
+
+    // what is searched
+    private TerrainStep terrain;
+    private final double[] shiftX = new double[IMAGES];
+    private final double[] shiftY = new double[IMAGES];
+    private int images;
+
+    /** Where a path ends at last, along axes that wrap. */
+    private double lowX;
+
+    private double lowY;
+    private double highX;
+    private double highY;
+
+    /** The greatest coordinate of terrain. */
+    private double span;
+
+    // nodes that a search has still to look at, the nearest of those with one parent first
+    private int[] node = new int[Capacity.atLeast(0, 0)];
+    private double[] nodeDistance = new double[node.length];
+    private int waiting;
+
+    // the path
+    private double startX;
+    private double startY;
+    private double reach;
+    private double unitX;
+    private double unitY;
+    private double length;
+    private double endX;
+    private double endY;
+
+    /** Whether what it meets at its start does not count. */
+    private boolean leavesStart;
+
+    // the point that the nearest are searched for, or the area
+    private boolean isBox;
+    private double minX;
+    private double minY;
+    private double maxX;
+    private double maxY;
+
+    public TerrainSearch() {}
+
+    /** Says which terrain the searches to come look at, as it is then. */
+    public void show(TerrainStep pieces, Bounds bounds) {
+        terrain = pieces;
+        double periodX = bounds.periodX();
+        double periodY = bounds.periodY();
+        boolean wrapsX = periodX < Double.POSITIVE_INFINITY;
+        boolean wrapsY = periodY < Double.POSITIVE_INFINITY;
+        images = 0;
+        for (int i = wrapsX ? -1 : 0; i <= (wrapsX ? 1 : 0); i++) {
+            for (int j = wrapsY ? -1 : 0; j <= (wrapsY ? 1 : 0); j++) {
+                shiftX[images] = i == 0 ? 0 : i * periodX;
+                shiftY[images++] = j == 0 ? 0 : j * periodY;
+            }
+        }
+        double none = Double.POSITIVE_INFINITY;
+        lowX = wrapsX ? bounds.minX() - 0.5 * periodX : -none;
+        highX = wrapsX ? bounds.maxX() + 0.5 * periodX : none;
+        lowY = wrapsY ? bounds.minY() - 0.5 * periodY : -none;
+        highY = wrapsY ? bounds.maxY() + 0.5 * periodY : none;
+        span = 0;
+        for (int root = 0; root < terrain.nodes; root = terrain.links[2 * root]) {
+            for (int k = 0; k < BOX; k++) {
+                span = Math.max(span, Math.abs(terrain.boxes[BOX * root + k]));
+            }
+        }
+        span += Math.max(Math.abs(shiftX[0]), Math.abs(shiftY[0]));
+    }
+
+    private boolean isOneSided(int piece) {
+        int traits = PieceRow.traits(piece);
+        int form = PieceRow.form(terrain.traits[traits + PieceRow.SHAPE]);
+        int kind = terrain.traits[traits + PieceRow.KIND];
+        return form != PieceRow.SEGMENT || terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] != 0f;
+    }
+
+    private void take(int piece, int image) {
+        shape.take(terrain.rows, terrain.traits, piece, isOneSided(piece), shiftX[image], shiftY[image]);
+    }
+
+    // ---- overlaps
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Finds all pieces of a checked query, what overlaps by id, what a path meets by distance, then by id, and returns how many. */
+    public int all(QueryShape what, float[] query, IdFilter filter) {
+        switch (what) {
+            case DISC -> disc(query[0], query[1], query[2]);
+            case BOX -> box(query[0], query[1], query[2], query[3]);
+            case RAY, DISC_CAST -> {
+                aim(what, query);
+                search(Integer.MAX_VALUE, filter);
+                found.sort();
+                return found.count();
+            }
+            default -> throw new IllegalArgumentException(what + " does not find all");
+        }
+        return overlap(filter);
+    }
+
+    private void disc(double x, double y, double radius) {
+        isBox = false;
+        startX = x;
+        startY = y;
+        reach = radius;
+        minX = x - radius;
+        minY = y - radius;
+        maxX = x + radius;
+        maxY = y + radius;
+    }
+
+    private void box(double left, double below, double right, double above) {
+        isBox = true;
+        minX = left;
+        minY = below;
+        maxX = right;
+        maxY = above;
+    }
+
+    private int overlap(IdFilter filter) {
+        overlaps.clear();
+        double x = Math.max(Math.abs(minX), Math.abs(maxX));
+        double margin = (span + Math.max(x, Math.max(Math.abs(minY), Math.abs(maxY)))) * MARGIN;
+        for (int image = 0; image < images; image++) {
+            double left = minX - margin - shiftX[image];
+            double below = minY - margin - shiftY[image];
+            double right = maxX + margin - shiftX[image];
+            double above = maxY + margin - shiftY[image];
+            int i = 0;
+            while (i < terrain.nodes) {
+                float[] boxes = terrain.boxes;
+                int at = BOX * i;
+                if (boxes[at] <= right && boxes[at + 1] <= above && boxes[at + 2] >= left && boxes[at + 3] >= below) {
+                    int piece = terrain.links[2 * i + 1];
+                    if (piece >= 0 && isFirstOverlap(piece, image) && (filter == null || filter.admits(piece))) {
+                        overlaps.add(piece);
+                    }
+                    i++;
+                } else {
+                    i = terrain.links[2 * i];
+                }
+            }
+        }
+        overlaps.sort(terrain.pieces);
+        return overlaps.count();
+    }
+
+    /** Whether an image overlaps, and none before it. */
+    private boolean isFirstOverlap(int piece, int image) {
+        for (int before = 0; before < image; before++) {
+            if (overlapsImage(piece, before)) {
+                return false;
+            }
+        }
+        return overlapsImage(piece, image);
+    }
+
+    private boolean overlapsImage(int piece, int image) {
+        take(piece, image);
+        return isBox ? shape.overlapsBox(minX, minY, maxX, maxY) : shape.overlapsDisc(startX, startY, reach);
+    }
+
+    /** The piece with a number from 0 to those that {@link #all} has found. */
+    public int id(QueryShape what, int k) {
+        return what.isCast() ? found.id(k) : overlaps.id(k);
+    }
+
+    // ---- paths
+    // -------------------------------------------------------------------------------------------------------
+
+    private void aim(QueryShape what, float[] query) {
+        aim(query[0], query[1], what.radius(query, 0), what.dx(query, 0), what.dy(query, 0));
+    }
+
+    private void aim(float x, float y, float radius, float dx, float dy) {
+        startX = x;
+        startY = y;
+        reach = radius;
+        endX = startX + dx;
+        endY = startY + dy;
+        length = Math.sqrt((double) dx * dx + (double) dy * dy);
+        unitX = length == 0 ? 0 : dx / length;
+        unitY = length == 0 ? 0 : dy / length;
+    }
+
+    /** How far a path goes until it is half a period beyond the bounds. */
+    private double most() {
+        double x = unitX > 0 ? (highX - startX) / unitX : unitX < 0 ? (lowX - startX) / unitX : length;
+        double y = unitY > 0 ? (highY - startY) / unitY : unitY < 0 ? (lowY - startY) / unitY : length;
+        return Math.min(length, Math.min(x, y));
+    }
+
+    private void search(int most, IdFilter filter) {
+        found.clear();
+        double way = most();
+        double far = Math.max(Math.abs(startX), Math.abs(startY)) + reach;
+        double margin = reach + (span + far) * MARGIN;
+        for (int image = 0; image < images; image++) {
+            waiting = 0;
+            pushOnPath(0, terrain.nodes, image, margin, Math.min(way, found.last(most)));
+            while (--waiting >= 0) {
+                int i = node[waiting];
+                double limit = Math.min(way, found.last(most));
+                if (nodeDistance[waiting] > limit) {
+                    continue;
+                }
+                int piece = terrain.links[2 * i + 1];
+                if (piece < 0) {
+                    pushOnPath(i + 1, terrain.links[2 * i], image, margin, limit);
+                } else {
+                    meet(piece, image, way, most, filter);
+                }
+            }
+        }
+    }
+
+    private void meet(int piece, int image, double way, int most, IdFilter filter) {
+        take(piece, image);
+        double d = shape.castDistance(startX, startY, reach, unitX, unitY, way);
+        if (d != CircleTests.NONE && !(leavesStart && d == 0) && (filter == null || filter.admits(piece))) {
+            if (most == Integer.MAX_VALUE) {
+                found.add(d, piece, image);
+            } else {
+                found.offer(d, piece, image, most);
+            }
+        }
+    }
+
+    /** Adds those of a row of siblings that the path meets up to a limit. */
+    private void pushOnPath(int from, int to, int image, double margin, double limit) {
+        int base = waiting;
+        double inverseX = 1 / unitX;
+        double inverseY = 1 / unitY;
+        double x = startX - shiftX[image];
+        double y = startY - shiftY[image];
+        for (int i = from; i < to; i = terrain.links[2 * i]) {
+            int at = BOX * i;
+            double leftIn = (terrain.boxes[at] - margin - x) * inverseX;
+            double rightIn = (terrain.boxes[at + 2] + margin - x) * inverseX;
+            double lowIn = (terrain.boxes[at + 1] - margin - y) * inverseY;
+            double highIn = (terrain.boxes[at + 3] + margin - y) * inverseY;
+            double enter = Math.max(Math.max(Math.min(leftIn, rightIn), Math.min(lowIn, highIn)), 0);
+            double leave = Math.min(Math.min(Math.max(leftIn, rightIn), Math.max(lowIn, highIn)), limit);
+            if (!(enter > leave)) {
+                push(base, i, enter);
+            }
+        }
+    }
+
+    private void push(int base, int i, double distance) {
+        if (waiting == node.length) {
+            nodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
+            node = Arrays.copyOf(node, nodeDistance.length);
+        }
+        int k = waiting++;
+        while (k > base && nodeDistance[k - 1] < distance) {
+            node[k] = node[k - 1];
+            nodeDistance[k] = nodeDistance[k - 1];
+            k--;
+        }
+        node[k] = i;
+        nodeDistance[k] = distance;
+    }
+
+    /** The first piece that a path meets, or -1; hits takes the hit, or the end of the path, or is null. */
+    public int first(QueryShape what, float[] query, IdFilter filter, float[] hits, int to) {
+        aim(what, query);
+        search(1, filter);
+        boolean hit = found.count() > 0;
+        if (hits != null && hit) {
+            writeHit(0, hits, to);
+        } else if (hits != null) {
+            CastSearch.write(hits, to, length, endX, endY, 0, 0);
+        }
+        return hit ? found.id(0) : -1;
+    }
+
+    /** Whether a ray meets a piece that it does not begin at. */
+    public boolean isBlocked(float x, float y, float dx, float dy, IdFilter filter) {
+        aim(x, y, 0, dx, dy);
+        leavesStart = true;
+        search(1, filter);
+        leavesStart = false;
+        return found.count() > 0;
+    }
+
+    /** Writes the hit with a number from 0 to those that {@link #all} has found. */
+    public void writeHit(int k, float[] to, int at) {
+        take(found.id(k), found.place(k));
+        double distance = found.distance(k);
+        double x = startX + unitX * distance;
+        double y = startY + unitY * distance;
+        shape.normalAt(x, y, reach, unitX, unitY);
+        CastSearch.write(to, at, distance, x, y, shape.normalX(), shape.normalY());
+    }
+
+    // ---- the nearest
+    // -------------------------------------------------------------------------------------------------
+
+    /** Finds the pieces whose surfaces are nearest to a point, by distance, then by id, and returns how many. */
+    public int nearest(float x, float y, float within, int most, IdFilter filter) {
+        found.clear();
+        startX = x;
+        startY = y;
+        double margin = (span + Math.max(Math.abs(startX), Math.abs(startY))) * MARGIN;
+        for (int image = 0; image < images; image++) {
+            waiting = 0;
+            pushNear(0, terrain.nodes, image, margin, Math.min(within, found.last(most)));
+            while (--waiting >= 0) {
+                int i = node[waiting];
+                double limit = Math.min(within, found.last(most));
+                if (nodeDistance[waiting] > limit) {
+                    continue;
+                }
+                int piece = terrain.links[2 * i + 1];
+                if (piece < 0) {
+                    pushNear(i + 1, terrain.links[2 * i], image, margin, limit);
+                } else if (isNearestImage(piece, image) && (filter == null || filter.admits(piece))) {
+                    take(piece, image);
+                    double d = shape.distance(startX, startY);
+                    if (d <= within) {
+                        found.offer(d, piece, image, most);
+                    }
+                }
+            }
+        }
+        found.sort();
+        return found.count();
+    }
+
+    private boolean isNearestImage(int piece, int image) {
+        if (images == 1) {
+            return true;
+        }
+        take(piece, image);
+        double own = shape.distance(startX, startY);
+        for (int other = 0; other < images; other++) {
+            take(piece, other);
+            double d = shape.distance(startX, startY);
+            if (d < own || d == own && other < image) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void pushNear(int from, int to, int image, double margin, double limit) {
+        int base = waiting;
+        double x = startX - shiftX[image];
+        double y = startY - shiftY[image];
+        for (int i = from; i < to; i = terrain.links[2 * i]) {
+            int at = BOX * i;
+            double dx = Math.max(terrain.boxes[at] - x, x - terrain.boxes[at + 2]);
+            double dy = Math.max(terrain.boxes[at + 1] - y, y - terrain.boxes[at + 3]);
+            double least = (dx <= 0 || dy <= 0 ? Math.max(dx, dy) : Math.sqrt(dx * dx + dy * dy)) - margin;
+            if (least <= limit) {
+                push(base, i, least);
+            }
+        }
+    }
+
+    /** The piece with a number from 0 to those that {@link #nearest} has found. */
+    public int nearestId(int k) {
+        return found.id(k);
+    }
+
+    /** Writes how far away it is, negative inside one that is thick, the nearest point of its surface and the normal there. */
+    public void writeNearest(int k, float[] to, int at) {
+        take(found.id(k), found.place(k));
+        shape.normalFrom(startX, startY);
+        CastSearch.write(
+                to, at, found.distance(k), shape.surfaceX(), shape.surfaceY(), shape.normalX(), shape.normalY());
+    }
+}
