@@ -59,6 +59,13 @@ bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STR
 // In a corner, one piece moves a circle into the other.
 #define KEEP_OUT_ROUNDS 2
 
+// The piece is no constraint of the circle now.
+void leavePiece(const World *w, int k) {
+    w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+    w->push[k].PUSH_IMPULSES = (float3)(0.0f);
+    w->standing[k].STANDING_BOUNCE = 0.0f;
+}
+
 // Returns whether the circle is at a vertex.
 bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     int4 touched = w->piece[k];
@@ -68,7 +75,7 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     float2 o = inFrame(w, row, traits.TRAIT_MOTION, offsetOf(w, c, row), d, boundary);
     w->standing[k].STANDING_PLACE = o;
     if (side == 0.0f) {
-        w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+        leavePiece(w, k);
         return false;
     }
     PieceGap g;
@@ -84,10 +91,14 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     w->measured[k] = (float4)(nx, ny, g.gap, g.curve);
     w->piece[k].TOUCHED_FEATURE = g.feature;
-    bool vertex = g.feature > AT_FACE;
+    if (g.feature == AT_FACE) return false;
+    if (g.feature == AT_NOTHING) {
+        leavePiece(w, k);
+        return false;
+    }
     bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
-    if (vertex && twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
-    return vertex;
+    if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
+    return true;
 }
 
 // A free vertex under which another piece has its face is no constraint.
@@ -113,7 +124,7 @@ void coverTouched(const World *w, int k, int2 own, float r) {
         float y = (from.y - place.y) + ey;
         if (coversVertex(pieceRow(w, under.TOUCHED_PIECE), traitsUnder.TRAIT_SHAPE, w->push[other].PUSH_SIDE, x, y,
                          row[PIECE_THICKNESS], COVER * r)) {
-            w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+            leavePiece(w, k);
             return;
         }
     }
@@ -125,16 +136,9 @@ void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
     bool vertices = false;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
-    if (vertices && own.PIECES_COUNT > 1) {
+    if (!vertices || own.PIECES_COUNT == 1) return;
 #pragma unroll 1
-        for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
-    }
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) {
-        if (w->piece[k].TOUCHED_FEATURE != AT_NOTHING) continue;
-        w->push[k].PUSH_IMPULSES = (float3)(0.0f);
-        w->standing[k].STANDING_BOUNCE = 0.0f;
-    }
+    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
 }
 
 // How fast the surface of a piece moves where a circle is nearest to it.
@@ -312,6 +316,7 @@ typedef struct {
 Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
     bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
+    if (!fast && !(moving && w->terrain[TERRAIN_BODIES] > 1)) return stop;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         int4 touched = w->piece[k];

@@ -89,10 +89,14 @@ final class TerrainTwins {
         to.rows = tables.rows;
         to.traits = tables.traits;
         to.version = tables.version;
+        to.changedFrom = tables.changedFrom;
+        to.changedTo = tables.changedTo;
         to.nodes = tables.nodes;
         to.boxes = tables.boxes;
         to.links = tables.links;
         to.treeVersion = tables.treeVersion;
+        to.linksVersion = tables.linksVersion;
+        to.boxesFrom = tables.boxesFrom;
         to.bodies = tables.bodies;
         to.motion = tables.motion;
         to.motionVersion = tables.motionVersion;
@@ -126,6 +130,9 @@ final class TerrainTwins {
         }
         tables.kinds.version++;
         move(random);
+        // not by one, so all is new
+        tables.version++;
+        tables.linksVersion++;
     }
 
     /** Lets bodies move in some way in the next step. */
@@ -155,12 +162,23 @@ final class TerrainTwins {
         }
         tables.motion = motion;
         tables.motionVersion++;
+        tables.changedFrom = tables.pieces;
+        tables.changedTo = 0;
         for (int piece = 0; piece < tables.pieces; piece++) {
+            int row = PieceRow.of(piece);
             boolean moves = tables.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0;
-            tables.rows[PieceRow.of(piece) + PieceRow.MOST] = moves ? 0.1f * most : 0f;
+            tables.rows[row + PieceRow.MOST] = moves ? 0.1f * most : 0f;
+            if (moves) {
+                float shift = between(random, -0.1f, 0.1f) * length;
+                tables.rows[row + PieceRow.X] += shift;
+                tables.rows[row + PieceRow.MID_X] += shift;
+                tables.changedFrom = Math.min(tables.changedFrom, piece);
+                tables.changedTo = piece + 1;
+            }
         }
         tables.version++;
         plant(0.1f * most);
+        tables.boxesFrom = tables.changedFrom;
     }
 
     /** A tree that is a list. */
