@@ -44,7 +44,8 @@ final class ArcPiece extends Piece {
         return solidOutside ? -1f : 1f;
     }
 
-    private boolean isCircle() {
+    @Override
+    boolean isCircle() {
         return half == Integer.MIN_VALUE;
     }
 
@@ -179,6 +180,29 @@ final class ArcPiece extends Piece {
             return 2f;
         }
         return min(timeOfEnd(end, o, u, time), timeOfEnd(start, o, u, time));
+    }
+
+    @Override
+    float timeOfNoticedFace(float[] o, float[] u, float r) {
+        boolean outside = dot(o, o) > (size + r) * (size + r);
+        float[] toCentre = minus(new float[] {0f, 0f}, o);
+        float outer = outside ? ContinuousCollision.timeOfTouch(toCentre, u, size + r) : 2f;
+        float time = isInside(at(o, u, outer), 0f) ? outer : 2f;
+        float inner = timeOfLeaving(o, u, size - r);
+        return inner < time && isInside(at(o, u, inner), 0f) ? inner : time;
+    }
+
+    /** When a point leaves a circle around 0, perhaps after it has come into it. */
+    private static float timeOfLeaving(float[] o, float[] u, float within) {
+        float b = dot(o, u);
+        float left = within * within - dot(o, o);
+        float discriminant = b * b + dot(u, u) * left;
+        boolean leaves = within > 0f && discriminant >= 0f && dot(u, u) > 0f && (left > 0f || b < 0f);
+        if (!leaves) {
+            return 2f;
+        }
+        float root = Numbers.sqrt(discriminant);
+        return b > 0f ? left / (b + root) : (root - b) / dot(u, u);
     }
 
     private static float[] at(float[] o, float[] u, float time) {

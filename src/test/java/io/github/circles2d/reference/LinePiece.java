@@ -141,6 +141,19 @@ final class LinePiece extends Piece {
     }
 
     @Override
+    float timeOfNoticedFace(float[] o, float[] u, float r) {
+        float side = height(o) >= 0f ? 1f : -1f;
+        float sinks = -(side * height(u));
+        float gap = side * height(o) - (r + thickness);
+        if (!(sinks > 0f) || !(gap > 0f)) {
+            return 2f;
+        }
+        float time = gap / sinks;
+        float along = dot(o, t) + time * dot(u, t);
+        return along >= 0f && along <= size ? time : 2f;
+    }
+
+    @Override
     float timeOfFace(float[] o, float[] u, float r, float side) {
         float reach = r + thickness;
         float above = side * height(o);

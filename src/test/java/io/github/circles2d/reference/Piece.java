@@ -156,6 +156,28 @@ abstract class Piece {
         return time;
     }
 
+    /** After which share of its motion a circle touches the face, from any side; 2 if it does not. */
+    abstract float timeOfNoticedFace(float[] o, float[] u, float r);
+
+    boolean isCircle() {
+        return false;
+    }
+
+    /** The same of the whole piece, joints among it. */
+    final float timeOfNotice(float[] o, float[] u, float r) {
+        if (distance(o) <= r) {
+            return 0f;
+        }
+        float time = timeOfNoticedFace(o, u, r);
+        if (isCircle()) {
+            return time;
+        }
+        float reach = r + thickness();
+        float first = ContinuousCollision.timeOfTouch(minus(start, o), u, reach);
+        float last = ContinuousCollision.timeOfTouch(minus(end, o), u, reach);
+        return Numbers.min(Numbers.min(first, last), time);
+    }
+
     final Joint joint(boolean atStart) {
         return atStart ? startJoint : endJoint;
     }

@@ -44,6 +44,18 @@ final class PieceContact extends Constraint {
     /** The velocity of the piece's surface. */
     private float[] surface = new float[2];
 
+    /** What it does in the step, if it is no sensed one. */
+    private final Touch touch = new Touch();
+
+    /** The normal impulse that was applied last. */
+    private float applied;
+
+    /** How fast the surface came along the normal when the circle approached fastest. */
+    private float surfaceSpeed;
+
+    /** Where the circle was as the step began, in the frame of the piece. */
+    private float[] start;
+
     /** What the normal speed loses in a biased visit, since the piece curves away. */
     private float bend;
 
@@ -142,6 +154,7 @@ final class PieceContact extends Constraint {
 
     private void measure(int boundary) {
         o = local(c.displacement, boundary);
+        start = start == null ? o : start;
         if (side == 0f) {
             feature = Piece.Feature.NONE;
             return;
@@ -263,14 +276,107 @@ final class PieceContact extends Constraint {
                 && separation * step.inverseH() + vn >= 0f
                 && separation + v0 * step.h() >= 0f;
         if (!staysClear) {
+            float before = normalImpulse;
+            float slip = slip(tangentSpeed(c.velocityBeforeImpulses), c.turn.speedBeforeImpulses);
+            float[] place = place(c.displacement);
+            applied = 0f;
             solve();
+            look(v0, slip, place, before + applied);
         }
         bend = 0f;
     }
 
     void relax(int boundary) {
         findSurface(boundary);
+        if (separation > 0f && normalImpulse == 0f && bounceSpeed == 0f && friction == 0f && rolling == 0f) {
+            return;
+        }
+        float vn = normalVelocity(circle -> circle.velocity);
+        float slip = slip(tangentSpeed(), c.turn.speed);
+        float[] place = place(c.displacement);
+        applied = 0f;
         relax();
+        look(vn, slip, place, applied);
+    }
+
+    // ---- touches
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Half-way between the surfaces. */
+    private float[] place(float[] displacement) {
+        float[] place = new float[2];
+        for (int a = 0; a < 2; a++) {
+            place[a] = (c.base[a] + displacement[a]) + -normal[a] * (c.radius + 0.5f * separation);
+        }
+        return place;
+    }
+
+    /** Looks at the touch after a visit, by what was before it, and what it gave the circle along the normal. */
+    private void look(float vn, float slip, float[] place, float impulse) {
+        touch.impulse += impulse;
+        float approach = max(-vn, 0f);
+        if ((impulse > 0f || separation <= 0f) && approach > touch.approach) {
+            touch.approach = approach;
+            touch.slip = frictionCoefficient > 0f ? Math.abs(slip) : 0f;
+            surfaceSpeed = dot(normal, surface);
+            note(normal, place);
+        }
+    }
+
+    private void note(float[] fromPiece, float[] place) {
+        touch.normal = new float[] {-fromPiece[0], -fromPiece[1]};
+        touch.point = place;
+    }
+
+    /** What there was in the step; null if they were not near each other. */
+    Touch touchAfterStep() {
+        touch.slack = Touch.SLACK * radii;
+        if (sensed) {
+            return hasTwoSides() || piece.isInFront(start) ? sense() : null;
+        }
+        touch.separation = separation;
+        if (touch.approach < 0f) {
+            if (feature == Piece.Feature.NONE || !touch.staysInTouch()) {
+                return null;
+            }
+            note(normal, place(new float[2]));
+        }
+        touch.impulse = c.mass * touch.impulse;
+        touch.normalVelocity = -dot(touch.normal, c.velocity) - surfaceSpeed;
+        touch.threshold = squaredHitSpeed();
+        return touch;
+    }
+
+    /** The circle has moved evenly, in the frame of the piece. */
+    private Touch sense() {
+        float[] u = minus(o, start);
+        float time = piece.timeOfNotice(start, u, c.radius);
+        touch.separation = time <= 1f ? 0f : piece.distance(o) - c.radius;
+        if (!touch.staysInTouch()) {
+            return null;
+        }
+        time = Numbers.min(time, 1f);
+        float[] at = {start[0] + time * u[0], start[1] + time * u[1]};
+        Piece.Stand then = piece.measure(at, c.radius, piece.isInFront(start) ? 1f : -1f);
+        float vn = dot(then.normal(), u) / step.dt();
+        touch.sensedSpeed = max(-vn, 0f);
+        float away = c.radius + 0.5f * then.gap();
+        float[] place = {at[0] - away * then.normal()[0], at[1] - away * then.normal()[1]};
+        Body.Motion motion = piece.body.motion;
+        if (motion == null) {
+            note(then.normal(), plus(piece.origin, place));
+            return touch;
+        }
+        int last = step.subSteps();
+        float cos = motion.cosines()[last];
+        float sin = motion.sines()[last];
+        float[] p = minus(place, minus(motion.pivot(), piece.origin));
+        float[] pivot = plus(motion.pivot(), motion.ways()[last]);
+        float[] n = then.normal();
+        note(
+                new float[] {cos * n[0] - sin * n[1], sin * n[0] + cos * n[1]},
+                new float[] {pivot[0] + (cos * p[0] - sin * p[1]), pivot[1] + (sin * p[0] + cos * p[1])});
+        return touch;
     }
 
     @Override
@@ -290,6 +396,7 @@ final class PieceContact extends Constraint {
 
     @Override
     void apply(float impulse) {
+        applied = impulse;
         c.velocity[0] += normal[0] * impulse;
         c.velocity[1] += normal[1] * impulse;
     }
@@ -307,13 +414,21 @@ final class PieceContact extends Constraint {
 
     @Override
     float tangentSpeed() {
-        float[] u = minus(c.velocity, surface);
+        return tangentSpeed(c.velocity);
+    }
+
+    private float tangentSpeed(float[] velocity) {
+        float[] u = minus(velocity, surface);
         return normal[0] * u[1] - normal[1] * u[0];
     }
 
     @Override
     float slip(float speed) {
-        return (speed - c.turn.speed) - belt;
+        return slip(speed, c.turn.speed);
+    }
+
+    private float slip(float speed, float spin) {
+        return (speed - spin) - belt;
     }
 
     @Override

@@ -417,6 +417,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removePiece(long piece) {
+        events.removed(terrain.piece(piece));
         terrain.remove(terrain.piece(piece));
     }
 
@@ -427,6 +428,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clearTerrain() {
+        terrain.pieces().forEach(events::removed);
         terrain.clear();
     }
 
@@ -450,7 +452,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeBody(long body) {
-        terrain.removeBody(terrain.body(body));
+        Body removed = terrain.body(body);
+        terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
+        terrain.removeBody(removed);
     }
 
     @Override
