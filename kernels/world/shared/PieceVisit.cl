@@ -78,6 +78,16 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+    if (isAround(&g, touched.TOUCHED_FEATURE, side)) {
+        side = twoSided ? -side : 0.0f;
+        w->push[k].PUSH_SIDE = side;
+        if (side == 0.0f) {
+            leavePiece(w, k);
+            return false;
+        }
+        measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    }
     float nx = g.nx;
     float ny = g.ny;
     if (traits.TRAIT_MOTION != 0) {
@@ -94,7 +104,6 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
         leavePiece(w, k);
         return false;
     }
-    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
     if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
     return true;
 }
@@ -194,6 +203,7 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
     m->VX += g.MEASURED_X * push.PUSH_NORMAL;
     m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
 #ifdef TURNING
+    if (push.PUSH_FRICTION == 0.0f && push.PUSH_ROLLING == 0.0f) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
     float friction_ = push.PUSH_FRICTION;
     float rolling_ = push.PUSH_ROLLING;
