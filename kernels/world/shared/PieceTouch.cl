@@ -13,10 +13,9 @@ void clearPieceTouch(const World *w, int k) {
 }
 
 // Half-way between the surfaces. d: displacement; g: as measured.
-void placePieceTouch(global float4 *t, float4 c, float2 d, float4 g) {
-    t[0].zw = (float2)(g.MEASURED_X, g.MEASURED_Y);
-    t[1].xy = (float2)(touchPoint(c.x, d.x, -g.MEASURED_X, c.RADIUS, g.MEASURED_GAP),
-                       touchPoint(c.y, d.y, -g.MEASURED_Y, c.RADIUS, g.MEASURED_GAP));
+float2 placeOfTouch(float4 c, float2 d, float4 g) {
+    return (float2)(touchPoint(c.x, d.x, -g.MEASURED_X, c.RADIUS, g.MEASURED_GAP),
+                    touchPoint(c.y, d.y, -g.MEASURED_Y, c.RADIUS, g.MEASURED_GAP));
 }
 
 // A visit, before its effect. vn: normal speed of the approach; impulse: what it gives along the normal; slid: how fast surfaces slide;
@@ -26,9 +25,10 @@ void notePieceVisit(const World *w, int k, float4 c, float2 d, float4 g, float v
     t[0].y += impulse;
     float approach = approachSpeed(vn);
     if ((impulse > 0.0f || g.MEASURED_GAP <= 0.0f) && approach > t[0].x) {
+        float2 place = placeOfTouch(c, d, g);
         t[0].x = approach;
-        t[1].zw = (float2)(slid, g.MEASURED_X * surface.x + g.MEASURED_Y * surface.y);
-        placePieceTouch(t, c, d, g);
+        t[0].zw = (float2)(g.MEASURED_X, g.MEASURED_Y);
+        t[1] = (float4)(place.x, place.y, slid, g.MEASURED_X * surface.x + g.MEASURED_Y * surface.y);
     }
 }
 

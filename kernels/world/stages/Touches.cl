@@ -235,9 +235,8 @@ void tellOfContacts(const World *w, int first, int each) {
 }
 
 #ifdef TERRAIN
-// Tells of a piece contact, as it has been recorded. m: motion after the step.
-void tellOfPiece(const World *w, int k, int slot, bool touches, float impulse, float vn, float threshold) {
-    global const float4 *t = pieceTouch(w, k);
+// Tells of a piece contact. Nothing changes of what has been recorded: a step may be told of again. t: as it has been recorded, or would be.
+void tellOfPiece(const World *w, int k, int slot, const float4 *t, bool touches, float impulse, float vn, float threshold) {
     Told told;
     int code = FIRST_PIECE + w->piece[k].TOUCHED_PIECE;
     if (concerns(w, w->homeId[slot], code, touches, t[0].x, impulse, threshold, &told)) {
@@ -245,29 +244,26 @@ void tellOfPiece(const World *w, int k, int slot, bool touches, float impulse, f
     }
 }
 
+// m: motion after the step.
 void tellOfSolidPiece(const World *w, int k, int slot, float4 c, float4 m) {
-    global float4 *t = pieceTouch(w, k);
-    float4 g = w->measured[k];
+    float4 t[2] = {pieceTouch(w, k)[0], pieceTouch(w, k)[1]};
     bool touching = t[0].x >= 0.0f;
     if (!touching) {
+        float4 g = w->measured[k];
         if (w->piece[k].TOUCHED_FEATURE == AT_NOTHING || !staysInTouch(NO_TOUCH, g.MEASURED_GAP, 2.0f * c.RADIUS)) return;
         touching = touches(NO_TOUCH, g.MEASURED_GAP);
-        t[0].x = 0.0f;
-        t[1].zw = (float2)(0.0f);
-        placePieceTouch(t, c, (float2)(0.0f), g);
+        float2 place = placeOfTouch(c, (float2)(0.0f), g);
+        t[0] = (float4)(0.0f, t[0].y, g.MEASURED_X, g.MEASURED_Y);
+        t[1] = (float4)(place.x, place.y, 0.0f, 0.0f);
     }
     float vn = (t[0].z * m.VX + t[0].w * m.VY) - t[1].w;
     float threshold = bounceThreshold(&w->k, 2.0f * c.RADIUS, 0.0f, w->k.thresholdRate);
-    tellOfPiece(w, k, slot, touching, c.MASS * t[0].y, vn, threshold);
+    tellOfPiece(w, k, slot, t, touching, c.MASS * t[0].y, vn, threshold);
 }
 
-// A place in the frame of a piece, which may have moved: where it is after the step.
-void placeSensed(const World *w, global float4 *t, global const float *row, int motion, const PieceGap *g, float x, float y) {
-    if (motion == 0) {
-        t[0].zw = (float2)(g->nx, g->ny);
-        t[1].xy = (float2)(row[PIECE_X] + x, row[PIECE_Y] + y);
-        return;
-    }
+// A place in the frame of a piece, which may have moved: where it is after the step, with the normal.
+float4 placeSensed(const World *w, global const float *row, int motion, const PieceGap *g, float x, float y) {
+    if (motion == 0) return (float4)(g->nx, g->ny, row[PIECE_X] + x, row[PIECE_Y] + y);
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, w->k.subSteps);
     float cos_ = pose[POSE_COS];
@@ -275,17 +271,16 @@ void placeSensed(const World *w, global float4 *t, global const float *row, int 
     float2 pivot = pivotOf(body, row);
     float px = x - pivot.x;
     float py = y - pivot.y;
-    t[0].zw = (float2)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny);
-    t[1].xy = (float2)((body[BODY_PIVOT_X] + pose[POSE_DX]) + (cos_ * px - sin_ * py),
-                       (body[BODY_PIVOT_Y] + pose[POSE_DY]) + (sin_ * px + cos_ * py));
+    return (float4)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny,
+                    (body[BODY_PIVOT_X] + pose[POSE_DX]) + (cos_ * px - sin_ * py),
+                    (body[BODY_PIVOT_Y] + pose[POSE_DY]) + (sin_ * px + cos_ * py));
 }
 
 void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
-    global float4 *t = pieceTouch(w, k);
     int piece = w->piece[k].TOUCHED_PIECE;
     global const float *row = pieceRow(w, piece);
     int4 traits = pieceTraits(w, piece);
-    float2 o = t[0].zw;
+    float2 o = pieceTouch(w, k)[0].zw;
     float2 end = w->standing[k].STANDING_PLACE;
     float ux = end.x - o.x;
     float uy = end.y - o.y;
@@ -304,10 +299,9 @@ void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
     measurePiece(row, traits.TRAIT_SHAPE, x, y, c.RADIUS, front ? 1.0f : -1.0f, &g);
     float vn = (g.nx * ux + g.ny * uy) / w->k.dt;
     float away = c.RADIUS + 0.5f * g.gap;
-    t[0].x = approachSpeed(vn);
-    t[1].z = 0.0f;
-    placeSensed(w, t, row, traits.TRAIT_MOTION, &g, x - away * g.nx, y - away * g.ny);
-    tellOfPiece(w, k, slot, touching, 0.0f, vn, MAXFLOAT);
+    float4 at = placeSensed(w, row, traits.TRAIT_MOTION, &g, x - away * g.nx, y - away * g.ny);
+    float4 t[2] = {(float4)(approachSpeed(vn), 0.0f, at.x, at.y), (float4)(at.z, at.w, 0.0f, 0.0f)};
+    tellOfPiece(w, k, slot, t, touching, 0.0f, vn, MAXFLOAT);
 }
 
 // Tells of the pieces that a circle is in touch with after the step.
