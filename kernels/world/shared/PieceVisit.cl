@@ -37,16 +37,14 @@ global const float *bodyOf(const World *w, int motion) {
 global const float *poseOf(global const float *body, int boundary) { return body + BODY_HEAD + BODY_POSE * boundary; }
 
 // Its pivot against x and y of a piece.
-float2 pivotOf(global const float *body, global const float *row) {
-    return (float2)(body[BODY_PIVOT_X] - row[PIECE_X], body[BODY_PIVOT_Y] - row[PIECE_Y]);
-}
+float2 pivotOf(global const float *row) { return (float2)(row[PIECE_PIVOT_X], row[PIECE_PIVOT_Y]); }
 
 // A place, against x and y of a piece, in the frame of the start of the step. o: offset; d: displacement.
 float2 inFrame(const World *w, global const float *row, int motion, float2 o, float2 d, int boundary) {
     if (motion == 0) return (float2)(o.x + d.x, o.y + d.y);
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = (o.x - p.x) + (d.x - pose[POSE_DX]);
     float y = (o.y - p.y) + (d.y - pose[POSE_DY]);
     float cos_ = pose[POSE_COS];
@@ -84,6 +82,16 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    bool twoSided = isTwoSided(w, traits);
+    if (isAround(&g, touched.TOUCHED_FEATURE, side)) {
+        side = twoSided ? -side : 0.0f;
+        w->push[k].PUSH_SIDE = side;
+        if (side == 0.0f) {
+            leavePiece(w, k);
+            return false;
+        }
+        measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    }
     float nx = g.nx;
     float ny = g.ny;
     if (traits.TRAIT_MOTION != 0) {
@@ -100,7 +108,7 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
         leavePiece(w, k);
         return false;
     }
-    if (isTwoSided(w, traits) && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
+    if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
     return true;
 }
 
@@ -150,7 +158,7 @@ float2 surfaceOf(const World *w, global const float *row, int motion, float4 c, 
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
     float reach = c.RADIUS + g.MEASURED_GAP;
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float2 o = offsetOf(w, c, row);
     float x = ((o.x - p.x) + (d.x - pose[POSE_DX])) - g.MEASURED_X * reach;
     float y = ((o.y - p.y) + (d.y - pose[POSE_DY])) - g.MEASURED_Y * reach;
@@ -199,6 +207,7 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
     m->VX += g.MEASURED_X * push.PUSH_NORMAL;
     m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
 #ifdef TURNING
+    if (push.PUSH_FRICTION == 0.0f && push.PUSH_ROLLING == 0.0f) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
     float friction_ = push.PUSH_FRICTION;
     float rolling_ = push.PUSH_ROLLING;
@@ -392,7 +401,7 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     global const float *row = pieceRow(w, piece);
     global const float *body = bodyOf(w, pieceTraits(w, piece).TRAIT_MOTION);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = place.x - p.x;
     float y = place.y - p.y;
     float cos_ = pose[POSE_COS];

@@ -246,8 +246,8 @@ final class PieceTouches {
         int pose = body + BodyRow.pose(k.subSteps);
         float cos = bodies[pose + BodyRow.COS];
         float sin = bodies[pose + BodyRow.SIN];
-        float px = x - (bodies[body + BodyRow.PIVOT_X] - atX);
-        float py = y - (bodies[body + BodyRow.PIVOT_Y] - atY);
+        float px = x - terrain.rows[at + PieceRow.PIVOT_X];
+        float py = y - terrain.rows[at + PieceRow.PIVOT_Y];
         rows[t + NORMAL_X] = cos * found.nx - sin * found.ny;
         rows[t + NORMAL_Y] = sin * found.nx + cos * found.ny;
         rows[t + POINT_X] = (bodies[body + BodyRow.PIVOT_X] + bodies[pose + BodyRow.DX]) + (cos * px - sin * py);

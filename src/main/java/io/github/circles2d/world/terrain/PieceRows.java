@@ -115,6 +115,8 @@ final class PieceRows {
         rows[at + PieceRow.THICKNESS] = (float) thickness;
         rows[at + PieceRow.START_X] = 0f;
         rows[at + PieceRow.START_Y] = 0f;
+        rows[at + PieceRow.PIVOT_X] = (float) (pivotX - backX) - x;
+        rows[at + PieceRow.PIVOT_Y] = (float) (pivotY - backY) - y;
         rows[at + PieceRow.END_X] = (float) (x2 - backX - x);
         rows[at + PieceRow.END_Y] = (float) (y2 - backY - y);
         rows[at + PieceRow.MID_X] = (float) (0.5 * (x1 + x2) - backX);
@@ -160,6 +162,8 @@ final class PieceRows {
         double backY = lapsY(midY);
         rows[at + PieceRow.X] = (float) (x - backX);
         rows[at + PieceRow.Y] = (float) (y - backY);
+        rows[at + PieceRow.PIVOT_X] = (float) (pivotX - backX) - rows[at + PieceRow.X];
+        rows[at + PieceRow.PIVOT_Y] = (float) (pivotY - backY) - rows[at + PieceRow.Y];
         rows[at + PieceRow.TX] = (float) tx;
         rows[at + PieceRow.TY] = (float) ty;
         rows[at + PieceRow.LENGTH] = (float) radius;

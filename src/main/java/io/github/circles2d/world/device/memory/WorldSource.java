@@ -51,6 +51,7 @@ public final class WorldSource {
                 .define("HOLD", Tuning.HOLD)
                 .define("ASIDE", Tuning.ASIDE)
                 .define("GRAZE", Tuning.GRAZE)
+                .define("CORNER", Tuning.CORNER)
                 .define("COVER", Tuning.COVER)
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)
