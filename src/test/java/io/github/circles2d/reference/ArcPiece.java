@@ -75,6 +75,7 @@ final class ArcPiece extends Piece {
             start[a] = (float) first;
             end[a] = (float) last;
             middle[a] = (float) (mid - laps);
+            pivot[a] = (float) (body.place[a] - laps) - origin[a];
         }
     }
 

@@ -57,6 +57,7 @@ final class LinePiece extends Piece {
             start[a] = 0f;
             end[a] = (float) (last[a] - laps - origin[a]);
             middle[a] = (float) (mid - laps);
+            pivot[a] = (float) (body.place[a] - laps) - origin[a];
         }
     }
 

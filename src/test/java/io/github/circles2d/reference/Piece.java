@@ -65,6 +65,9 @@ abstract class Piece {
 
     final float[] middle = new float[2];
 
+    /** What the body turns around, against the origin. */
+    final float[] pivot = new float[2];
+
     /** How far a point of it moves at most in the step. */
     float most;
 

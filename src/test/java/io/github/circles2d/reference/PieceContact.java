@@ -138,7 +138,7 @@ final class PieceContact extends Constraint {
         if (motion == null) {
             return plus(from, displacement);
         }
-        float[] pivot = minus(motion.pivot(), piece.origin);
+        float[] pivot = piece.pivot;
         float[] d = plus(minus(from, pivot), minus(displacement, motion.ways()[boundary]));
         float cos = motion.cosines()[boundary];
         float sin = motion.sines()[boundary];
@@ -229,7 +229,7 @@ final class PieceContact extends Constraint {
         Body.Motion motion = piece.body.motion;
         if (motion != null) {
             float reach = c.radius + separation;
-            float[] pivot = minus(motion.pivot(), piece.origin);
+            float[] pivot = piece.pivot;
             float[] d = plus(minus(offset(c, piece), pivot), minus(c.displacement, motion.ways()[boundary]));
             float x = d[0] - normal[0] * reach;
             float y = d[1] - normal[1] * reach;
@@ -370,7 +370,7 @@ final class PieceContact extends Constraint {
         int last = step.subSteps();
         float cos = motion.cosines()[last];
         float sin = motion.sines()[last];
-        float[] p = minus(place, minus(motion.pivot(), piece.origin));
+        float[] p = minus(place, piece.pivot);
         float[] pivot = plus(motion.pivot(), motion.ways()[last]);
         float[] n = then.normal();
         note(
@@ -518,7 +518,7 @@ final class PieceContact extends Constraint {
     /** Brings the circle to a place in the piece's frame, as the piece stands at a boundary. */
     private void takeAlong(float[] to, int boundary) {
         Body.Motion motion = piece.body.motion;
-        float[] pivot = minus(motion.pivot(), piece.origin);
+        float[] pivot = piece.pivot;
         float[] at = minus(to, pivot);
         float[] from = minus(offset(c, piece), pivot);
         float cos = motion.cosines()[boundary];
