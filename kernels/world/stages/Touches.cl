@@ -264,16 +264,15 @@ void tellOfSolidPiece(const World *w, int k, int slot, float4 c, float4 m) {
 // A place in the frame of a piece, which may have moved: where it is after the step, with the normal.
 float4 placeSensed(const World *w, global const float *row, int motion, const PieceGap *g, float x, float y) {
     if (motion == 0) return (float4)(g->nx, g->ny, row[PIECE_X] + x, row[PIECE_Y] + y);
-    global const float *body = bodyOf(w, motion);
-    global const float *pose = poseOf(body, w->k.subSteps);
+    global const float *pose = poseOf(bodyOf(w, motion), w->k.subSteps);
     float cos_ = pose[POSE_COS];
     float sin_ = pose[POSE_SIN];
-    float2 pivot = pivotOf(body, row);
+    float2 pivot = pivotOf(row);
     float px = x - pivot.x;
     float py = y - pivot.y;
     return (float4)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny,
-                    (body[BODY_PIVOT_X] + pose[POSE_DX]) + (cos_ * px - sin_ * py),
-                    (body[BODY_PIVOT_Y] + pose[POSE_DY]) + (sin_ * px + cos_ * py));
+                    ((row[PIECE_X] + pivot.x) + pose[POSE_DX]) + (cos_ * px - sin_ * py),
+                    ((row[PIECE_Y] + pivot.y) + pose[POSE_DY]) + (sin_ * px + cos_ * py));
 }
 
 void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
