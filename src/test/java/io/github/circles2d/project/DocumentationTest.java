@@ -167,7 +167,8 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String program : new String[] {"playground", "samples/merge", "samples/rollback", "samples/swarm"}) {
+        for (String program :
+                new String[] {"playground", "samples/merge", "samples/pinball", "samples/rollback", "samples/swarm"}) {
             assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
                     .isEqualTo(version);
         }
