@@ -103,6 +103,9 @@ float turnedWay(float curve, float along, float h) {
     return clampf(0.5f * curve * along * along * h, -most, most);
 }
 
+// How far from its centre a circle may touch terrain in a step.
+float sightOfPieces(float r, float path) { return (r + MARGIN * r) + (path + r); }
+
 // Whether a centre is in front of a piece.
 bool isInFront(global const float *row, int shape, float ox, float oy) {
     if (formOf(shape) != FORM_ARC) return ox * row[PIECE_TY] - oy * row[PIECE_TX] >= 0.0f;

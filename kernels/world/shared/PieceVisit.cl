@@ -56,6 +56,16 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
 
 bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
 
+// In a corner, one piece moves a circle into the other.
+#define KEEP_OUT_ROUNDS 2
+
+// The piece is no constraint of the circle now.
+void leavePiece(const World *w, int k) {
+    w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+    w->push[k].PUSH_IMPULSES = (float3)(0.0f);
+    w->standing[k].STANDING_BOUNCE = 0.0f;
+}
+
 // Returns whether the circle is at a vertex.
 bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     int4 touched = w->piece[k];
@@ -65,7 +75,7 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     float2 o = inFrame(w, row, traits.TRAIT_MOTION, offsetOf(w, c, row), d, boundary);
     w->standing[k].STANDING_PLACE = o;
     if (side == 0.0f) {
-        w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+        leavePiece(w, k);
         return false;
     }
     PieceGap g;
@@ -81,10 +91,14 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     w->measured[k] = (float4)(nx, ny, g.gap, g.curve);
     w->piece[k].TOUCHED_FEATURE = g.feature;
-    bool vertex = g.feature > AT_FACE;
+    if (g.feature == AT_FACE) return false;
+    if (g.feature == AT_NOTHING) {
+        leavePiece(w, k);
+        return false;
+    }
     bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
-    if (vertex && twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
-    return vertex;
+    if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
+    return true;
 }
 
 // A free vertex under which another piece has its face is no constraint.
@@ -110,7 +124,7 @@ void coverTouched(const World *w, int k, int2 own, float r) {
         float y = (from.y - place.y) + ey;
         if (coversVertex(pieceRow(w, under.TOUCHED_PIECE), traitsUnder.TRAIT_SHAPE, w->push[other].PUSH_SIDE, x, y,
                          row[PIECE_THICKNESS], COVER * r)) {
-            w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+            leavePiece(w, k);
             return;
         }
     }
@@ -122,16 +136,9 @@ void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
     bool vertices = false;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
-    if (vertices && own.PIECES_COUNT > 1) {
+    if (!vertices || own.PIECES_COUNT == 1) return;
 #pragma unroll 1
-        for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
-    }
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) {
-        if (w->piece[k].TOUCHED_FEATURE != AT_NOTHING) continue;
-        w->push[k].PUSH_IMPULSES = (float3)(0.0f);
-        w->standing[k].STANDING_BOUNCE = 0.0f;
-    }
+    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
 }
 
 // How fast the surface of a piece moves where a circle is nearest to it.
@@ -179,6 +186,7 @@ void gripPiece(const World *w, int k, int kind, float4 g, float along, float nor
 void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) {
     int4 touched = w->piece[k];
     float4 push = w->push[k];
+    w->standing[k].STANDING_ALLOWED = isConstraint(touched) ? minf(w->measured[k].MEASURED_GAP, 0.0f) : 0.0f;
     if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
         w->push[k].PUSH_FRICTION = 0.0f;
         w->push[k].PUSH_ROLLING = 0.0f;
@@ -288,10 +296,9 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
 #endif
 }
 
-// The relaxing pass over the pieces of a circle, behind its move.
+// The relaxing pass over the pieces of a circle, behind movePieces.
 void relaxPieces(const World *w, int slot, float4 c, float restitution, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
     int2 own = w->pieces[slot];
-    measurePieces(w, own, c, m->DISPLACEMENT, w->subStep + 1);
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         relaxPiece(w, k, c, restitution, loaded, m AND_TURNING(turning));
@@ -309,6 +316,7 @@ typedef struct {
 Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
     bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
+    if (!fast && !(moving && w->terrain[TERRAIN_BODIES] > 1)) return stop;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         int4 touched = w->piece[k];
@@ -349,9 +357,8 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
 }
 
-// Ends a circle's move in a sub-step, from a displacement to another, where it would pass a piece; a piece that moves takes it along.
-float2 stopAtPieces(const World *w, int slot, float4 c, float2 from, float2 to) {
-    int2 own = w->pieces[slot];
+// Where a circle would pass a piece, its move ends; a piece that moves takes it along.
+float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to) {
     // A loop, so that what looks for them is there once: first at all, then, if one takes it along, at those at rest.
 #pragma unroll 1
     for (int moving = 1; moving >= 0; moving--) {
@@ -362,6 +369,37 @@ float2 stopAtPieces(const World *w, int slot, float4 c, float2 from, float2 to) 
             return (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
         }
         to = takenAlong(w, piece, c, stop.place, w->subStep + 1);
+    }
+    return to;
+}
+
+// Moves a circle out of the pieces that it is deeper in than before the sub-step; returns whether there were some. d: displacement.
+bool keepOut(const World *w, int2 own, float2 *d) {
+    float outX = 0.0f;
+    float outY = 0.0f;
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        if (!isConstraint(w->piece[k])) continue;
+        float4 g = w->measured[k];
+        float out = w->standing[k].STANDING_ALLOWED - (g.MEASURED_GAP + (g.MEASURED_X * outX + g.MEASURED_Y * outY));
+        if (out > 0.0f) {
+            outX += g.MEASURED_X * out;
+            outY += g.MEASURED_Y * out;
+        }
+    }
+    if (outX == 0.0f && outY == 0.0f) return false;
+    *d = (float2)(d->x + outX, d->y + outY);
+    return true;
+}
+
+// Ends a circle's move in a sub-step, from a displacement to another, so that no piece is passed, or entered; and measures the contacts there.
+float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
+    int2 own = w->pieces[slot];
+    to = stopAtPieces(w, own, c, from, to);
+#pragma unroll 1
+    for (int round = 0;; round++) {
+        measurePieces(w, own, c, to, w->subStep + 1);
+        if (round == KEEP_OUT_ROUNDS || !keepOut(w, own, &to)) break;
     }
     return to;
 }

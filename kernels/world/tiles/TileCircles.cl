@@ -109,7 +109,7 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         float2 walls = t.WALLS;
 #ifdef TERRAIN
         bool atPieces = hasPieces(w, slot);
-        if (atPieces) m.DISPLACEMENT = stopAtPieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
+        if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
 #endif
 #ifdef RECORDING
         float2 moving = m.VELOCITY;

@@ -139,13 +139,14 @@ final class TouchEvents {
             return;
         }
         Event event = t == null
-                ? new Event(0, type, key.a(), key.b(), key.side, 0f, 0f, 0f, 0f, 0f, 0f, 0f)
+                ? new Event(0, type, key.a(), key.b(), key.side, 0, 0f, 0f, 0f, 0f, 0f, 0f, 0f)
                 : new Event(
                         0,
                         type,
                         key.a(),
                         key.b(),
                         key.side,
+                        0,
                         t.speed(),
                         t.slip,
                         t.impulse,

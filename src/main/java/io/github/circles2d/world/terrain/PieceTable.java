@@ -352,6 +352,7 @@ public final class PieceTable {
                 join(piece, from.after[piece]);
             }
         }
+        names++;
     }
 
     // ---- rows

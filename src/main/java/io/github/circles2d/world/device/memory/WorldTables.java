@@ -121,6 +121,7 @@ final class WorldTables {
         define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
         define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
         define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
+        define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
         define(text, "KIND_TERRAIN_STRIDE", KindTerrain.STRIDE, "floats of a row of kindTerrain");
         define(text, "KIND_RESTITUTION", KindTerrain.RESTITUTION, "restitution");
         define(text, "KIND_ONE_WAY", KindTerrain.ONE_WAY, "1 if circles pass from behind");
