@@ -35,6 +35,14 @@ final class TerrainTwins {
         this.length = length;
     }
 
+    float[] rows() {
+        return tables.rows;
+    }
+
+    int[] traits() {
+        return tables.traits;
+    }
+
     /** The same pipelines, in steps with these tables. */
     Pipeline[] on(Pipeline... all) {
         pipelines = all;
