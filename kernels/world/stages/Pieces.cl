@@ -32,7 +32,7 @@ bool insertPiece(const World *w, const PieceSeeker *s, int piece) {
     touched.TOUCHED_PIECE = piece;
     touched.TOUCHED_SERIAL = traits.TRAIT_SERIAL;
     touched.TOUCHED_RESPONSE = responseToPiece(w, s->kind, traits.TRAIT_KIND);
-    touched.TOUCHED_FEATURE = AT_NOTHING;
+    touched.TOUCHED_FEATURE = AT_FACE;
     w->piece[at] = touched;
     return true;
 }

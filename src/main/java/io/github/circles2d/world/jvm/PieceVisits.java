@@ -214,6 +214,15 @@ final class PieceVisits {
             return false;
         }
         found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        if (found.isAround(contacts.numbers[number + FEATURE], side)) {
+            side = isTwoSided(terrain, piece, shape) ? -side : 0f;
+            rows[k + SIDE] = side;
+            if (side == 0f) {
+                leave(c);
+                return false;
+            }
+            found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        }
         float nx = found.nx;
         float ny = found.ny;
         if (motion != 0) {
@@ -337,7 +346,7 @@ final class PieceVisits {
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
-                if (k.turning) {
+                if (k.turning && (rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f)) {
                     takeGrip(s, c);
                     grip.warmStart();
                     giveGrip(s, c);

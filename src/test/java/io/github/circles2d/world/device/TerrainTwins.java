@@ -180,6 +180,9 @@ final class TerrainTwins {
                 float shift = between(random, -0.1f, 0.1f) * length;
                 tables.rows[row + PieceRow.X] += shift;
                 tables.rows[row + PieceRow.MID_X] += shift;
+                int body = BodyRow.of(tables.traits[PieceRow.traits(piece) + PieceRow.MOTION], subSteps);
+                tables.rows[row + PieceRow.PIVOT_X] = motion[body + BodyRow.PIVOT_X] - tables.rows[row + PieceRow.X];
+                tables.rows[row + PieceRow.PIVOT_Y] = motion[body + BodyRow.PIVOT_Y] - tables.rows[row + PieceRow.Y];
                 tables.changedFrom = Math.min(tables.changedFrom, piece);
                 tables.changedTo = piece + 1;
             }

@@ -196,6 +196,90 @@ final class Twins implements AutoCloseable {
         return expected.size();
     }
 
+    /** Makes a few changes of terrain, of pieces that are about as long as that, of three kinds from one on. */
+    void changeTerrain(float length, int firstKind, SplittableRandom random) {
+        Bounds bounds = simulations[0].bounds();
+        for (int change = 0; change < 4; change++) {
+            float x = between(random, bounds.minX(), bounds.maxX());
+            float y = between(random, bounds.minY(), bounds.maxY());
+            float dx = between(random, -length, length);
+            float dy = between(random, -length, length) + 0.01f * length;
+            float angle = between(random, -3, 3);
+            int what = random.nextInt(10);
+            int kind = firstKind + random.nextInt(3);
+            int any = random.nextInt(1000);
+            for (Simulation simulation : simulations) {
+                changeTerrain(simulation, what, any, kind, x, y, dx, dy, angle, length);
+            }
+        }
+    }
+
+    private static void changeTerrain(
+            Simulation simulation,
+            int what,
+            int any,
+            int kind,
+            float x,
+            float y,
+            float dx,
+            float dy,
+            float angle,
+            float length) {
+        Pieces pieces = simulation.pieces();
+        Bodies bodies = simulation.bodies();
+        long ground = bodies.ground();
+        int ids = pieces.idLimit();
+        long piece = ids == 0 ? 0 : pieces.handle(any % ids);
+        long body = bodies.handle(any % bodies.idLimit());
+        boolean moves = body != ground && body != 0;
+        switch (what) {
+            case 0 -> pieces.addSegment(ground, kind, x, y, x + dx, y + dy, 0);
+            case 1 -> pieces.addSegment(ground, kind, x, y, x + dx, y + dy, 0.1f * length);
+            case 2 -> pieces.addArc(ground, kind, x, y, length, angle, angle + 2, dx > 0);
+            case 3 -> {
+                ChainPath chain = new ChainPath(x, y);
+                chain.lineTo(x + dx, y + dy);
+                chain.lineTo(x + 2 * dx, y + dy - 0.3f * dx);
+                chain.arcTo(x + 2 * dx, y + dy, 1 + 0.5f * angle);
+                pieces.addChain(ground, chain, kind, null);
+            }
+            case 4, 5 -> {
+                long added = bodies.add(x, y, angle);
+                pieces.addSegment(added, kind, -length, 0, length, 0, 0);
+                pieces.addArc(added, kind, 0, 0, 0.5f * length, -1, 1, what == 4);
+                bodies.setVelocity(added, 4 * dx, 4 * dy);
+                bodies.setAngularVelocity(added, angle);
+            }
+            case 6 -> {
+                if (piece != 0) {
+                    pieces.remove(piece);
+                }
+            }
+            case 7 -> {
+                if (piece != 0) {
+                    pieces.setKind(piece, kind);
+                }
+            }
+            case 8 -> {
+                if (moves) {
+                    bodies.teleport(body, x, y, angle);
+                }
+            }
+            default -> {
+                if (moves) {
+                    bodies.remove(body);
+                }
+            }
+        }
+    }
+
+    /** Makes pieces of a kind one-way, or not. */
+    void setOneWay(int kind, boolean oneWay) {
+        for (Simulation simulation : simulations) {
+            simulation.kinds().set(KindField.ONE_WAY, kind, oneWay ? 1 : 0);
+        }
+    }
+
     /** Compares which pairs of two kinds touch. */
     void assertSameTouching(int kindA, int kindB) {
         long[] expected = new long[1000];
@@ -211,6 +295,7 @@ final class Twins implements AutoCloseable {
         List<String> events = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "
+                    + rows.piece(i) + " "
                     + rows.speed(i) + " " + rows.slipSpeed(i) + " " + rows.impulse(i) + " " + rows.x(i) + " "
                     + rows.y(i) + " " + rows.normalX(i)
                     + " " + rows.normalY(i));
