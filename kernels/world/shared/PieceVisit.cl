@@ -1,4 +1,4 @@
-// uses: world/shared/Piece.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/Piece.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
 // contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
 // come here, and all others would pay for the registers.
@@ -37,16 +37,14 @@ global const float *bodyOf(const World *w, int motion) {
 global const float *poseOf(global const float *body, int boundary) { return body + BODY_HEAD + BODY_POSE * boundary; }
 
 // Its pivot against x and y of a piece.
-float2 pivotOf(global const float *body, global const float *row) {
-    return (float2)(body[BODY_PIVOT_X] - row[PIECE_X], body[BODY_PIVOT_Y] - row[PIECE_Y]);
-}
+float2 pivotOf(global const float *row) { return (float2)(row[PIECE_PIVOT_X], row[PIECE_PIVOT_Y]); }
 
 // A place, against x and y of a piece, in the frame of the start of the step. o: offset; d: displacement.
 float2 inFrame(const World *w, global const float *row, int motion, float2 o, float2 d, int boundary) {
     if (motion == 0) return (float2)(o.x + d.x, o.y + d.y);
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = (o.x - p.x) + (d.x - pose[POSE_DX]);
     float y = (o.y - p.y) + (d.y - pose[POSE_DY]);
     float cos_ = pose[POSE_COS];
@@ -55,6 +53,10 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
 }
 
 bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
+
+bool isTwoSided(const World *w, int4 traits) {
+    return formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+}
 
 // In a corner, one piece moves a circle into the other.
 #define KEEP_OUT_ROUNDS 2
@@ -80,6 +82,16 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    bool twoSided = isTwoSided(w, traits);
+    if (isAround(&g, touched.TOUCHED_FEATURE, side)) {
+        side = twoSided ? -side : 0.0f;
+        w->push[k].PUSH_SIDE = side;
+        if (side == 0.0f) {
+            leavePiece(w, k);
+            return false;
+        }
+        measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    }
     float nx = g.nx;
     float ny = g.ny;
     if (traits.TRAIT_MOTION != 0) {
@@ -96,7 +108,6 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
         leavePiece(w, k);
         return false;
     }
-    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
     if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
     return true;
 }
@@ -147,7 +158,7 @@ float2 surfaceOf(const World *w, global const float *row, int motion, float4 c, 
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
     float reach = c.RADIUS + g.MEASURED_GAP;
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float2 o = offsetOf(w, c, row);
     float x = ((o.x - p.x) + (d.x - pose[POSE_DX])) - g.MEASURED_X * reach;
     float y = ((o.y - p.y) + (d.y - pose[POSE_DY])) - g.MEASURED_Y * reach;
@@ -196,6 +207,7 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
     m->VX += g.MEASURED_X * push.PUSH_NORMAL;
     m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
 #ifdef TURNING
+    if (push.PUSH_FRICTION == 0.0f && push.PUSH_ROLLING == 0.0f) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
     float friction_ = push.PUSH_FRICTION;
     float rolling_ = push.PUSH_ROLLING;
@@ -205,8 +217,20 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
 #endif
 }
 
-// Where a visit of a piece is to be recorded: in solvePiece behind each way out but the last one's #endif, and in relaxPiece.
-void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+#ifdef RECORDING
+#ifdef TURNING
+// How fast surfaces slide that grip. u: velocity against that of the piece; s: surface speed of the circle.
+float slipAtPiece(const World *w, const Turning *turning, int kind, float4 g, float2 u, float s) {
+    Between b = betweenSurfaces(w, turning, kind);
+    float along = g.MEASURED_X * u.y - g.MEASURED_Y * u.x;
+    return hitSlip(b.friction, along, 0.0f, s, b.belt + turning->skin.BELT);
+}
+#endif
+#endif
+
+// spin: surface speed before any impulse, if that is recorded.
+void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded,
+                float4 *m AND_TURNING(Turning *turning) AND_TURNING(float spin)) {
     const StepConstants *s = &w->k;
     int4 touched = w->piece[k];
     if (!isConstraint(touched)) return;
@@ -232,6 +256,15 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     Visited visited;
     float bounce = solveOneBody(s, &f, vn, &visited);
     float change = visited.leaves ? 0.0f : visited.impulse;
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
+    }
+#endif
     bool bounces = !visited.solved && !visited.leaves;
     if (bounces) {
         float behind = leftBehind(gap, vn, change, s->dt, c.RADIUS);
@@ -253,11 +286,24 @@ void solvePieces(const World *w, int slot, float4 c, float restitution, float2 b
     int2 own = w->pieces[slot];
     int end = own.PIECES_FIRST + own.PIECES_COUNT;
     measurePieces(w, own, c, m->DISPLACEMENT, w->subStep);
+#ifdef RECORDING
+    if (w->recording.pieces && w->subStep == 0) {
+#pragma unroll 1
+        for (int k = own.PIECES_FIRST; k < end; k++) noteSensedStart(w, k);
+    }
+#endif
+#ifdef TURNING
+#ifdef RECORDING
+    float spin = w->spinImpulse[slot];
+#else
+    float spin = 0.0f;
+#endif
+#endif
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, m AND_TURNING(turning));
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) {
-        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning));
+        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning) AND_TURNING(spin));
     }
 }
 
@@ -285,6 +331,15 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
 #endif
     Visited visited;
     relaxOneBody(s, &f, bounce, vn, &visited);
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vn, visited.leaves ? 0.0f : visited.impulse, slid, surface);
+    }
+#endif
     if (!visited.leaves) {
         m->VX += nx * visited.impulse;
         m->VY += ny * visited.impulse;
@@ -346,7 +401,7 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     global const float *row = pieceRow(w, piece);
     global const float *body = bodyOf(w, pieceTraits(w, piece).TRAIT_MOTION);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = place.x - p.x;
     float y = place.y - p.y;
     float cos_ = pose[POSE_COS];

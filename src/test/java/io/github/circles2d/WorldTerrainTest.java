@@ -138,4 +138,35 @@ class WorldTerrainTest {
             assertThat(body.x()).isEqualTo(98);
         }
     }
+
+    /** A box with paddles turns around a pivot at the seam as around one in the middle. */
+    @Test
+    void aBodyAcrossTheSeamCarriesCirclesAsElsewhere() {
+        float[] middle = ridden(20);
+        float[] seam = ridden(0.5f);
+        assertThat(middle[0]).isGreaterThan(-1);
+        assertThat(seam[0]).isCloseTo(middle[0], within(1e-3f));
+        assertThat(seam[1]).isCloseTo(middle[1], within(1e-3f));
+    }
+
+    private static float[] ridden(float pivot) {
+        try (World world = World.builder()
+                .bounds(0, 0, 40, 40)
+                .edges(Edge.WRAP, Edge.WALL)
+                .friction(0.8f)
+                .gravity(0, -10)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody table = world.terrain().addBody(pivot, 20, 0);
+            table.addSegment(-6, 1, 6, 1, 0.2f, 0);
+            table.addSegment(-6, 1, -6, 5);
+            table.addSegment(6, 1, 6, 5);
+            table.setAngularVelocity(-0.3f);
+            table.setVelocity(1, 0);
+            long ball = world.add((pivot + 38) % 40, 21.71f, 0.5f, 1);
+            world.step(1 / 60f, 90);
+            float x = world.x(ball) - pivot;
+            return new float[] {x > 20 ? x - 40 : x < -20 ? x + 40 : x, world.y(ball)};
+        }
+    }
 }

@@ -142,8 +142,8 @@ final class PieceVisits {
         float[] bodies = terrain.motion;
         int body = BodyRow.of(motion, subSteps);
         int pose = body + BodyRow.pose(boundary);
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float x = (ox - px) + (dx - bodies[pose + BodyRow.DX]);
         float y = (oy - py) + (dy - bodies[pose + BodyRow.DY]);
         float cos = bodies[pose + BodyRow.COS];
@@ -214,6 +214,15 @@ final class PieceVisits {
             return false;
         }
         found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        if (found.isAround(contacts.numbers[number + FEATURE], side)) {
+            side = isTwoSided(terrain, piece, shape) ? -side : 0f;
+            rows[k + SIDE] = side;
+            if (side == 0f) {
+                leave(c);
+                return false;
+            }
+            found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        }
         float nx = found.nx;
         float ny = found.ny;
         if (motion != 0) {
@@ -300,8 +309,8 @@ final class PieceVisits {
         int s = CircleRow.of(slot);
         int k = PieceContactRow.of(c);
         float reach = state.circle[s + RADIUS] + contacts.rows[k + GAP];
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float dx = state.motion[s + DX] - bodies[pose + BodyRow.DX];
         float dy = state.motion[s + DY] - bodies[pose + BodyRow.DY];
         float x = ((offsetX(state, slot, terrain.rows, row) - px) + dx) - contacts.rows[k + NX] * reach;
@@ -337,7 +346,7 @@ final class PieceVisits {
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
-                if (k.turning) {
+                if (k.turning && (rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f)) {
                     takeGrip(s, c);
                     grip.warmStart();
                     giveGrip(s, c);
@@ -613,8 +622,8 @@ final class PieceVisits {
         int body = BodyRow.of(motion(piece), subSteps);
         int pose = body + BodyRow.pose(boundary);
         float[] bodies = terrain.motion;
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float x = stopX - px;
         float y = stopY - py;
         float cos = bodies[pose + BodyRow.COS];

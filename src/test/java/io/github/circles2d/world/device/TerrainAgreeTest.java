@@ -102,6 +102,47 @@ class TerrainAgreeTest {
         }
     }
 
+    /** Terrain is made by calls, in mid-life; states are exchanged, and restored into worlds without terrain. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void callsHaveTheSameBits(Device device) {
+        Scene[] scenes = {Scenes.thesis(300, 5), Scenes.mixed(300, 5), HardScenes.blend(200, 10, 3)};
+        for (Scene scene : scenes) {
+            SplittableRandom random = new SplittableRandom(11);
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.step(scene.timeStep(), 3);
+                for (int k = 0; k < TestScale.of(30, 100); k++) {
+                    for (int changes = 0; changes < 8; changes++) {
+                        twins.changeTerrain(random);
+                    }
+                    if (k > 10) {
+                        twins.changeSurfaces(random);
+                        twins.change(scene, random);
+                    }
+                    twins.assertEqual(scene.name() + " behind change " + k);
+                    twins.step(k % 7 == 6 ? 0.1f : scene.timeStep(), 1 + k % 3);
+                    twins.assertEqual(scene.name() + " after change " + k);
+                    if (k % 5 == 4) {
+                        twins.exchange();
+                        twins.assertEqual(scene.name() + " exchanged " + k);
+                    }
+                }
+                assertThat(twins.pieces()).as(scene.name()).isPositive();
+                goOn(twins, scene, pipelines(device));
+            }
+        }
+    }
+
+    private static void goOn(Twins before, Scene scene, Pipeline... pipelines) {
+        try (Twins twins = Twins.load(scene, pipelines)) {
+            twins.takeOver(before);
+            twins.step(scene.timeStep(), 3);
+            before.step(scene.timeStep(), 3);
+            twins.assertEqual(scene.name() + " in other worlds");
+            assertThat(twins.hash()).as(scene.name()).isEqualTo(before.hash());
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("devices")
     void edgesHaveTheSameBits(Device device) {
