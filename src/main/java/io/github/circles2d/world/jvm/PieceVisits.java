@@ -544,11 +544,86 @@ final class PieceVisits {
 
     /** Ends a circle's move in a sub-step, from a displacement, so that no piece is passed, or entered; and measures the contacts there. */
     void move(int slot, float fromX, float fromY, int sub) {
+        if (contacts.count[slot] == 1 && moveOverFace(slot, contacts.first[slot], fromX, fromY)) {
+            return;
+        }
         stop(slot, fromX, fromY, sub);
         measure(slot, sub + 1);
         for (int round = 0; round < ROUNDS && keepOut(slot); round++) {
             measure(slot, sub + 1);
         }
+    }
+
+    /**
+     * The same of nearly all circles near a piece: those that move a short way over the face of a line at rest, and see no other piece. Returns
+     * false, and changes nothing, if the circle is another.
+     */
+    private boolean moveOverFace(int slot, int c, float fromX, float fromY) {
+        int s = CircleRow.of(slot);
+        int k = PieceContactRow.of(c);
+        int number = PieceContactRow.numbers(c);
+        float[] rows = contacts.rows;
+        float[] m = state.motion;
+        int piece = contacts.numbers[number + PIECE];
+        int shape = shape(piece);
+        float side = rows[k + SIDE];
+        float r = state.circle[s + RADIUS];
+        float dx = m[s + DX];
+        float dy = m[s + DY];
+        if (PieceRow.form(shape) == PieceRow.ARC
+                || motion(piece) != 0
+                || side == 0f
+                || contacts.numbers[number + RESPONSE] != PairTable.SOLID
+                || CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r)) {
+            return false;
+        }
+        float[] pieces = terrain.rows;
+        int row = PieceRow.of(piece);
+        float tx = pieces[row + PieceRow.TX];
+        float ty = pieces[row + PieceRow.TY];
+        float length = pieces[row + PieceRow.LENGTH];
+        float reach = r + pieces[row + PieceRow.THICKNESS];
+        float nx = side * ty;
+        float ny = side * -tx;
+        float baseX = rows[k + BASE_X];
+        float baseY = rows[k + BASE_Y];
+        float allowed = rows[k + ALLOWED];
+        float x = baseX + dx;
+        float y = baseY + dy;
+        float gap = 0f;
+        for (int round = 0; ; round++) {
+            float t = PieceGap.along(tx, ty, x, y);
+            if (!(t >= 0f && t <= length)) {
+                return false; // it is at a joint, or beyond
+            }
+            gap = PieceGap.faceGap(side, PieceGap.height(tx, ty, x, y), reach);
+            float out = allowed - gap;
+            if (round == ROUNDS || !(out > 0f)) {
+                break;
+            }
+            float nextX = dx + (0f + nx * out);
+            float nextY = dy + (0f + ny * out);
+            boolean stays = nextX == dx && nextY == dy;
+            dx = nextX;
+            dy = nextY;
+            x = baseX + dx;
+            y = baseY + dy;
+            if (stays) {
+                break; // too little to move it
+            }
+        }
+        m[s + DX] = dx;
+        m[s + DY] = dy;
+        contacts.measured[CircleRow.vector(slot)] = dx;
+        contacts.measured[CircleRow.vector(slot) + 1] = dy;
+        contacts.numbers[number + FEATURE] = PieceGap.FACE;
+        rows[k + OX] = x;
+        rows[k + OY] = y;
+        rows[k + NX] = nx;
+        rows[k + NY] = ny;
+        rows[k + GAP] = gap;
+        rows[k + CURVE] = 0f;
+        return true;
     }
 
     /** Moves a circle out of the pieces that it is deeper in than before the sub-step; returns whether there were some. */
