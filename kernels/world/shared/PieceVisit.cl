@@ -1,4 +1,4 @@
-// uses: world/shared/Piece.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/Piece.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
 // contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
 // come here, and all others would pay for the registers.
@@ -54,6 +54,10 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
 
 bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
 
+bool isTwoSided(const World *w, int4 traits) {
+    return formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+}
+
 // In a corner, one piece moves a circle into the other.
 #define KEEP_OUT_ROUNDS 2
 
@@ -78,7 +82,7 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
-    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+    bool twoSided = isTwoSided(w, traits);
     if (isAround(&g, touched.TOUCHED_FEATURE, side)) {
         side = twoSided ? -side : 0.0f;
         w->push[k].PUSH_SIDE = side;
@@ -218,8 +222,20 @@ void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *t
 #endif
 }
 
-// Where a visit of a piece is to be recorded: in solvePiece behind each way out but the last one's #endif, and in relaxPiece.
-void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+#ifdef RECORDING
+#ifdef TURNING
+// How fast surfaces slide that grip. u: velocity against that of the piece; s: surface speed of the circle.
+float slipAtPiece(const World *w, const Turning *turning, int kind, float4 g, float2 u, float s) {
+    Between b = betweenSurfaces(w, turning, kind);
+    float along = g.MEASURED_X * u.y - g.MEASURED_Y * u.x;
+    return hitSlip(b.friction, along, 0.0f, s, b.belt + turning->skin.BELT);
+}
+#endif
+#endif
+
+// spin: surface speed before any impulse, if that is recorded.
+void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded,
+                float4 *m AND_TURNING(Turning *turning) AND_TURNING(float spin)) {
     const StepConstants *s = &w->k;
     int4 touched = w->piece[k];
     if (!isConstraint(touched)) return;
@@ -245,6 +261,15 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     Visited visited;
     float bounce = solveOneBody(s, &f, vn, &visited);
     float change = visited.leaves ? 0.0f : visited.impulse;
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
+    }
+#endif
     bool bounces = !visited.solved && !visited.leaves;
     if (bounces) {
         float behind = leftBehind(gap, vn, change, s->dt, c.RADIUS);
@@ -266,11 +291,24 @@ void solvePieces(const World *w, int slot, float4 c, float restitution, float2 b
     int2 own = w->pieces[slot];
     int end = own.PIECES_FIRST + own.PIECES_COUNT;
     measurePieces(w, own, c, m->DISPLACEMENT, w->subStep);
+#ifdef RECORDING
+    if (w->recording.pieces && w->subStep == 0) {
+#pragma unroll 1
+        for (int k = own.PIECES_FIRST; k < end; k++) noteSensedStart(w, k);
+    }
+#endif
+#ifdef TURNING
+#ifdef RECORDING
+    float spin = w->spinImpulse[slot];
+#else
+    float spin = 0.0f;
+#endif
+#endif
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, c.RADIUS, m AND_TURNING(turning));
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) {
-        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning));
+        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning) AND_TURNING(spin));
     }
 }
 
@@ -298,6 +336,15 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
 #endif
     Visited visited;
     relaxOneBody(s, &f, bounce, vn, &visited);
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vn, visited.leaves ? 0.0f : visited.impulse, slid, surface);
+    }
+#endif
     if (!visited.leaves) {
         m->VX += nx * visited.impulse;
         m->VY += ny * visited.impulse;

@@ -142,7 +142,7 @@ void findPieces(const World *w, int slot) {
     s.c = w->circle[slot];
     float2 way = w->motionClamp[slot].PATH;
     float path = lengthf(way.x, way.y);
-    s.sight = sightOfPieces(s.c.RADIUS, path);
+    s.sight = sight(s.c.RADIUS, path);
     s.kind = w->fields[w->id[slot]].kind;
     s.first = NONE;
     s.count = 0;

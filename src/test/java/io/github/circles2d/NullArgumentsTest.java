@@ -127,6 +127,12 @@ class NullArgumentsTest {
         calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
         calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
+        calls.put("FixedStep.pieces", Map.of("pieces", () -> loop.pieces(null, null)));
+        calls.put(
+                "FixedStep.pose",
+                Map.of(
+                        "body", () -> loop.pose(null, new float[3]),
+                        "pose", () -> loop.pose(world.terrain().ground(), null)));
         calls.put("Chain.of", Map.of("points", () -> Chain.of((float[]) null)));
         Terrain terrain = world.terrain();
         calls.put("Terrain.addArc", Map.of("side", () -> {

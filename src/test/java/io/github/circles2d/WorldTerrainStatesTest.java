@@ -87,6 +87,8 @@ class WorldTerrainStatesTest {
         for (Edge edge : Edge.values()) {
             try (World world = world(edge);
                     World other = builder(edge).build()) {
+                world.report(Events.BEGIN | Events.END | Events.HIT | Events.WALL);
+                other.report(Events.BEGIN | Events.END | Events.HIT | Events.WALL);
                 for (int frame = 0; frame < 240; frame++) {
                     if (frame % 20 == 7) {
                         ByteBuffer saved = snapshot(world);

@@ -373,7 +373,7 @@ final class PieceContact extends Constraint {
         float cos = motion.cosines()[last];
         float sin = motion.sines()[last];
         float[] p = minus(place, piece.pivot);
-        float[] pivot = plus(motion.pivot(), motion.ways()[last]);
+        float[] pivot = plus(plus(piece.origin, piece.pivot), motion.ways()[last]);
         float[] n = then.normal();
         note(
                 new float[] {cos * n[0] - sin * n[1], sin * n[0] + cos * n[1]},

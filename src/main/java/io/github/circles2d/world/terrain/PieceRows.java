@@ -39,10 +39,14 @@ final class PieceRows {
     }
 
     void setPose(BodyTable bodies, int body) {
-        pivotX = bodies.x[body];
-        pivotY = bodies.y[body];
-        cos = Rotation.cos(bodies.angle[body]);
-        sin = Rotation.sin(bodies.angle[body]);
+        setPose(bodies.x[body], bodies.y[body], bodies.angle[body]);
+    }
+
+    void setPose(double x, double y, int angle) {
+        pivotX = x;
+        pivotY = y;
+        cos = Rotation.cos(angle);
+        sin = Rotation.sin(angle);
     }
 
     /** Fills the row of a piece that does not move in the step, in the pose that was set; marks it as changed. */
@@ -52,13 +56,9 @@ final class PieceRows {
 
     /** row: of its body. way: how far the pivot goes in the step; turn: how far the body turns, in radians. */
     void fill(int piece, int row, double way, double turn) {
-        if (pieces.isArc(piece)) {
-            fillArc(piece);
-        } else {
-            fillLine(piece);
-        }
         int at = PieceRow.of(piece);
         float[] rows = pieces.rows;
+        write(piece, rows, at);
         tangentOfNext(piece);
         rows[at + PieceRow.NEXT_X] = (float) (cos * tangent.x - sin * tangent.y);
         rows[at + PieceRow.NEXT_Y] = (float) (sin * tangent.x + cos * tangent.y);
@@ -66,6 +66,15 @@ final class PieceRows {
         rows[at + PieceRow.MOST] = row == 0 ? 0f : (float) ((way + farthest(piece) * Math.min(turn, 2)) * MARGIN);
         pieces.traits[PieceRow.traits(piece) + PieceRow.MOTION] = row;
         pieces.changed(piece);
+    }
+
+    /** Writes what a row has of the form of a piece, and of the pose. */
+    void write(int piece, float[] rows, int at) {
+        if (pieces.isArc(piece)) {
+            writeArc(piece, rows, at);
+        } else {
+            writeLine(piece, rows, at);
+        }
     }
 
     private void tangentOfNext(int piece) {
@@ -86,10 +95,8 @@ final class PieceRows {
         return pivotY + (sin * x + cos * y);
     }
 
-    private void fillLine(int piece) {
+    private void writeLine(int piece, float[] rows, int at) {
         int from = PieceTable.FORM * piece;
-        int at = PieceRow.of(piece);
-        float[] rows = pieces.rows;
         double localX1 = pieces.form[from + PieceTable.X];
         double localY1 = pieces.form[from + PieceTable.Y];
         double localX2 = pieces.form[from + PieceTable.X2];
@@ -125,10 +132,8 @@ final class PieceRows {
         rows[at + PieceRow.HALF_Y] = (float) (0.5 * Math.abs(y2 - y1) + thickness);
     }
 
-    private void fillArc(int piece) {
+    private void writeArc(int piece, float[] rows, int at) {
         int from = PieceTable.FORM * piece;
-        int at = PieceRow.of(piece);
-        float[] rows = pieces.rows;
         double localX = pieces.form[from + PieceTable.X];
         double localY = pieces.form[from + PieceTable.Y];
         double radius = pieces.form[from + PieceTable.RADIUS];

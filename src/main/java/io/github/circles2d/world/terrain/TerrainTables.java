@@ -37,6 +37,10 @@ public final class TerrainTables {
         pieces.filler().setBounds(to);
     }
 
+    public Bounds bounds() {
+        return bounds;
+    }
+
     /** Whether there are pieces. */
     public boolean isThere() {
         return pieces.ids.size() > 0;
@@ -318,6 +322,8 @@ public final class TerrainTables {
             tree.buildGround(pieces);
             tree.buildBodies(pieces);
             step.boxesFrom = 0;
+            step.groundNodes = tree.groundNodes();
+            step.groundVersion++;
             step.linksVersion++;
             step.treeVersion++;
         } else if (bodiesChanged) {

@@ -35,6 +35,14 @@ final class TerrainTwins {
         this.length = length;
     }
 
+    float[] rows() {
+        return tables.rows;
+    }
+
+    int[] traits() {
+        return tables.traits;
+    }
+
     /** The same pipelines, in steps with these tables. */
     Pipeline[] on(Pipeline... all) {
         pipelines = all;
@@ -172,6 +180,9 @@ final class TerrainTwins {
                 float shift = between(random, -0.1f, 0.1f) * length;
                 tables.rows[row + PieceRow.X] += shift;
                 tables.rows[row + PieceRow.MID_X] += shift;
+                int body = BodyRow.of(tables.traits[PieceRow.traits(piece) + PieceRow.MOTION], subSteps);
+                tables.rows[row + PieceRow.PIVOT_X] = motion[body + BodyRow.PIVOT_X] - tables.rows[row + PieceRow.X];
+                tables.rows[row + PieceRow.PIVOT_Y] = motion[body + BodyRow.PIVOT_Y] - tables.rows[row + PieceRow.Y];
                 tables.changedFrom = Math.min(tables.changedFrom, piece);
                 tables.changedTo = piece + 1;
             }

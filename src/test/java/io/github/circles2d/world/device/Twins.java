@@ -211,6 +211,7 @@ final class Twins implements AutoCloseable {
         List<String> events = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "
+                    + rows.piece(i) + " "
                     + rows.speed(i) + " " + rows.slipSpeed(i) + " " + rows.impulse(i) + " " + rows.x(i) + " "
                     + rows.y(i) + " " + rows.normalX(i)
                     + " " + rows.normalY(i));

@@ -115,6 +115,7 @@ final class WorldTables {
     }
 
     private static void terrain(StringBuilder text) {
+        define(text, "TERRAIN_AT", DeviceArray.TERRAIN_AT, "floats before terrain in the buffer of kindMotion");
         define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");
         define(text, "TERRAIN_TRAITS", TerrainRoom.TRAITS, "before their traits, an int4 each");
         define(text, "TERRAIN_BOXES", TerrainRoom.BOXES, "before the boxes of nodes, a float4 each");
