@@ -138,7 +138,7 @@ public final class Main extends ApplicationAdapter {
         paint("ff4d8d", 0.3f);
         shapes.triangle(2, 6, 2, 4.5f, 3.2f, 3.75f);
         shapes.triangle(8, 6, 8, 4.5f, 6.8f, 3.75f);
-        int count = game.terrain.readPieces(pieces, handles);
+        int count = loop.pieces(pieces, handles);
         for (int k = 0; k < count; k++) {
             piece(k * Terrain.PIECE_STRIDE, Terrain.id(handles[k]));
         }
