@@ -110,9 +110,6 @@ float turnedWay(float curve, float along, float h) {
     return clampf(0.5f * curve * along * along * h, -most, most);
 }
 
-// How far from its centre a circle may touch terrain in a step.
-float sightOfPieces(float r, float path) { return (r + MARGIN * r) + (path + r); }
-
 // Whether a circle that was beyond an end has come behind the piece: around that end, since no circle passes a face.
 bool isAround(const PieceGap *g, int featureBefore, float side) {
     return g->feature == AT_FACE && featureBefore != AT_FACE && side * g->height < 0.0f;
