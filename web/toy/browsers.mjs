@@ -61,9 +61,8 @@ async function play(name, program) {
   assert.ok(await circles(page) > before, 'pouring adds circles');
 
   await page.click('[data-tool=wall]');
-  const poured = await circles(page);
   await drag(page, [20, 30], [60, 34]);
-  assert.ok(await circles(page) > poured, 'a wall is drawn');
+  assert.deepEqual(await colourAt(page, 40, 32), [90, 104, 120], 'a wall is drawn');
   await picture('walls');
 
   await page.click('#pause');
@@ -95,6 +94,13 @@ async function play(name, program) {
   await page.mouse.click(...await at(page, 120, 10));
   await sleep(250);
   await picture('explosion');
+
+  await page.select('#stage', 'hourglass');
+  await sleep(1500);
+  await picture('hourglass');
+  await page.select('#stage', 'drum');
+  await sleep(2500);
+  await picture('drum');
 
   await page.select('#stage', 'marbles');
   await sleep(1500);

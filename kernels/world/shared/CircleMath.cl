@@ -31,6 +31,7 @@ float gain(float gravityGain, float force, float w, float h) {
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 float travelSpeed(float from, float to, float dt, float period) { return limitSpeed(shortWay(to - from, period) / dt); }
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + minf(path, CAP * r); }
+float sight(float r, float path) { return (r + MARGIN * r) + (path + r); }
 bool isFast(float path, float r) { return path > CAP * r; }
 
 float besideWalls(float x, float p, float r, float min, float max) {

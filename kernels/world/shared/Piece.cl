@@ -14,7 +14,7 @@ typedef struct {
     float nx, ny; // unit normal towards the circle
     float gap;
     float curve;  // how the way at this gap curves towards the circle
-    float height; // of a line: of the centre, over the front
+    float height; // of the centre, over the front
 } PieceGap;
 
 global const float *pieceRow(const World *w, int piece) {
@@ -45,6 +45,12 @@ void measureVertex(global const float *row, bool before, int joint, float ox, fl
     g->feature = !claims ? AT_NOTHING : before ? AT_START : AT_END;
 }
 
+// At a concave joint a line goes on, so that no circle slips in: not behind what follows there.
+bool goesOn(float t, float length, float r) {
+    float more = CORNER * r;
+    return t >= -more && t <= length + more;
+}
+
 void measureLine(global const float *row, int shape, float ox, float oy, float r, float side, PieceGap *g) {
     float tx = row[PIECE_TX];
     float ty = row[PIECE_TY];
@@ -55,7 +61,7 @@ void measureLine(global const float *row, int shape, float ox, float oy, float r
     bool behind = t > row[PIECE_LENGTH];
     int joint = before ? startJoint(shape) : endJoint(shape);
     if ((!before && !behind) || joint == JOINT_CONCAVE) {
-        g->feature = AT_FACE;
+        g->feature = goesOn(t, row[PIECE_LENGTH], r) ? AT_FACE : AT_NOTHING;
         g->nx = side * ty;
         g->ny = side * -tx;
         g->gap = side * g->height - reach;
@@ -77,7 +83,8 @@ void measureArc(global const float *row, int shape, float ox, float oy, float r,
         g->feature = AT_FACE;
         g->nx = central ? out * tx : out * (ox / d);
         g->ny = central ? out * ty : out * (oy / d);
-        g->gap = out * (d - length) - r;
+        g->height = out * (d - length);
+        g->gap = g->height - r;
         g->curve = central ? 0.0f : -out / d;
     } else {
         bool left = tx * oy - ty * ox > 0.0f;
@@ -103,12 +110,40 @@ float turnedWay(float curve, float along, float h) {
     return clampf(0.5f * curve * along * along * h, -most, most);
 }
 
-// Whether a centre is in front of a piece.
+// Whether a circle that was beyond an end has come behind the piece: around that end, since no circle passes a face.
+bool isAround(const PieceGap *g, int featureBefore, float side) {
+    return g->feature == AT_FACE && featureBefore != AT_FACE && side * g->height < 0.0f;
+}
+
+// Whether a centre is in front of a piece, or at the tip of it and the next piece in front of that one. Beside an arc its tangents at the ends
+// decide: who comes from there has not passed it.
 bool isInFront(global const float *row, int shape, float ox, float oy) {
-    if (formOf(shape) != FORM_ARC) return ox * row[PIECE_TY] - oy * row[PIECE_TX] >= 0.0f;
-    float d = lengthf(ox, oy);
+    float tx = row[PIECE_TX];
+    float ty = row[PIECE_TY];
     float length = row[PIECE_LENGTH];
-    return (shape & SOLID_OUTSIDE) != 0 ? d <= length : d >= length;
+    float cos_ = ox * tx + oy * ty;
+    float ex = ox - row[PIECE_END_X];
+    float ey = oy - row[PIECE_END_Y];
+    bool front;
+    bool beyond;
+    if (formOf(shape) == FORM_ARC) {
+        bool inner = (shape & SOLID_OUTSIDE) != 0;
+        float d = lengthf(ox, oy);
+        float height = d - length;
+        beyond = false;
+        if (!(cos_ >= row[PIECE_SPREAD] * d)) {
+            beyond = (tx * oy - ty * ox > 0.0f) != inner;
+            float atX = row[beyond ? PIECE_END_X : PIECE_START_X];
+            float atY = row[beyond ? PIECE_END_Y : PIECE_START_Y];
+            height = atX * (ox - atX) + atY * (oy - atY);
+        }
+        front = inner ? height <= 0.0f : height >= 0.0f;
+    } else {
+        front = ox * ty - oy * tx >= 0.0f;
+        beyond = cos_ > length;
+    }
+    return front ||
+           (beyond && endJoint(shape) == JOINT_CONVEX && ex * row[PIECE_NEXT_Y] - ey * row[PIECE_NEXT_X] >= 0.0f);
 }
 
 // Of a centre and the nearest point of a piece with its thickness; joints do not matter.
@@ -145,7 +180,7 @@ bool coversVertex(global const float *row, int shape, float side, float ox, floa
 
 #define NEVER_TOUCHES 2.0f
 
-float timeOfLine(global const float *row, int shape, float ox, float oy, float ux, float uy, float reach, float side) {
+float timeOfLine(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float reach, float side) {
     float tx = row[PIECE_TX];
     float ty = row[PIECE_TY];
     float height = side * (ox * ty - oy * tx);
@@ -154,8 +189,9 @@ float timeOfLine(global const float *row, int shape, float ox, float oy, float u
     if (!(sinks > 0.0f) || !(deep < sinks)) return NEVER_TOUCHES;
     float t = maxf((height - reach) / sinks, 0.0f);
     float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
+    float length = row[PIECE_LENGTH];
     bool meets = (along >= 0.0f || startJoint(shape) == JOINT_CONCAVE) &&
-                 (along <= row[PIECE_LENGTH] || endJoint(shape) == JOINT_CONCAVE);
+                 (along <= length || endJoint(shape) == JOINT_CONCAVE) && goesOn(along, length, r);
     return meets ? t : NEVER_TOUCHES;
 }
 
@@ -165,28 +201,44 @@ float timeFromInside(float ox, float oy, float ux, float uy, float radius, float
     float a = ux * ux + uy * uy;
     float c = radius * radius - (ox * ox + oy * oy);
     if (!isLonger(ox + ux, oy + uy, radius + graze) || !(radius > 0.0f)) return NEVER_TOUCHES;
-    if (!(c > 0.0f)) return b > 0.0f ? 0.0f : NEVER_TOUCHES;
     // The root that loses no digits.
-    float root = sqrt(b * b + a * c);
-    return b > 0.0f ? c / (b + root) : (root - b) / a;
+    if (b > 0.0f) return c > 0.0f ? c / (b + sqrt(b * b + a * c)) : 0.0f;
+    // A chord, also of a point that starts a little outside; one that never comes in stops where it is nearest.
+    return (sqrt(maxf(b * b + a * c, 0.0f)) - b) / a;
+}
+
+bool isInOpening(global const float *row, float x, float y) {
+    return x * row[PIECE_TX] + y * row[PIECE_TY] >= row[PIECE_SPREAD] * lengthf(x, y);
+}
+
+// When a point comes, after a share of its motion, from beside an arc to the radius of its end e, in front of the arc.
+float timeOfEnd(float ex, float ey, float ox, float oy, float ux, float uy, float after, float length) {
+    float t = (ey * ox - ex * oy) / (ex * uy - ey * ux);
+    if (!(t >= after && t < 1.0f)) return NEVER_TOUCHES;
+    float x = ox + t * ux;
+    float y = oy + t * uy;
+    return x * ex + y * ey > 0.0f && !isLonger(x, y, length) ? t : NEVER_TOUCHES;
 }
 
 float timeOfArc(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
     float length = row[PIECE_LENGTH];
-    float t = (shape & SOLID_OUTSIDE) != 0 ? timeFromInside(ox, oy, ux, uy, length - r, GRAZE * r)
-                                           : timeOfImpact(-ox, -oy, ux, uy, length + r);
+    bool inner = (shape & SOLID_OUTSIDE) != 0;
+    float t = inner ? timeFromInside(ox, oy, ux, uy, length - r, GRAZE * r)
+                    : timeOfImpact(-ox, -oy, ux, uy, length + r);
     if (!(t < 1.0f)) return NEVER_TOUCHES;
-    float x = ox + t * ux;
-    float y = oy + t * uy;
-    float cos_ = x * row[PIECE_TX] + y * row[PIECE_TY];
-    return cos_ >= row[PIECE_SPREAD] * lengthf(x, y) ? t : NEVER_TOUCHES;
+    if (isInOpening(row, ox + t * ux, oy + t * uy)) return t;
+    if (!inner || !isInOpening(row, ox + ux, oy + uy)) return NEVER_TOUCHES;
+    // It has left the whole circle beside the arc: along a line that is joined to the arc, say.
+    float start = timeOfEnd(row[PIECE_START_X], row[PIECE_START_Y], ox, oy, ux, uy, t, length);
+    float end = timeOfEnd(row[PIECE_END_X], row[PIECE_END_Y], ox, oy, ux, uy, t, length);
+    return minf(end, start);
 }
 
 // As a share of a motion u; more than 1 if it does not touch, or gets no deeper than a graze.
 float timeOfPiece(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
     float reach = r + row[PIECE_THICKNESS];
     float t = formOf(shape) == FORM_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
-                                        : timeOfLine(row, shape, ox, oy, ux, uy, reach, side);
+                                        : timeOfLine(row, shape, ox, oy, ux, uy, r, reach, side);
     int start = startJoint(shape);
     int end = endJoint(shape);
 #pragma unroll 1

@@ -1,4 +1,4 @@
-// uses: world/shared/Piece.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/Piece.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
 // contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
 // come here, and all others would pay for the registers.
@@ -37,16 +37,14 @@ global const float *bodyOf(const World *w, int motion) {
 global const float *poseOf(global const float *body, int boundary) { return body + BODY_HEAD + BODY_POSE * boundary; }
 
 // Its pivot against x and y of a piece.
-float2 pivotOf(global const float *body, global const float *row) {
-    return (float2)(body[BODY_PIVOT_X] - row[PIECE_X], body[BODY_PIVOT_Y] - row[PIECE_Y]);
-}
+float2 pivotOf(global const float *row) { return (float2)(row[PIECE_PIVOT_X], row[PIECE_PIVOT_Y]); }
 
 // A place, against x and y of a piece, in the frame of the start of the step. o: offset; d: displacement.
 float2 inFrame(const World *w, global const float *row, int motion, float2 o, float2 d, int boundary) {
     if (motion == 0) return (float2)(o.x + d.x, o.y + d.y);
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = (o.x - p.x) + (d.x - pose[POSE_DX]);
     float y = (o.y - p.y) + (d.y - pose[POSE_DY]);
     float cos_ = pose[POSE_COS];
@@ -55,6 +53,20 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
 }
 
 bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
+
+bool isTwoSided(const World *w, int4 traits) {
+    return formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+}
+
+// In a corner, one piece moves a circle into the other.
+#define KEEP_OUT_ROUNDS 2
+
+// The piece is no constraint of the circle now.
+void leavePiece(const World *w, int k) {
+    w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+    w->push[k].PUSH_IMPULSES = (float3)(0.0f);
+    w->standing[k].STANDING_BOUNCE = 0.0f;
+}
 
 // Returns whether the circle is at a vertex.
 bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
@@ -65,11 +77,21 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     float2 o = inFrame(w, row, traits.TRAIT_MOTION, offsetOf(w, c, row), d, boundary);
     w->standing[k].STANDING_PLACE = o;
     if (side == 0.0f) {
-        w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+        leavePiece(w, k);
         return false;
     }
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    bool twoSided = isTwoSided(w, traits);
+    if (isAround(&g, touched.TOUCHED_FEATURE, side)) {
+        side = twoSided ? -side : 0.0f;
+        w->push[k].PUSH_SIDE = side;
+        if (side == 0.0f) {
+            leavePiece(w, k);
+            return false;
+        }
+        measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, side, &g);
+    }
     float nx = g.nx;
     float ny = g.ny;
     if (traits.TRAIT_MOTION != 0) {
@@ -81,10 +103,13 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     }
     w->measured[k] = (float4)(nx, ny, g.gap, g.curve);
     w->piece[k].TOUCHED_FEATURE = g.feature;
-    bool vertex = g.feature > AT_FACE;
-    bool twoSided = formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
-    if (vertex && twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
-    return vertex;
+    if (g.feature == AT_FACE) return false;
+    if (g.feature == AT_NOTHING) {
+        leavePiece(w, k);
+        return false;
+    }
+    if (twoSided && g.height != 0.0f) w->push[k].PUSH_SIDE = g.height > 0.0f ? 1.0f : -1.0f;
+    return true;
 }
 
 // A free vertex under which another piece has its face is no constraint.
@@ -110,7 +135,7 @@ void coverTouched(const World *w, int k, int2 own, float r) {
         float y = (from.y - place.y) + ey;
         if (coversVertex(pieceRow(w, under.TOUCHED_PIECE), traitsUnder.TRAIT_SHAPE, w->push[other].PUSH_SIDE, x, y,
                          row[PIECE_THICKNESS], COVER * r)) {
-            w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
+            leavePiece(w, k);
             return;
         }
     }
@@ -122,16 +147,9 @@ void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
     bool vertices = false;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
-    if (vertices && own.PIECES_COUNT > 1) {
+    if (!vertices || own.PIECES_COUNT == 1) return;
 #pragma unroll 1
-        for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
-    }
-#pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) {
-        if (w->piece[k].TOUCHED_FEATURE != AT_NOTHING) continue;
-        w->push[k].PUSH_IMPULSES = (float3)(0.0f);
-        w->standing[k].STANDING_BOUNCE = 0.0f;
-    }
+    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
 }
 
 // How fast the surface of a piece moves where a circle is nearest to it.
@@ -140,7 +158,7 @@ float2 surfaceOf(const World *w, global const float *row, int motion, float4 c, 
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
     float reach = c.RADIUS + g.MEASURED_GAP;
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float2 o = offsetOf(w, c, row);
     float x = ((o.x - p.x) + (d.x - pose[POSE_DX])) - g.MEASURED_X * reach;
     float y = ((o.y - p.y) + (d.y - pose[POSE_DY])) - g.MEASURED_Y * reach;
@@ -179,6 +197,7 @@ void gripPiece(const World *w, int k, int kind, float4 g, float along, float nor
 void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) {
     int4 touched = w->piece[k];
     float4 push = w->push[k];
+    w->standing[k].STANDING_ALLOWED = isConstraint(touched) ? minf(w->measured[k].MEASURED_GAP, 0.0f) : 0.0f;
     if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
         w->push[k].PUSH_FRICTION = 0.0f;
         w->push[k].PUSH_ROLLING = 0.0f;
@@ -188,6 +207,7 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
     m->VX += g.MEASURED_X * push.PUSH_NORMAL;
     m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
 #ifdef TURNING
+    if (push.PUSH_FRICTION == 0.0f && push.PUSH_ROLLING == 0.0f) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
     float friction_ = push.PUSH_FRICTION;
     float rolling_ = push.PUSH_ROLLING;
@@ -197,8 +217,20 @@ void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) 
 #endif
 }
 
-// Where a visit of a piece is to be recorded: in solvePiece behind each way out but the last one's #endif, and in relaxPiece.
-void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
+#ifdef RECORDING
+#ifdef TURNING
+// How fast surfaces slide that grip. u: velocity against that of the piece; s: surface speed of the circle.
+float slipAtPiece(const World *w, const Turning *turning, int kind, float4 g, float2 u, float s) {
+    Between b = betweenSurfaces(w, turning, kind);
+    float along = g.MEASURED_X * u.y - g.MEASURED_Y * u.x;
+    return hitSlip(b.friction, along, 0.0f, s, b.belt + turning->skin.BELT);
+}
+#endif
+#endif
+
+// spin: surface speed before any impulse, if that is recorded.
+void solvePiece(const World *w, int k, float4 c, float restitution, float2 before, bool loaded,
+                float4 *m AND_TURNING(Turning *turning) AND_TURNING(float spin)) {
     const StepConstants *s = &w->k;
     int4 touched = w->piece[k];
     if (!isConstraint(touched)) return;
@@ -224,6 +256,15 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     Visited visited;
     float bounce = solveOneBody(s, &f, vn, &visited);
     float change = visited.leaves ? 0.0f : visited.impulse;
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, before - surface, spin);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
+    }
+#endif
     bool bounces = !visited.solved && !visited.leaves;
     if (bounces) {
         float behind = leftBehind(gap, vn, change, s->dt, c.RADIUS);
@@ -245,11 +286,24 @@ void solvePieces(const World *w, int slot, float4 c, float restitution, float2 b
     int2 own = w->pieces[slot];
     int end = own.PIECES_FIRST + own.PIECES_COUNT;
     measurePieces(w, own, c, m->DISPLACEMENT, w->subStep);
+#ifdef RECORDING
+    if (w->recording.pieces && w->subStep == 0) {
+#pragma unroll 1
+        for (int k = own.PIECES_FIRST; k < end; k++) noteSensedStart(w, k);
+    }
+#endif
+#ifdef TURNING
+#ifdef RECORDING
+    float spin = w->spinImpulse[slot];
+#else
+    float spin = 0.0f;
+#endif
+#endif
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, m AND_TURNING(turning));
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) {
-        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning));
+        solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning) AND_TURNING(spin));
     }
 }
 
@@ -277,6 +331,15 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
 #endif
     Visited visited;
     relaxOneBody(s, &f, bounce, vn, &visited);
+#ifdef RECORDING
+    if (w->recording.pieces) {
+        float slid = 0.0f;
+#ifdef TURNING
+        slid = slipAtPiece(w, turning, traits.TRAIT_KIND, g, (float2)(ux, uy), turning->s);
+#endif
+        notePieceVisit(w, k, c, m->DISPLACEMENT, g, vn, visited.leaves ? 0.0f : visited.impulse, slid, surface);
+    }
+#endif
     if (!visited.leaves) {
         m->VX += nx * visited.impulse;
         m->VY += ny * visited.impulse;
@@ -288,10 +351,9 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
 #endif
 }
 
-// The relaxing pass over the pieces of a circle, behind its move.
+// The relaxing pass over the pieces of a circle, behind movePieces.
 void relaxPieces(const World *w, int slot, float4 c, float restitution, bool loaded, float4 *m AND_TURNING(Turning *turning)) {
     int2 own = w->pieces[slot];
-    measurePieces(w, own, c, m->DISPLACEMENT, w->subStep + 1);
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         relaxPiece(w, k, c, restitution, loaded, m AND_TURNING(turning));
@@ -309,6 +371,7 @@ typedef struct {
 Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
     bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
+    if (!fast && !(moving && w->terrain[TERRAIN_BODIES] > 1)) return stop;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         int4 touched = w->piece[k];
@@ -338,7 +401,7 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     global const float *row = pieceRow(w, piece);
     global const float *body = bodyOf(w, pieceTraits(w, piece).TRAIT_MOTION);
     global const float *pose = poseOf(body, boundary);
-    float2 p = pivotOf(body, row);
+    float2 p = pivotOf(row);
     float x = place.x - p.x;
     float y = place.y - p.y;
     float cos_ = pose[POSE_COS];
@@ -349,9 +412,8 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
 }
 
-// Ends a circle's move in a sub-step, from a displacement to another, where it would pass a piece; a piece that moves takes it along.
-float2 stopAtPieces(const World *w, int slot, float4 c, float2 from, float2 to) {
-    int2 own = w->pieces[slot];
+// Where a circle would pass a piece, its move ends; a piece that moves takes it along.
+float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to) {
     // A loop, so that what looks for them is there once: first at all, then, if one takes it along, at those at rest.
 #pragma unroll 1
     for (int moving = 1; moving >= 0; moving--) {
@@ -362,6 +424,37 @@ float2 stopAtPieces(const World *w, int slot, float4 c, float2 from, float2 to) 
             return (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
         }
         to = takenAlong(w, piece, c, stop.place, w->subStep + 1);
+    }
+    return to;
+}
+
+// Moves a circle out of the pieces that it is deeper in than before the sub-step; returns whether there were some. d: displacement.
+bool keepOut(const World *w, int2 own, float2 *d) {
+    float outX = 0.0f;
+    float outY = 0.0f;
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        if (!isConstraint(w->piece[k])) continue;
+        float4 g = w->measured[k];
+        float out = w->standing[k].STANDING_ALLOWED - (g.MEASURED_GAP + (g.MEASURED_X * outX + g.MEASURED_Y * outY));
+        if (out > 0.0f) {
+            outX += g.MEASURED_X * out;
+            outY += g.MEASURED_Y * out;
+        }
+    }
+    if (outX == 0.0f && outY == 0.0f) return false;
+    *d = (float2)(d->x + outX, d->y + outY);
+    return true;
+}
+
+// Ends a circle's move in a sub-step, from a displacement to another, so that no piece is passed, or entered; and measures the contacts there.
+float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
+    int2 own = w->pieces[slot];
+    to = stopAtPieces(w, own, c, from, to);
+#pragma unroll 1
+    for (int round = 0;; round++) {
+        measurePieces(w, own, c, to, w->subStep + 1);
+        if (round == KEEP_OUT_ROUNDS || !keepOut(w, own, &to)) break;
     }
     return to;
 }

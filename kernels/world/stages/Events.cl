@@ -1,11 +1,11 @@
-// uses: world/shared/Contact.cl world/shared/TouchRule.cl world/stages/World.cl
+// uses: world/shared/Contact.cl world/shared/Piece.cl world/shared/TouchRule.cl world/stages/World.cl
 // Decides what a step reports: which pairs begin to touch, hit each other, and end to touch, in the order of a step's events. The Java class
 // TouchTracker does the same. The phases, each behind all of the one before:
 //
 // 1. startEvents, by one work-item. 2. tell, for each pair that may be in touch. 3. tellOfEnds, for each place of the table.
 // 4. eventStart: prefix sums of eventTally. 5. settleEvents; or the step waits for the host to make room. 6. writeEvent and writeHeader.
 //
-// touching: a hash table of pairs, with linear probing: ids (the higher may be a wall), the last step in which the pair touched, its hit that
+// touching: a hash table of pairs, with linear probing: ids (the higher may be a wall or a piece of terrain), the last step in which the pair touched, its hit that
 // is not complete. A place whose last step is over is free. newcomers: pairs that begin, as in the table. openHits: by hit and parity of the
 // step, an event's values. drafts: events in no order, three int4 each (EventRow), with the number among those of the lower id. decided: a
 // header of three int4, then events in order. eventTally, eventStart: by id.
@@ -40,6 +40,12 @@ int reportedAt(const World *w, int n) { return (w->reporting.reported[REPORTED_T
 
 int typesOf(const World *w, int lower, int higher) {
     global const int *reported = w->reporting.reported;
+#ifdef TERRAIN
+    if (higher >= FIRST_PIECE) {
+        if (!reported[REPORTED_BY_KIND]) return reported[REPORTED_TYPES];
+        return reportedAt(w, 256 * w->fields[lower].kind + pieceTraits(w, higher - FIRST_PIECE).TRAIT_KIND);
+    }
+#endif
     int wall = higher - FIRST_WALL;
     if (wall >= 0 && !(reported[REPORTED_AXES] >> (wall >> 1) & 1)) return 0;
     if (!reported[REPORTED_BY_KIND]) return reported[wall >= 0 ? REPORTED_WALLS : REPORTED_TYPES];
@@ -259,8 +265,17 @@ kernel void events_begin(EVENT_PARAMETERS) {
     if (get_global_id(0) == 0 && comes) startEvents(&w);
 }
 
-kernel void events_end(EVENT_PARAMETERS) {
+#ifdef TERRAIN
+#define KINDS_OF_PIECES , global int *kindMotion
+#else
+#define KINDS_OF_PIECES
+#endif
+
+kernel void events_end(EVENT_PARAMETERS KINDS_OF_PIECES) {
     EVENTS_IN(w)
+#ifdef TERRAIN
+    w.terrain = kindMotion + TERRAIN_AT;
+#endif
     if (!isMade(&w)) return;
     for (int place = (int) get_global_id(0); place <= w.reporting.mask; place += (int) get_global_size(0)) {
         tellOfEnds(&w, place);

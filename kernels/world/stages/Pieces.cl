@@ -32,7 +32,7 @@ bool insertPiece(const World *w, const PieceSeeker *s, int piece) {
     touched.TOUCHED_PIECE = piece;
     touched.TOUCHED_SERIAL = traits.TRAIT_SERIAL;
     touched.TOUCHED_RESPONSE = responseToPiece(w, s->kind, traits.TRAIT_KIND);
-    touched.TOUCHED_FEATURE = AT_NOTHING;
+    touched.TOUCHED_FEATURE = AT_FACE;
     w->piece[at] = touched;
     return true;
 }
@@ -142,7 +142,7 @@ void findPieces(const World *w, int slot) {
     s.c = w->circle[slot];
     float2 way = w->motionClamp[slot].PATH;
     float path = lengthf(way.x, way.y);
-    s.sight = speculativeDistance(s.c.RADIUS, path) + path;
+    s.sight = sight(s.c.RADIUS, path);
     s.kind = w->fields[w->id[slot]].kind;
     s.first = NONE;
     s.count = 0;

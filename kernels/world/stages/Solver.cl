@@ -46,7 +46,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 #endif
     m = integratePositions(w, slot, c, m, isStatic);
 #ifdef TERRAIN
-    if (atPieces) m.DISPLACEMENT = stopAtPieces(w, slot, c, from, m.DISPLACEMENT);
+    if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, from, m.DISPLACEMENT);
 #endif
     float2 moving = m.VELOCITY;
     if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f AND_TURNING(&turning));

@@ -1,5 +1,6 @@
-// uses: world/shared/Wall.cl world/stages/Events.cl world/stages/Grips.cl
-// Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
+// uses: world/shared/Wall.cl world/shared/PieceSensor.cl world/shared/PieceVisit.cl world/stages/Events.cl world/stages/Grips.cl
+// Records what contacts and walls do in a step that reports events, and tells of it and of pieces of terrain. The Java classes Touches,
+// WallTouches and PieceTouches are the same.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
 // impulse of it that is not kept. Behind all, in worlds that turn, see touchSlips. wallTouch: by slot and axis: approach speed, impulse,
@@ -8,7 +9,13 @@
 #ifdef RECORDING
 #ifdef TURNING
 // How fast the surfaces of contacts slide, by their numbers in any plan: in the sub-step; when they approached fastest.
-global float2 *touchSlips(const World *w) { return (global float2 *) (w->recording.touch + 2 * (size_t) w->contactRoom); }
+global float2 *touchSlips(const World *w) {
+#ifdef TERRAIN
+    return (global float2 *) (w->recording.touch + 4 * (size_t) w->contactRoom);
+#else
+    return (global float2 *) (w->recording.touch + 2 * (size_t) w->contactRoom);
+#endif
+}
 #endif
 
 void clearSlip(const World *w, int c) {
@@ -76,6 +83,14 @@ void beginTouch(const World *w, int c) {
     clearSlip(w, c);
 }
 
+#ifdef TERRAIN
+void beginPieceTouches(const World *w, int slot) {
+    int2 own = w->pieces[slot];
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) clearPieceTouch(w, k);
+}
+#endif
+
 // Index space: any; work-items take contacts and slots in turn.
 kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -87,6 +102,9 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
+#ifdef TERRAIN
+    for (int slot = first; slot < circles; slot += (int) get_global_size(0)) beginPieceTouches(&w, slot);
+#endif
 }
 
 // A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
@@ -216,10 +234,99 @@ void tellOfContacts(const World *w, int first, int each) {
     }
 }
 
-// Tells of the walls that circles are in touch with, if they are reported. first, each: which circles.
+#ifdef TERRAIN
+// Tells of a piece contact. Nothing changes of what has been recorded: a step may be told of again. t: as it has been recorded, or would be.
+void tellOfPiece(const World *w, int k, int slot, const float4 *t, bool touches, float impulse, float vn, float threshold) {
+    Told told;
+    int code = FIRST_PIECE + w->piece[k].TOUCHED_PIECE;
+    if (concerns(w, w->homeId[slot], code, touches, t[0].x, impulse, threshold, &told)) {
+        tell(w, &told, t[0].x, impulse, vn, -t[0].zw, t[1].xy, t[1].z);
+    }
+}
+
+// m: motion after the step.
+void tellOfSolidPiece(const World *w, int k, int slot, float4 c, float4 m) {
+    float4 t[2] = {pieceTouch(w, k)[0], pieceTouch(w, k)[1]};
+    bool touching = t[0].x >= 0.0f;
+    if (!touching) {
+        float4 g = w->measured[k];
+        if (w->piece[k].TOUCHED_FEATURE == AT_NOTHING || !staysInTouch(NO_TOUCH, g.MEASURED_GAP, 2.0f * c.RADIUS)) return;
+        touching = touches(NO_TOUCH, g.MEASURED_GAP);
+        float2 place = placeOfTouch(c, (float2)(0.0f), g);
+        t[0] = (float4)(0.0f, t[0].y, g.MEASURED_X, g.MEASURED_Y);
+        t[1] = (float4)(place.x, place.y, 0.0f, 0.0f);
+    }
+    float vn = (t[0].z * m.VX + t[0].w * m.VY) - t[1].w;
+    float threshold = bounceThreshold(&w->k, 2.0f * c.RADIUS, 0.0f, w->k.thresholdRate);
+    tellOfPiece(w, k, slot, t, touching, c.MASS * t[0].y, vn, threshold);
+}
+
+// A place in the frame of a piece, which may have moved: where it is after the step, with the normal.
+float4 placeSensed(const World *w, global const float *row, int motion, const PieceGap *g, float x, float y) {
+    if (motion == 0) return (float4)(g->nx, g->ny, row[PIECE_X] + x, row[PIECE_Y] + y);
+    global const float *pose = poseOf(bodyOf(w, motion), w->k.subSteps);
+    float cos_ = pose[POSE_COS];
+    float sin_ = pose[POSE_SIN];
+    float2 pivot = pivotOf(row);
+    float px = x - pivot.x;
+    float py = y - pivot.y;
+    return (float4)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny,
+                    ((row[PIECE_X] + pivot.x) + pose[POSE_DX]) + (cos_ * px - sin_ * py),
+                    ((row[PIECE_Y] + pivot.y) + pose[POSE_DY]) + (sin_ * px + cos_ * py));
+}
+
+void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
+    int piece = w->piece[k].TOUCHED_PIECE;
+    global const float *row = pieceRow(w, piece);
+    int4 traits = pieceTraits(w, piece);
+    float2 o = pieceTouch(w, k)[0].zw;
+    float2 end = w->standing[k].STANDING_PLACE;
+    float ux = end.x - o.x;
+    float uy = end.y - o.y;
+    bool front = isInFront(row, traits.TRAIT_SHAPE, o.x, o.y);
+    if (!front && !isTwoSided(w, traits)) return; // it comes from behind
+    float time = timeOfSensing(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS);
+    bool touching = time <= 1.0f;
+    if (!touching) {
+        float gap = distanceOfPiece(row, traits.TRAIT_SHAPE, end.x, end.y) - c.RADIUS;
+        if (!staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS)) return;
+        time = 1.0f;
+    }
+    float x = o.x + time * ux;
+    float y = o.y + time * uy;
+    PieceGap g;
+    measurePiece(row, traits.TRAIT_SHAPE, x, y, c.RADIUS, front ? 1.0f : -1.0f, &g);
+    float vn = (g.nx * ux + g.ny * uy) / w->k.dt;
+    float away = c.RADIUS + 0.5f * g.gap;
+    float4 at = placeSensed(w, row, traits.TRAIT_MOTION, &g, x - away * g.nx, y - away * g.ny);
+    float4 t[2] = {(float4)(approachSpeed(vn), 0.0f, at.x, at.y), (float4)(at.z, at.w, 0.0f, 0.0f)};
+    tellOfPiece(w, k, slot, t, touching, 0.0f, vn, MAXFLOAT);
+}
+
+// Tells of the pieces that a circle is in touch with after the step.
+void tellOfPiecesOf(const World *w, int slot) {
+    if (w->homeTraits[slot].INVERSE_MASS == 0.0f) return;
+    int2 own = w->pieces[slot];
+    float4 c = w->homeCircle[slot];
+#pragma unroll 1
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+        if (w->piece[k].TOUCHED_RESPONSE == PAIR_SENSE) {
+            tellOfSensedPiece(w, k, slot, c);
+        } else {
+            tellOfSolidPiece(w, k, slot, c, w->homeMotion[slot]);
+        }
+    }
+}
+#endif
+
+// Tells of the walls and pieces that circles are in touch with, if they are reported. first, each: which circles.
 void tellOfWalls(const World *w, int first, int each) {
     int circles = w->recording.walls ? w->circles : 0;
     for (int slot = first; slot < circles; slot += each) tellOfWallsOf(w, slot);
+#ifdef TERRAIN
+    circles = w->recording.pieces ? w->circles : 0;
+    for (int slot = first; slot < circles; slot += each) tellOfPiecesOf(w, slot);
+#endif
 }
 
 // Tells of pairs and walls after the step. Index space: any number of work-items, which take contacts and slots in turn.

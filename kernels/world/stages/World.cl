@@ -28,6 +28,13 @@
 #define AND_TURNING(parameter)
 #endif
 
+// The same of worlds with terrain.
+#ifdef TERRAIN
+#define AND_TERRAIN(parameter) , parameter
+#else
+#define AND_TERRAIN(parameter)
+#endif
+
 // next: of the same lower id, or NONE.
 int4 cacheEntry(int higherId, float normalImpulse, int next) {
     int4 entry = (int4)(0);

@@ -50,14 +50,12 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
     return true;
 }
 
-// Returns whether it is at a wall, or near a piece of terrain.
+// atPieces: whether pieces of terrain are near. Returns whether it is at a wall, or near a piece.
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
-                 bool carried AND_TURNING(float s) AND_TURNING(float spinSum)) {
+                 bool carried AND_TURNING(float s) AND_TURNING(float spinSum) AND_TERRAIN(bool atPieces)) {
     float2 walls = t.WALLS;
-#ifdef TERRAIN
-    bool atPieces = hasPieces(w, slot);
-#else
-    bool atPieces = false;
+#ifndef TERRAIN
+    const bool atPieces = false;
 #endif
     // A wall that does not press holds nothing.
     if (walls.x == 0.0f && walls.y == 0.0f && !atPieces &&
@@ -97,8 +95,9 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     return atPieces || bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
-// started: motion as the start has left it. Returns whether it is at a wall, or near a piece of terrain.
-bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden AND_TURNING(float s)) {
+// started: motion as the start has left it. Returns as startCircle.
+bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v,
+              float burden AND_TURNING(float s) AND_TERRAIN(bool atPieces)) {
     bool isStatic = burden == 0.0f;
 #ifdef TURNING
     s = moveTurning(w, slot, s);
@@ -108,8 +107,7 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         float4 t = w->traits[slot];
         float2 walls = t.WALLS;
 #ifdef TERRAIN
-        bool atPieces = hasPieces(w, slot);
-        if (atPieces) m.DISPLACEMENT = stopAtPieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
+        if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, started.DISPLACEMENT, m.DISPLACEMENT);
 #endif
 #ifdef RECORDING
         float2 moving = m.VELOCITY;

@@ -307,10 +307,30 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
     }
 }
 
+#ifdef TERRAIN
+// Starts the tile's own circles near pieces of terrain. Apart: in the loop of the others they would hold registers.
+void startAtPieces(const World *w, local const Arrangement *a, global int *entries, int circles) {
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int slot = entries[i];
+        if (slot < 0 || !hasPieces(w, slot)) continue;
+        entries[i] = slot | AT_WALL;
+#ifdef RECORDING
+        clearWallTouch(w, slot);
+#endif
+        startCircle(w, slot, w->circle[slot], w->motion[slot], w->traits[slot], a->load[i],
+                    (a->progress[i] & HAS_CARRIED) != 0 AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]), true);
+    }
+}
+#endif
+
 // Starts the tile's own, if there is one level, and keeps what contacts need of all.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + RECORD_SLOTS;
     int left = hasOneLevel(w) ? 0 : NOT_OWN;
+#ifdef TERRAIN
+    if (left == 0) startAtPieces(w, a, entry, circles);
+#endif
     TILE_TOGETHER(first, circles, together) {
         int taken[MOST_TOGETHER];
         float4 c[MOST_TOGETHER], t[MOST_TOGETHER], m[MOST_TOGETHER];
@@ -331,13 +351,16 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             int i = togetherItem(first, n);
             if (i >= circles) continue;
             int slot = taken[n] & ENTRY_SLOT;
+#ifdef TERRAIN
+            if ((taken[n] & AT_WALL) != 0) taken[n] |= NOT_OWN; // started
+#endif
             if (taken[n] >= 0) {
 #ifdef RECORDING
                 clearWallTouch(w, slot);
 #endif
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 bool atWall = startCircle(w, slot, c[n], m[n], t[n], a->load[i],
-                                          carried AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]));
+                                          carried AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]) AND_TERRAIN(false));
                 if (atWall) entry[i] = slot | AT_WALL;
             }
             a->load[i] = c[n].xy;

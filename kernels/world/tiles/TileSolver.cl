@@ -13,6 +13,24 @@ void noteWall(global int *entries, int i, int entry, bool atWall) {
     if (next != entry) entries[i] = next;
 }
 
+#ifdef TERRAIN
+// What walls do not say: of the circles at walls, those near pieces of terrain.
+bool isAtPieces(const World *w, int entry) { return entry >= 0 && (entry & AT_WALL) != 0 && hasPieces(w, entry & ENTRY_SLOT); }
+
+// Apart: in the loop of the others they would hold registers.
+void endAtPieces(const World *w, local const Tile *t, global int *entries, int subStep) {
+    int circles = t->circles;
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int entry = entries[i];
+        if (!isAtPieces(w, entry)) continue;
+        int slot = entry & ENTRY_SLOT;
+        endSolve(w, slot, true, w->circle[slot], w->motion[slot], t->velocity[i], t->burden[i] AND_TURNING(t->spin[i]), true);
+        if (subStep == 0) w->homeFirstCached[slot] = NONE;
+    }
+}
+#endif
+
 // With several levels, where Solver.cl has it.
 void takeMotion(const World *w, local Tile *t, global const int *entries, bool relaxing) {
     int circles = t->circles;
@@ -118,6 +136,9 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
         int entry[MOST_TOGETHER];
         float4 c[MOST_TOGETHER], started[MOST_TOGETHER];
         TOGETHER_EACH(n, together) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
+#ifdef TERRAIN
+        TOGETHER_EACH(n, together) entry[n] = isAtPieces(w, entry[n]) ? NOT_OWN : entry[n];
+#endif
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
             c[n] = w->circle[entry[n] & ENTRY_SLOT];
@@ -128,11 +149,14 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             int i = togetherItem(first, n);
             int slot = entry[n] & ENTRY_SLOT;
             bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i],
-                                   t->burden[i] AND_TURNING(t->spin[i]));
+                                   t->burden[i] AND_TURNING(t->spin[i]) AND_TERRAIN(false));
             noteWall(entries, i, entry[n], atWall);
             if (subStep == 0) w->homeFirstCached[slot] = NONE;
         }
     }
+#ifdef TERRAIN
+    endAtPieces(w, t, entries, subStep);
+#endif
 }
 
 // Before the pass: no contact waits for another here, so hardly a work-item is idle; in parts of rounds half are.
@@ -179,7 +203,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
         float4 m = (float4)(d.x, d.y, v.x, v.y);
         noteWall(entries, i, entry,
                  startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i],
-                             carried AND_TURNING(t->spin[i]) AND_TURNING(t->spinLoad[i])));
+                             carried AND_TURNING(t->spin[i]) AND_TURNING(t->spinLoad[i]) AND_TERRAIN(hasPieces(w, slot))));
     }
 }
 

@@ -20,7 +20,11 @@ void clearTouch(const World *w, int number) {
     clearSlip(w, number);
 }
 
+// Of walls and pieces of terrain.
 void clearWallTouch(const World *w, int slot) {
+#ifdef TERRAIN
+    beginPieceTouches(w, slot);
+#endif
     if (!w->recording.walls) return;
     w->recording.wallTouch[2 * slot] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     w->recording.wallTouch[2 * slot + 1] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);

@@ -12,6 +12,9 @@ const GROUND = '#131922';
 const STATIC = '#5a6878';
 const BELT = '#8a6a3a';
 const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
+const PIECE_STRIDE = 8; // numbers a piece: form, shade, and then ends and thickness, or centre, radius, angles and side
+const [SEGMENT, ARC] = [1, 3]; // forms
+const BAND = 4; // pixels of the solid side of a chain
 const MARK = 0.3; // of the colour's light
 const MARK_AT = 0.52; // in radii of the circle, from its centre
 const MARK_RADIUS = 0.26; // likewise
@@ -37,7 +40,7 @@ let waiting = true; // for the worker
 let owed = 0;
 let last;
 let actions = [];
-let picture = { circles: new Float32Array(0), steps: 0, hash: '', millis: 0 };
+let picture = { circles: new Float32Array(0), pieces: new Float32Array(0), steps: 0, hash: '', millis: 0 };
 let dirty = true;
 let blasts = [];
 let pointer = null;
@@ -92,6 +95,7 @@ function draw() {
     }
   }
   context.putImageData(discs.image, 0, 0);
+  drawTerrain(scale, height, ratio);
   for (const blast of blasts) {
     const age = (performance.now() - blast.at) / 400;
     context.strokeStyle = `rgba(255,180,84,${Math.max(0, 1 - age)})`;
@@ -102,6 +106,28 @@ function draw() {
   }
   blasts = blasts.filter(blast => performance.now() - blast.at < 400);
   dirty = blasts.length > 0;
+}
+
+function drawTerrain(scale, height, ratio) {
+  const { pieces } = picture;
+  const band = BAND * ratio;
+  context.lineCap = 'round';
+  for (let k = 0; k < pieces.length; k += PIECE_STRIDE) {
+    const [form, shade, x, y, x2, y2, , inside] = pieces.subarray(k, k + PIECE_STRIDE);
+    context.strokeStyle = shade === -2 ? BELT : STATIC;
+    context.lineWidth = form === SEGMENT ? Math.max(2 * pieces[k + 6] * scale, band) : band;
+    context.beginPath();
+    if (form === ARC) { // y points down, so angles do, too
+      const radius = x2 * scale + (inside ? band / 2 : -band / 2);
+      context.arc(x * scale, height - y * scale, radius, -y2, -pieces[k + 6], true);
+    } else { // a line of a chain is solid on its left
+      const factor = form === SEGMENT ? 0 : band / 2 / Math.hypot(x2 - x, y2 - y);
+      const [left, up] = [(y - y2) * factor, (x2 - x) * factor];
+      context.moveTo(x * scale + left, height - y * scale - up);
+      context.lineTo(x2 * scale + left, height - y2 * scale - up);
+    }
+    context.stroke();
+  }
 }
 
 function tell() {

@@ -29,8 +29,10 @@ function frame({ steps, actions }) {
   }
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
+  const pieces = toy.terrain();
   const surface = { friction: toy.friction(), rolling: toy.rollingResistance() };
-  postMessage({ circles, steps: toy.steps(), hash: toy.hash(), millis, made: steps, surface }, [circles.buffer]);
+  const figures = { steps: toy.steps(), hash: toy.hash(), millis, made: steps };
+  postMessage({ circles, pieces, surface, ...figures }, [circles.buffer, pieces.buffer]);
 }
 
 function sameBits({ scenes }) {

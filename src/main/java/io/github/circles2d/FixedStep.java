@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.terrain.BodyPoses;
 import java.io.IOException;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
@@ -36,7 +37,7 @@ import java.util.Arrays;
  * how far along. So they are up to a step old, and move evenly. No call comes between the two places: a circle that a call moves
  * elsewhere, or that is new, appears at its place and is not drawn across the screen. The effect of a call shows from the next step on,
  * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, and {@link
- * #angles} the angles of circles that turn, likewise.
+ * #angles} the angles of circles that turn, likewise; {@link #pieces} and {@link #pose} have the terrain.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -102,6 +103,16 @@ public final class FixedStep {
     private int[] anglesAfter = new int[0];
     private FloatBuffer shownAngles = ByteBuffer.allocateDirect(0).asFloatBuffer();
     private FloatBuffer viewOfAngles = shownAngles.asReadOnlyBuffer();
+
+    /** Whether the poses of bodies of terrain before and after each last step are kept, from the first call that gives them on. */
+    private boolean keepsBodies;
+
+    /** Whether those of the last step are kept. */
+    private boolean hasBodies;
+
+    private final BodyPoses bodiesBefore = new BodyPoses();
+    private final BodyPoses bodiesAfter = new BodyPoses();
+    private final BodyPoses bodiesBetween = new BodyPoses();
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -271,6 +282,9 @@ public final class FixedStep {
             ensureAngles(world.idLimit());
             world.readAngleUnits(anglesBefore);
         }
+        if (keepsBodies) {
+            world.simulation().bodies().keep(bodiesBefore);
+        }
     }
 
     private void keepAfter() {
@@ -281,6 +295,10 @@ public final class FixedStep {
         if (keepsAngles) {
             world.readAngleUnits(anglesAfter);
             hasAngles = true;
+        }
+        if (keepsBodies) {
+            world.simulation().bodies().keep(bodiesAfter);
+            hasBodies = true;
         }
     }
 
@@ -302,6 +320,7 @@ public final class FixedStep {
         requested = false;
         hasRadii = false;
         hasAngles = false;
+        hasBodies = false;
     }
 
     /**
@@ -422,6 +441,52 @@ public final class FixedStep {
         world.markGone(shownAngles, 1, null);
         ((Buffer) viewOfAngles).clear().limit(length);
         return viewOfAngles;
+    }
+
+    /**
+     * What the pieces of terrain to draw look like: as {@link Terrain#readPieces}, but with each body on the straight way from before the last
+     * step to after it, as far as {@link #alpha} says. A body that a call puts elsewhere, or that is new, is at its place; what is removed is
+     * gone at once. The loop keeps poses from the first call of this method, or of {@link #pose}, on. That call, and those before the first
+     * step, give the present ones.
+     *
+     * @param pieces takes {@link Terrain#PIECE_STRIDE} elements a piece
+     * @param handles takes their handles; may be null
+     * @return the number of pieces
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public int pieces(float[] pieces, long[] handles) {
+        keepBodies();
+        return world.simulation()
+                .pieces()
+                .readBetween(bodiesBefore, bodiesAfter, alpha(), bodiesBetween, pieces, handles);
+    }
+
+    /**
+     * Where a body of terrain is to be drawn, likewise.
+     *
+     * @param body a body of the loop's world
+     * @param pose takes x and y of its pivot, and its angle in radians
+     * @throws IllegalArgumentException if the body has been removed, or the array is shorter than three elements
+     */
+    public void pose(TerrainBody body, float[] pose) {
+        long handle = Limits.notNull("body", body).handle();
+        if (Limits.notNull("pose", pose).length < 3) {
+            throw new IllegalArgumentException("pose has " + pose.length + " elements, but must have 3");
+        }
+        int id = world.simulation().bodies().require(handle);
+        keepBodies();
+        world.simulation().bodies().keepBetween(id, bodiesBefore, bodiesAfter, alpha(), bodiesBetween);
+        pose[0] = (float) bodiesBetween.x(id);
+        pose[1] = (float) bodiesBetween.y(id);
+        pose[2] = Surface.radians(bodiesBetween.angle(id));
+    }
+
+    private void keepBodies() {
+        keepsBodies = true;
+        if (!hasBodies) {
+            world.simulation().bodies().keep(bodiesBefore);
+            world.simulation().bodies().keep(bodiesAfter);
+        }
     }
 
     /** A circle that has crossed the seam is drawn on its way across, on one side or the other. */

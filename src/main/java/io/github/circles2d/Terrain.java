@@ -44,6 +44,8 @@ public final class Terrain {
 
     Terrain(Simulation simulation) {
         this.simulation = simulation;
+        bodies[0] = new TerrainBody(
+                simulation, simulation.bodies().ground()); // here, since memory may end in the first call of a body
     }
 
     // ---- bodies

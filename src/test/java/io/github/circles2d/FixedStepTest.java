@@ -754,4 +754,65 @@ class FixedStepTest {
             assertThat(x(loop, a)).isEqualTo(5);
         }
     }
+
+    @Test
+    void bodiesOfTerrainAreOnTheWayFromBeforeTheStepToAfterIt() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            TerrainBody lift = terrain.addBody(2, 3, 0);
+            lift.addSegment(-1, 0, 1, 0);
+            terrain.addSegment(0, 1, 9, 1);
+            lift.setVelocity(0, 6.4f);
+            lift.setAngularVelocity(3.2f);
+            FixedStep loop = new FixedStep(world, STEP);
+            float[] pose = new float[3];
+            float[] pieces = new float[2 * Terrain.PIECE_STRIDE];
+            loop.pose(lift, pose);
+            assertThat(pose[1]).isEqualTo(3);
+            loop.advance(1.25f * STEP, null);
+            loop.pose(lift, pose);
+            assertThat(pose[0]).isEqualTo(2);
+            assertThat(pose[1]).isCloseTo(3.025f, ROUNDING);
+            assertThat(pose[2]).isCloseTo(0.0125f, ROUNDING);
+            long[] handles = new long[2];
+            assertThat(loop.pieces(pieces, handles)).isEqualTo(2);
+            assertThat(handles[1]).isEqualTo(terrain.handle(1));
+            assertThat(pieces[2]).isCloseTo(2 - (float) Math.cos(0.0125), ROUNDING);
+            assertThat(pieces[3]).isCloseTo(3.025f - (float) Math.sin(0.0125), ROUNDING);
+            assertThat(pieces[Terrain.PIECE_STRIDE + 3]).isEqualTo(1);
+
+            // what a call puts elsewhere before a step starts from there; what comes after it is where it is
+            loop.advance(STEP, () -> lift.teleport(5, 5, 0));
+            TerrainBody late = terrain.addBody(7, 7, 1);
+            loop.pose(lift, pose);
+            assertThat(pose[1]).isCloseTo(5.025f, ROUNDING);
+            loop.pose(late, pose);
+            assertThat(pose).containsExactly(7, 7, late.angle());
+            lift.remove();
+            assertThat(loop.pieces(pieces, handles)).isOne();
+            assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(lift, pose));
+            assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(late, new float[2]));
+        }
+    }
+
+    @Test
+    void bodiesCrossTheSeamTheShortWay() {
+        try (World world = World.builder()
+                .bounds(0, 0, 10, 10)
+                .edges(Edge.WRAP, Edge.WALL)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody cart = world.terrain().addBody(9.95f, 3, 0);
+            cart.setVelocity(6.4f, 0);
+            FixedStep loop = new FixedStep(world, STEP);
+            float[] pose = new float[3];
+            loop.pose(cart, pose);
+            loop.advance(1.25f * STEP, null);
+            loop.pose(cart, pose);
+            assertThat(pose[0]).isCloseTo(9.975f, ROUNDING);
+            loop.advance(0.5f * STEP, null);
+            loop.pose(cart, pose);
+            assertThat(pose[0]).isCloseTo(0.025f, ROUNDING);
+        }
+    }
 }

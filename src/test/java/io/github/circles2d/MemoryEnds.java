@@ -62,6 +62,25 @@ final class MemoryEnds {
             }
             world.step(STEP);
         });
+        float[] segments = circles(500); // from the centre of each circle to the right
+        for (int k = 0; k < segments.length; k += 4) {
+            segments[k + 2] = segments[k] + 1;
+            segments[k + 3] = segments[k + 1];
+        }
+        calls.put("addSegments", world -> world.terrain().addSegments(segments, 0, null));
+        calls.put("snapshotBytes with terrain", world -> {
+            if (world.terrain().size() == 0) {
+                world.terrain().addSegments(segments, 0, null);
+            }
+            world.snapshotBytes();
+        });
+        float[] pieces = new float[Terrain.PIECE_STRIDE * 500];
+        calls.put("readPieces", world -> {
+            if (world.terrain().size() == 0) {
+                world.terrain().addSegments(segments, 0, null);
+            }
+            world.terrain().readPieces(pieces, null);
+        });
         calls.put("queries", world -> world.queries().overlapBox(0, 0, 100, 100, new long[0]));
         calls.forEach((name, call) -> {
             for (int spare : SPARES) {

@@ -127,6 +127,34 @@ class NullArgumentsTest {
         calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
         calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
+        calls.put("FixedStep.pieces", Map.of("pieces", () -> loop.pieces(null, null)));
+        calls.put(
+                "FixedStep.pose",
+                Map.of(
+                        "body", () -> loop.pose(null, new float[3]),
+                        "pose", () -> loop.pose(world.terrain().ground(), null)));
+        calls.put("Chain.of", Map.of("points", () -> Chain.of((float[]) null)));
+        Terrain terrain = world.terrain();
+        calls.put("Terrain.addArc", Map.of("side", () -> {
+            refusal(() -> terrain.addArc(0, 0, 1, 0, 1, null), "side");
+            terrain.addArc(0, 0, 1, 0, 1, null, 0);
+        }));
+        calls.put("Terrain.addChain", Map.of("chain", () -> {
+            refusal(() -> terrain.addChain(null), "chain");
+            terrain.addChain(null, 0, null);
+        }));
+        calls.put("Terrain.addSegments", Map.of("ends", () -> terrain.addSegments(null, 0, null)));
+        calls.put("Terrain.readPieces", Map.of("pieces", () -> terrain.readPieces(null, null)));
+        calls.put("TerrainBody.addArc", Map.of("side", () -> {
+            refusal(() -> terrain.ground().addArc(0, 0, 1, 0, 1, null), "side");
+            terrain.ground().addArc(0, 0, 1, 0, 1, null, 0);
+        }));
+        calls.put("TerrainBody.addChain", Map.of("chain", () -> {
+            refusal(() -> terrain.ground().addChain(null), "chain");
+            terrain.ground().addChain(null, 0, null);
+        }));
+        calls.put(
+                "TerrainBody.addSegments", Map.of("ends", () -> terrain.ground().addSegments(null, 0, null)));
         calls.put("World.snapshot", Map.of("to", () -> world.snapshot(null)));
         calls.put("World.restore", Map.of("from", () -> world.restore(null)));
         calls.put("Builder.backend", Map.of("backend", () -> World.builder().backend(null)));
@@ -176,6 +204,9 @@ class NullArgumentsTest {
                         World.class,
                         World.Builder.class,
                         Kind.class,
+                        Terrain.class,
+                        TerrainBody.class,
+                        Chain.class,
                         FixedStep.class,
                         Rewind.class,
                         Rollback.class,

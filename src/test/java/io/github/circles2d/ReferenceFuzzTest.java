@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.reference.Settings;
@@ -39,6 +40,8 @@ class ReferenceFuzzTest {
         private final Edge edgeY;
         private final boolean turns;
         private final Surfaces surfaces;
+        private final boolean terrain;
+        private final List<Long> bodies = new ArrayList<>();
         private final float size;
         private final float fastest;
         private World world;
@@ -46,6 +49,7 @@ class ReferenceFuzzTest {
         private List<Consumer<WorldCalls>> calls = new ArrayList<>();
         private ByteBuffer snapshot;
         private List<Consumer<WorldCalls>> callsUpToSnapshot;
+        private List<Long> bodiesOfSnapshot;
         private final List<Consumer<WorldCalls>> reports = new ArrayList<>();
 
         Program(long seed) {
@@ -63,6 +67,7 @@ class ReferenceFuzzTest {
             SplittableRandom ofSurfaces = new SplittableRandom(~(3 * seed));
             turns = ofSurfaces.nextInt(4) > 0;
             surfaces = turns && ofSurfaces.nextBoolean() ? surfaces(ofSurfaces) : Surfaces.NONE;
+            terrain = new SplittableRandom(~(5 * seed)).nextInt(2) == 0;
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
@@ -93,6 +98,9 @@ class ReferenceFuzzTest {
                 setGravity();
                 report();
                 addSome(random.nextInt(6) == 0 ? 60 : 12);
+                for (int k = 0; k < (terrain ? 6 : 0); k++) {
+                    changeTerrain();
+                }
                 int count = 10 + random.nextInt(30);
                 for (int k = 0; k < count; k++) {
                     call();
@@ -129,6 +137,9 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
+            if (terrain && random.nextInt(3) == 0) {
+                changeTerrain();
+            }
             switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
@@ -601,6 +612,170 @@ class ReferenceFuzzTest {
             }
         }
 
+        // ---- terrain
+        // -----------------------------------------------------------------------------------------------
+
+        private void changeTerrain() {
+            switch (random.nextInt(16)) {
+                case 0, 1 -> addSegment();
+                case 2, 3 -> addArc();
+                case 4, 5 -> addChain();
+                case 6, 7 -> addBody();
+                case 8 -> withSomePiece(piece -> both("remove piece", c -> c.removePiece(piece)));
+                case 9 -> setPieceKind();
+                case 10 -> setOneWay();
+                case 11 -> withSomeBody(this::teleportBody);
+                case 12 -> withSomeBody(this::moveBodyTo);
+                case 13 -> removeBodyOrAll();
+                default -> withSomeBody(this::setBodyVelocity);
+            }
+        }
+
+        /** A call that the world may refuse, for its numbers. */
+        private boolean bothIfAllowed(String what, Consumer<WorldCalls> call) {
+            try {
+                call.accept(WorldCalls.of(world));
+            } catch (IllegalArgumentException e) {
+                compare("refused: " + what);
+                return false;
+            }
+            call.accept(reference);
+            calls.add(call);
+            compare(what);
+            return true;
+        }
+
+        /** The ground, or one that moves. */
+        private long someBody() {
+            return bodies.isEmpty() || random.nextBoolean() ? 0 : bodies.get(random.nextInt(bodies.size()));
+        }
+
+        private float x(long body) {
+            return body == 0 ? x() : value(-0.3f * size, 0.3f * size);
+        }
+
+        private float y(long body) {
+            return body == 0 ? y() : value(-0.3f * size, 0.3f * size);
+        }
+
+        private void addSegment() {
+            long body = someBody();
+            float x1 = x(body);
+            float y1 = y(body);
+            boolean level = random.nextInt(4) == 0;
+            float x2 = random.nextBoolean() ? x(body) : x1 + value(-0.2f, 0.2f) * size;
+            float y2 = level ? y1 : random.nextBoolean() ? y(body) : y1 + value(-0.2f, 0.2f) * size;
+            float thickness = random.nextBoolean() ? 0f : value(0f, 0.05f * size);
+            int kind = random.nextInt(3) == 0 ? 0 : kind();
+            bothIfAllowed("addSegment", c -> c.addSegment(body, x1, y1, x2, y2, thickness, kind));
+        }
+
+        private void addArc() {
+            long body = someBody();
+            float x = x(body);
+            float y = y(body);
+            float radius = value(0.01f * size, 0.5f * size);
+            float from = value(-4f, 4f);
+            float to = from + (random.nextInt(3) == 0 ? 2f * (float) Math.PI : value(0.01f, 6f));
+            ArcSide side = random.nextBoolean() ? ArcSide.INNER : ArcSide.OUTER;
+            int kind = random.nextInt(3) == 0 ? 0 : kind();
+            bothIfAllowed("addArc", c -> c.addArc(body, x, y, radius, from, to, side, kind));
+        }
+
+        private void addChain() {
+            long body = someBody();
+            float x = x(body);
+            float y = y(body);
+            float[][] ways = new float[1 + random.nextInt(6)][];
+            float toX = x;
+            float toY = y;
+            for (int k = 0; k < ways.length; k++) {
+                if (random.nextInt(3) > 0) {
+                    toX += value(-0.2f, 0.2f) * size;
+                    toY += random.nextInt(4) == 0 ? 0f : value(-0.2f, 0.2f) * size;
+                    ways[k] = new float[] {toX, toY};
+                } else {
+                    float centreX = toX + value(-0.2f, 0.2f) * size;
+                    float centreY = toY + value(-0.2f, 0.2f) * size;
+                    ways[k] = new float[] {centreX, centreY, value(-3f, 3f)};
+                }
+            }
+            ChainShape shape = new ChainShape(x, y, ways, random.nextInt(3) == 0);
+            int kind = random.nextInt(3) == 0 ? 0 : kind();
+            bothIfAllowed("addChain", c -> c.addChain(body, shape, kind, new long[ways.length + 1]));
+        }
+
+        private void addBody() {
+            float x = x();
+            float y = y();
+            float angle = value(-4f, 4f);
+            long[] handle = new long[1];
+            both("addBody", c -> handle[0] = c.addBody(x, y, angle));
+            bodies.add(handle[0]);
+            float length = value(0.05f * size, 0.3f * size);
+            bothIfAllowed("addSegment", c -> c.addSegment(handle[0], -length, 0f, length, 0f, 0f, 0));
+            setBodyVelocity(handle[0]);
+        }
+
+        private void withSomePiece(Consumer<Long> change) {
+            int limit = world.terrain().idLimit();
+            long piece = limit == 0 ? 0 : world.terrain().handle(random.nextInt(limit));
+            if (piece != 0) {
+                change.accept(piece);
+            }
+        }
+
+        private void withSomeBody(Consumer<Long> change) {
+            if (!bodies.isEmpty()) {
+                change.accept(bodies.get(random.nextInt(bodies.size())));
+            }
+        }
+
+        private void setPieceKind() {
+            int kind = kind();
+            withSomePiece(piece -> both("setKind of a piece", c -> c.setPieceKind(piece, kind)));
+        }
+
+        private void setOneWay() {
+            int kind = kind();
+            boolean oneWay = random.nextBoolean();
+            both("setOneWay", c -> c.setOneWay(kind, oneWay));
+        }
+
+        private void setBodyVelocity(long body) {
+            float vx = random.nextBoolean() ? 0f : speed();
+            float vy = random.nextBoolean() ? 0f : speed();
+            float omega = random.nextInt(3) == 0 ? 0f : angularVelocity();
+            both("setVelocity of a body", c -> c.setBodyVelocity(body, vx, vy, omega));
+        }
+
+        private void moveBodyTo(long body) {
+            float x = world.terrain().body(body).x() + value(-0.2f, 0.2f) * size;
+            float y = random.nextBoolean() ? y() : world.terrain().body(body).y();
+            float angle = value(-4f, 4f);
+            both("moveTo", c -> c.moveBodyTo(body, x, y, angle));
+        }
+
+        private void teleportBody(long body) {
+            float x = x();
+            float y = y();
+            float angle = random.nextBoolean() ? 0f : value(-4f, 4f);
+            both("teleport of a body", c -> c.teleportBody(body, x, y, angle));
+        }
+
+        /** All but seldom. */
+        private void removeBodyOrAll() {
+            if (random.nextInt(4) == 0) {
+                both("clear terrain", WorldCalls::clearTerrain);
+                bodies.clear();
+            } else {
+                withSomeBody(body -> {
+                    both("remove body", c -> c.removeBody(body));
+                    bodies.remove(body);
+                });
+            }
+        }
+
         private void setGravity() {
             float x = random.nextBoolean() ? 0f : value(-size, size);
             float y = random.nextInt(4) == 0 ? 0f : value(-10f * size, 0f);
@@ -651,6 +826,7 @@ class ReferenceFuzzTest {
                 world.snapshot(snapshot);
                 snapshot.flip();
                 callsUpToSnapshot = new ArrayList<>(calls);
+                bodiesOfSnapshot = new ArrayList<>(bodies);
                 return;
             }
             if (random.nextBoolean()) {
@@ -658,6 +834,8 @@ class ReferenceFuzzTest {
                 world = newWorld();
             }
             world.restore(snapshot.duplicate());
+            bodies.clear();
+            bodies.addAll(bodiesOfSnapshot);
             calls = new ArrayList<>(callsUpToSnapshot);
             reference = newReference();
             calls.forEach(call -> call.accept(reference));

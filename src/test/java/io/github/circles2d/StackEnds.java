@@ -21,6 +21,8 @@ final class StackEnds {
     private static final int CIRCLES = 40;
     private static final float STEP = 1 / 60f;
 
+    private static final Chain CHAIN = Chain.of(9, 1, 5, 2, 1, 1).arcTo(1, 2, -1);
+
     private static int wrong;
 
     private StackEnds() {}
@@ -120,6 +122,16 @@ final class StackEnds {
                 Call.change("explode", world -> world.explode(5, 5, 3, 1, 1)),
                 Call.change("setRadius", world -> world.setRadius(1L << 32, 0.7f)),
                 Call.change("grow", world -> world.grow(1L << 32, 0.7f, 3)),
+                Call.change("addSegment", world -> world.terrain().addSegment(0, 2, 9, 1)),
+                Call.change("addSegments", world -> world.terrain().addSegments(new float[] {0, 2, 9, 1}, 0, null)),
+                Call.change("addArc", world -> world.terrain().addArc(5, 5, 4, -3, 0, ArcSide.INNER)),
+                Call.change("addChain", world -> world.terrain().addChain(CHAIN)),
+                Call.change("addBody", world -> world.terrain().addBody(3, 3, 1)),
+                Call.change("a step of terrain", world -> {
+                    world.terrain().addBody(3, 3, 1).setVelocity(1, 1);
+                    world.terrain().addChain(CHAIN);
+                    world.step(STEP);
+                }),
                 Call.change("clear", World::clear),
                 Call.change("setBounds", world -> world.setBounds(0, 0, 9, 9)),
                 Call.change("restore", world -> world.restore(snapshot.duplicate())));

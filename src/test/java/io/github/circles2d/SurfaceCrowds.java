@@ -3,7 +3,6 @@ package io.github.circles2d;
 import static io.github.circles2d.SurfaceBall.DT;
 import static io.github.circles2d.SurfaceBall.G;
 
-import io.github.circles2d.SurfaceRows.Row;
 import java.util.List;
 import java.util.Locale;
 
@@ -27,17 +26,17 @@ final class SurfaceCrowds {
     }
 
     /** Those that take a second or two. */
-    static List<Row> quick() {
-        return List.of(new Row("A18", SurfaceCrowds::box), new Row("A19", SurfaceCrowds::stacks));
+    static List<FigureRow> quick() {
+        return List.of(new FigureRow("A18", SurfaceCrowds::box), new FigureRow("A19", SurfaceCrowds::stacks));
     }
 
     /** Those that take longer. */
-    static List<Row> slow() {
+    static List<FigureRow> slow() {
         return List.of(
-                new Row("A14, mu 0.6, c 0", () -> heaps(0.6, 0, 15.9, 5)),
-                new Row("A14, mu 0.6, c 0.1", () -> heaps(0.6, 0.1, 33.0, 21)),
-                new Row("A14, mu 0.6, c 0.3", () -> heaps(0.6, 0.3, 44.6, 33)),
-                new Row("A14, mu 0.1, c 0.3", () -> heaps(0.1, 0.3, 8.8, 5)));
+                new FigureRow("A14, mu 0.6, c 0", () -> heaps(0.6, 0, 15.9, 5)),
+                new FigureRow("A14, mu 0.6, c 0.1", () -> heaps(0.6, 0.1, 33.0, 21)),
+                new FigureRow("A14, mu 0.6, c 0.3", () -> heaps(0.6, 0.3, 44.6, 33)),
+                new FigureRow("A14, mu 0.1, c 0.3", () -> heaps(0.1, 0.3, 8.8, 5)));
     }
 
     /** The random numbers of the scenes as they were run on Box2D: in [0, 1). */
@@ -78,7 +77,7 @@ final class SurfaceCrowds {
     // ---- a heap
     // ---------------------------------------------------------------------------------------------------------------------
 
-    private static List<SurfaceFigure> heaps(double friction, double resistance, double box2d, double floor) {
+    private static List<RowFigure> heaps(double friction, double resistance, double box2d, double floor) {
         double slope = 0;
         double speed = 0;
         for (int seed = 1; seed <= HEAPS; seed++) {
@@ -87,14 +86,13 @@ final class SurfaceCrowds {
             speed = Math.max(speed, heap.meanSpeed());
         }
         String scene = String.format(Locale.ROOT, "heap of 600, mu %.1f, c %.1f: ", friction, resistance);
-        SurfaceFigure steep = SurfaceFigure.between(
+        RowFigure steep = RowFigure.between(
                         "A14", scene + "slope, mean of five, degrees", box2d, box2d - 5, box2d + 5, slope)
                 .notBelow(floor);
         if (resistance == 0) {
             return List.of(steep); // some discs roll away for ever
         }
-        return List.of(
-                steep, SurfaceFigure.within("A14", scene + "mean speed after 20 s, m/s", 0, 1.5e-6, 1e-3, speed));
+        return List.of(steep, RowFigure.within("A14", scene + "mean speed after 20 s, m/s", 0, 1.5e-6, 1e-3, speed));
     }
 
     /** The mean speed in a heap of a hundred discs with rolling resistance, 20 s after the last one fell. */
@@ -154,7 +152,7 @@ final class SurfaceCrowds {
     // ---- a box
     // ----------------------------------------------------------------------------------------------------------------------
 
-    private static List<SurfaceFigure> box() {
+    private static List<RowFigure> box() {
         World.Builder builder = SurfaceBall.builder(0.6, 0, 0.5).bounds(0, 0, 20, 40);
         Sequence random = new Sequence(7);
         try (World world = builder.build()) {
@@ -173,14 +171,14 @@ final class SurfaceCrowds {
             }
             double speed = new SurfaceCrowds(world).meanSpeed();
             return List.of(
-                    SurfaceFigure.within(
+                    RowFigure.within(
                             "A18",
                             "300 discs in a box, e 0.5: greatest rise of energy, %",
                             0,
                             0.00335635,
                             0.1,
                             100 * rise / first),
-                    SurfaceFigure.within(
+                    RowFigure.within(
                             "A18",
                             "300 discs in a box, e 0.5: mean speed after 20 s, m/s",
                             0,
@@ -206,7 +204,7 @@ final class SurfaceCrowds {
     // ---- stacks
     // ---------------------------------------------------------------------------------------------------------------------
 
-    private static List<SurfaceFigure> stacks() {
+    private static List<RowFigure> stacks() {
         return List.of(
                 stands("column of 50", 1, 50, 0, 0),
                 stands("column of 50, up to 1 mm off, c 0.1", 1, 50, 0.1, 1e-3f).notBelow(5),
@@ -216,7 +214,7 @@ final class SurfaceCrowds {
     }
 
     /** Columns side by side, of discs as high as each other; how long it takes until one is a radius off its place. */
-    private static SurfaceFigure stands(String what, int columns, int rows, double resistance, float off) {
+    private static RowFigure stands(String what, int columns, int rows, double resistance, float off) {
         World.Builder builder = SurfaceBall.builder(0.6, resistance, 0).bounds(-200, 0, 200, 100);
         Sequence random = new Sequence(1);
         double stands = 0;
@@ -231,7 +229,7 @@ final class SurfaceCrowds {
                 stands += 0.25;
             }
         }
-        return SurfaceFigure.between("A19", what + ", mu 0.6: stands, s (of 60)", FOR_EVER, FOR_EVER, FOR_EVER, stands);
+        return RowFigure.between("A19", what + ", mu 0.6: stands, s (of 60)", FOR_EVER, FOR_EVER, FOR_EVER, stands);
     }
 
     /** How far the disc is off to a side that is farthest off. */

@@ -5,7 +5,6 @@ import static io.github.circles2d.SurfaceBall.G;
 import static io.github.circles2d.SurfaceBall.R;
 
 import java.util.List;
-import java.util.function.Supplier;
 
 /** The scenes of one disc that measure how surfaces grip; {@link SurfaceCrowds} has those of many. */
 final class SurfaceRows {
@@ -13,32 +12,25 @@ final class SurfaceRows {
 
     private SurfaceRows() {}
 
-    /** A scene, which is run when its figures are asked for. */
-    record Row(String name, Supplier<List<SurfaceFigure>> figures) {
-        @Override
-        public String toString() {
-            return name;
-        }
-    }
-
-    static List<Row> all() {
+    static List<FigureRow> all() {
         return List.of(
-                new Row("A1", SurfaceRows::rollsDown),
-                new Row("A2", SurfaceRows::stillRollsDown),
-                new Row("A3", SurfaceRows::slidesDown),
-                new Row("A4", SurfaceRows::sticks),
-                new Row("A5", SurfaceRows::doesNotStick),
-                new Row("A6", () -> roll("A6", "thrown at 6 m/s", 6, 0, 3.996, 0.683, 0.003)),
-                new Row("A7", () -> roll("A7", "thrown at 3 m/s with a backspin of 9", 3, -9, -1.008, 1.35, 0.01)),
-                new Row("A8", () -> roll("A8", "spinning at 6 m/s", 0, 6, 2.002, 0.683, 0.005)),
-                new Row("A9", SurfaceRows::rollsOn),
-                new Row("A10", SurfaceRows::rollsOut),
-                new Row("A11", SurfaceRows::rollingIsHeld),
-                new Row("A12", SurfaceRows::bounces),
-                new Row("A13", SurfaceRows::billiards),
-                new Row("A15", SurfaceRows::belts),
-                new Row("A16", SurfaceRows::platform),
-                new Row("A17", SurfaceRows::rollers));
+                new FigureRow("A1", SurfaceRows::rollsDown),
+                new FigureRow("A2", SurfaceRows::stillRollsDown),
+                new FigureRow("A3", SurfaceRows::slidesDown),
+                new FigureRow("A4", SurfaceRows::sticks),
+                new FigureRow("A5", SurfaceRows::doesNotStick),
+                new FigureRow("A6", () -> roll("A6", "thrown at 6 m/s", 6, 0, 3.996, 0.683, 0.003)),
+                new FigureRow(
+                        "A7", () -> roll("A7", "thrown at 3 m/s with a backspin of 9", 3, -9, -1.008, 1.35, 0.01)),
+                new FigureRow("A8", () -> roll("A8", "spinning at 6 m/s", 0, 6, 2.002, 0.683, 0.005)),
+                new FigureRow("A9", SurfaceRows::rollsOn),
+                new FigureRow("A10", SurfaceRows::rollsOut),
+                new FigureRow("A11", SurfaceRows::rollingIsHeld),
+                new FigureRow("A12", SurfaceRows::bounces),
+                new FigureRow("A13", SurfaceRows::billiards),
+                new FigureRow("A15", SurfaceRows::belts),
+                new FigureRow("A16", SurfaceRows::platform),
+                new FigureRow("A17", SurfaceRows::rollers));
     }
 
     // ---- slopes
@@ -73,61 +65,60 @@ final class SurfaceRows {
         }
     }
 
-    private static List<SurfaceFigure> rollsDown() {
+    private static List<RowFigure> rollsDown() {
         double tangent = Math.tan(Math.toRadians(20));
         double exact = rolling(tangent, 0);
         double[] a = accelerations(slope(tangent, 0.6, 0), 0);
         String scene = "slope of 20 degrees, mu 0.6, rolls: ";
         return List.of(
-                SurfaceFigure.share("A1", scene + "acceleration, m/s2", exact, 2.28115, 0.005, a[0]),
-                SurfaceFigure.share("A1", scene + "that of the surface, m/s2", a[0], 2.2743, 0.005, a[1]));
+                RowFigure.share("A1", scene + "acceleration, m/s2", exact, 2.28115, 0.005, a[0]),
+                RowFigure.share("A1", scene + "that of the surface, m/s2", a[0], 2.2743, 0.005, a[1]));
     }
 
-    private static List<SurfaceFigure> stillRollsDown() {
+    private static List<RowFigure> stillRollsDown() {
         double exact = rolling(0.56, 0);
         double[] a = accelerations(slope(0.56, 0.2, 0), 0);
         String scene = "slope of 2.8 mu, mu 0.2, still rolls: ";
         return List.of(
-                SurfaceFigure.share("A2", scene + "acceleration, m/s2", exact, 3.25568, 0.005, a[0]),
-                SurfaceFigure.share("A2", scene + "that of the surface, m/s2", exact, 3.25277, 0.005, a[1]));
+                RowFigure.share("A2", scene + "acceleration, m/s2", exact, 3.25568, 0.005, a[0]),
+                RowFigure.share("A2", scene + "that of the surface, m/s2", exact, 3.25277, 0.005, a[1]));
     }
 
-    private static List<SurfaceFigure> slidesDown() {
+    private static List<RowFigure> slidesDown() {
         double[] a = accelerations(slope(0.6, 0.1, 0), 0);
         double exact = G * (sine(0.6) - 0.1 * cosine(0.6));
         String scene = "slope of 6 mu, mu 0.1, slides: ";
         return List.of(
-                SurfaceFigure.share("A3", scene + "acceleration, m/s2", exact, 4.29096, 0.005, a[0]),
-                SurfaceFigure.share(
+                RowFigure.share("A3", scene + "acceleration, m/s2", exact, 4.29096, 0.005, a[0]),
+                RowFigure.share(
                         "A3", scene + "that of the surface, m/s2", 2 * 0.1 * G * cosine(0.6), 1.70593, 0.01, a[1]));
     }
 
-    private static List<SurfaceFigure> sticks() {
+    private static List<RowFigure> sticks() {
         try (SurfaceBall ball = SurfaceBall.at(slope(0.54, 0.6, 0), R, SurfaceBall.LOCKED)) {
             ball.step(60);
             double x = ball.x();
             double y = ball.y();
             ball.step(600);
             double creep = Math.hypot(ball.x() - x, ball.y() - y);
-            return List.of(
-                    SurfaceFigure.within("A4", "slope of 0.9 mu, does not turn: way in 10 s, m", 0, 0, 1e-4, creep));
+            return List.of(RowFigure.within("A4", "slope of 0.9 mu, does not turn: way in 10 s, m", 0, 0, 1e-4, creep));
         }
     }
 
-    private static List<SurfaceFigure> doesNotStick() {
+    private static List<RowFigure> doesNotStick() {
         double[] a = accelerations(slope(0.66, 0.6, 0), SurfaceBall.LOCKED);
         double exact = G * (sine(0.66) - 0.6 * cosine(0.66));
-        return List.of(SurfaceFigure.share(
+        return List.of(RowFigure.share(
                 "A5", "slope of 1.1 mu, does not turn: acceleration, m/s2", exact, 0.500851, 0.01, a[0]));
     }
 
-    private static List<SurfaceFigure> rollingIsHeld() {
+    private static List<RowFigure> rollingIsHeld() {
         double held = accelerations(slope(0.09, 0.6, 0.1), 0)[0];
         double[] a = accelerations(slope(0.2, 0.6, 0.1), 0);
         return List.of(
-                SurfaceFigure.within("A11", "slope of 0.9 c, c 0.1: acceleration, m/s2", 0, 0, 1e-4, held),
-                SurfaceFigure.share("A11", "slope of 2 c: acceleration, m/s2", rolling(0.2, 0.1), 0.656221, 0.01, a[0]),
-                SurfaceFigure.share(
+                RowFigure.within("A11", "slope of 0.9 c, c 0.1: acceleration, m/s2", 0, 0, 1e-4, held),
+                RowFigure.share("A11", "slope of 2 c: acceleration, m/s2", rolling(0.2, 0.1), 0.656221, 0.01, a[0]),
+                RowFigure.share(
                         "A11", "slope of 2 c: that of the surface, m/s2", rolling(0.2, 0.1), 0.652394, 0.01, a[1]));
     }
 
@@ -135,7 +126,7 @@ final class SurfaceRows {
     // --------------------------------------------------------------------------------------------------------------
 
     /** A disc that slides until it rolls; the surface speed is that of rolling forwards. */
-    private static List<SurfaceFigure> roll(
+    private static List<RowFigure> roll(
             String row, String what, double v, double s, double box2dSpeed, double box2dTime, double share) {
         double mu = 0.3;
         double rolls = -1;
@@ -150,14 +141,13 @@ final class SurfaceRows {
             }
             double exactTime = Math.abs(v - s) / (3 * mu * G);
             return List.of(
-                    SurfaceFigure.share(
-                            row, what + ", mu 0.3: speed, m/s", (2 * v + s) / 3, box2dSpeed, share, ball.vx()),
-                    SurfaceFigure.within(
+                    RowFigure.share(row, what + ", mu 0.3: speed, m/s", (2 * v + s) / 3, box2dSpeed, share, ball.vx()),
+                    RowFigure.within(
                             row, what + ", mu 0.3: time until it rolls, s", exactTime, box2dTime, TWO_STEPS, rolls));
         }
     }
 
-    private static List<SurfaceFigure> rollsOn() {
+    private static List<RowFigure> rollsOn() {
         double off = 0;
         try (SurfaceBall ball = SurfaceBall.on(SurfaceBall.builder(0.6, 0, 0))) {
             ball.step(30);
@@ -167,12 +157,12 @@ final class SurfaceRows {
                 off = Math.max(off, Math.abs(ball.y() - R));
             }
             return List.of(
-                    SurfaceFigure.share("A9", "rolls at 4 m/s for 60 s: speed, m/s", 4, 3.99683, 0.001, ball.vx()),
-                    SurfaceFigure.within("A9", "rolls at 4 m/s for 60 s: height off, m", 0, 2.29132e-3, 2e-4, off));
+                    RowFigure.share("A9", "rolls at 4 m/s for 60 s: speed, m/s", 4, 3.99683, 0.001, ball.vx()),
+                    RowFigure.within("A9", "rolls at 4 m/s for 60 s: height off, m", 0, 2.29132e-3, 2e-4, off));
         }
     }
 
-    private static List<SurfaceFigure> rollsOut() {
+    private static List<RowFigure> rollsOut() {
         double c = 0.05;
         double stops = -1;
         try (SurfaceBall ball = SurfaceBall.on(SurfaceBall.builder(0.6, c, 0))) {
@@ -187,31 +177,30 @@ final class SurfaceRows {
             }
             double way = ball.x() - from;
             return List.of(
-                    SurfaceFigure.share(
-                            "A10", "rolls at 4 m/s, c 0.05: way, m", 3 * 16 / (4 * c * G), 23.9679, 0.005, way),
-                    SurfaceFigure.share(
+                    RowFigure.share("A10", "rolls at 4 m/s, c 0.05: way, m", 3 * 16 / (4 * c * G), 23.9679, 0.005, way),
+                    RowFigure.share(
                             "A10",
                             "rolls at 4 m/s, c 0.05: time until it stops, s",
                             12 / (2 * c * G),
                             12,
                             0.005,
                             stops),
-                    SurfaceFigure.within("A10", "rolls at 4 m/s, c 0.05: speed then, m/s", 0, 0, 1e-6, ball.speed()));
+                    RowFigure.within("A10", "rolls at 4 m/s, c 0.05: speed then, m/s", 0, 0, 1e-6, ball.speed()));
         }
     }
 
-    private static List<SurfaceFigure> belts() {
+    private static List<RowFigure> belts() {
         double[] locked = belt(0, SurfaceBall.LOCKED, 3, 300);
         double[] free = belt(0, 0, 1, 300);
         double[] held = belt(0.1, 0, 3, 600);
         return List.of(
-                SurfaceFigure.share("A15", "belt of 3 m/s, does not turn: speed, m/s", 3, 3, 0.005, locked[0]),
-                SurfaceFigure.within(
+                RowFigure.share("A15", "belt of 3 m/s, does not turn: speed, m/s", 3, 3, 0.005, locked[0]),
+                RowFigure.within(
                         "A15", "belt, does not turn: time to 99 %, s", 0.99 * 3 / (0.5 * G), 0.6, TWO_STEPS, locked[1]),
-                SurfaceFigure.share("A15", "belt, turns: speed, m/s", 1, 1.00076, 0.005, free[0]),
-                SurfaceFigure.within(
+                RowFigure.share("A15", "belt, turns: speed, m/s", 1, 1.00076, 0.005, free[0]),
+                RowFigure.within(
                         "A15", "belt, turns: time to 99 %, s", 0.99 * 3 / (3 * 0.5 * G), 0.2, TWO_STEPS, free[1]),
-                SurfaceFigure.share("A15", "belt, c 0.1, after 10 s: speed, m/s", 3, 3, 0.005, held[0]));
+                RowFigure.share("A15", "belt, c 0.1, after 10 s: speed, m/s", 3, 3, 0.005, held[0]));
     }
 
     /** Speed after so many steps on a belt, and the time after which it was almost reached. */
@@ -233,21 +222,21 @@ final class SurfaceRows {
     // ---- bounces
     // --------------------------------------------------------------------------------------------------------------------
 
-    private static List<SurfaceFigure> bounces() {
+    private static List<RowFigure> bounces() {
         double[] grips = bounce(0.6, 0.5, 3, -5, 0);
         double[] slips = bounce(0.2, 0.5, 12, -4, 0);
         double[] spins = bounce(0.6, 0.5, 0, -5, 3);
         double[] dull = bounce(0.2, 0, 12, -4, 0);
         return List.of(
-                SurfaceFigure.share("A12", "(3, -5) m/s, e 0.5, mu 0.6, grips: vx, m/s", 2, 2.00014, 0.005, grips[0]),
-                SurfaceFigure.share("A12", "the same: spin, m/s", 2, 2.00008, 0.005, grips[1]),
-                SurfaceFigure.share("A12", "the same: vy, m/s", 2.5, 2.49991, 0.005, grips[2]),
-                SurfaceFigure.share("A12b", "(12, -4), e 0.5, mu 0.2, slips: vx, m/s", 10.8, 11.1993, 0.01, slips[0]),
-                SurfaceFigure.share("A12b", "the same: spin, m/s", 2.4, 1.54703, 0.01, slips[1]),
-                SurfaceFigure.share("A12c", "(0, -5), spin 3, e 0.5, mu 0.6: vx, m/s", 1, 1, 0.005, spins[0]),
-                SurfaceFigure.share("A12c", "the same: spin, m/s", 1, 1, 0.005, spins[1]),
-                SurfaceFigure.share("A12d", "(12, -4), e 0, mu 0.2, slips: vx, m/s", 11.2, 11.1993, 0.01, dull[0]),
-                SurfaceFigure.share("A12d", "the same: spin, m/s", 1.6, 1.54738, 0.01, dull[1]));
+                RowFigure.share("A12", "(3, -5) m/s, e 0.5, mu 0.6, grips: vx, m/s", 2, 2.00014, 0.005, grips[0]),
+                RowFigure.share("A12", "the same: spin, m/s", 2, 2.00008, 0.005, grips[1]),
+                RowFigure.share("A12", "the same: vy, m/s", 2.5, 2.49991, 0.005, grips[2]),
+                RowFigure.share("A12b", "(12, -4), e 0.5, mu 0.2, slips: vx, m/s", 10.8, 11.1993, 0.01, slips[0]),
+                RowFigure.share("A12b", "the same: spin, m/s", 2.4, 1.54703, 0.01, slips[1]),
+                RowFigure.share("A12c", "(0, -5), spin 3, e 0.5, mu 0.6: vx, m/s", 1, 1, 0.005, spins[0]),
+                RowFigure.share("A12c", "the same: spin, m/s", 1, 1, 0.005, spins[1]),
+                RowFigure.share("A12d", "(12, -4), e 0, mu 0.2, slips: vx, m/s", 11.2, 11.1993, 0.01, dull[0]),
+                RowFigure.share("A12d", "the same: spin, m/s", 1.6, 1.54738, 0.01, dull[1]));
     }
 
     /** Speed along the floor, of the surface forwards, and upwards, after the bounce of a disc without gravity. */
@@ -259,19 +248,19 @@ final class SurfaceRows {
         }
     }
 
-    private static List<SurfaceFigure> billiards() {
+    private static List<RowFigure> billiards() {
         double[] grips = billiard(0.2);
         double[] slips = billiard(0.05);
         return List.of(
-                SurfaceFigure.share(
+                RowFigure.share(
                         "A13",
                         "4 m/s, spin 2, e 1, mu 0.2, into one at rest: throw, m/s",
                         2 / 6.0,
                         0.333333,
                         0.01,
                         grips[0]),
-                SurfaceFigure.share("A13", "the same: speed along the line, m/s", 4, 4, 0.01, grips[1]),
-                SurfaceFigure.share("A13b", "the same, mu 0.05, slips: throw, m/s", 0.2, 0.1, 0.02, slips[0]));
+                RowFigure.share("A13", "the same: speed along the line, m/s", 4, 4, 0.01, grips[1]),
+                RowFigure.share("A13b", "the same, mu 0.05, slips: throw, m/s", 0.2, 0.1, 0.02, slips[0]));
     }
 
     /** What a disc does that a spinning one hits, across the line and along it. */
@@ -288,16 +277,16 @@ final class SurfaceRows {
     // ---- static circles
     // --------------------------------------------------------------------------------------------------------------
 
-    private static List<SurfaceFigure> platform() {
+    private static List<RowFigure> platform() {
         return List.of(
-                SurfaceFigure.share(
+                RowFigure.share(
                         "A16",
                         "platform of 3 m/s, does not turn: speed, m/s",
                         3,
                         3,
                         0.005,
                         platform(SurfaceBall.LOCKED, 60)),
-                SurfaceFigure.share("A16", "platform, turns: speed, m/s", 1, 1.0006, 0.005, platform(0, 20)));
+                RowFigure.share("A16", "platform, turns: speed, m/s", 1, 1.0006, 0.005, platform(0, 20)));
     }
 
     /**
@@ -313,7 +302,7 @@ final class SurfaceRows {
         }
     }
 
-    private static List<SurfaceFigure> rollers() {
+    private static List<RowFigure> rollers() {
         World.Builder builder = SurfaceBall.builder(0.6, 0, 0).bounds(-10, -10, 10, 10);
         try (SurfaceBall ball = SurfaceBall.at(builder, 0.8f, 0)) {
             for (int side = -1; side <= 1; side += 2) {
@@ -322,15 +311,14 @@ final class SurfaceRows {
             }
             ball.step(600);
             return List.of(
-                    SurfaceFigure.share(
+                    RowFigure.share(
                             "A17",
                             "on two rollers at 4 rad/s: angular velocity, rad/s",
                             -4,
                             -4.03568,
                             0.01,
                             ball.world.angularVelocity(ball.handle)),
-                    SurfaceFigure.within(
-                            "A17", "on two rollers at 4 rad/s: speed, m/s", 0, 0.0677726, 0.05, ball.speed()));
+                    RowFigure.within("A17", "on two rollers at 4 rad/s: speed, m/s", 0, 0.0677726, 0.05, ball.speed()));
         }
     }
 }

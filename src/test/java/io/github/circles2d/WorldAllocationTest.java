@@ -152,6 +152,57 @@ class WorldAllocationTest {
     }
 
     @Test
+    void terrainAllocatesNothingOnTheJvm() throws IOException {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        float width = scene.maxX() - scene.minX();
+        float height = scene.maxY() - scene.minY();
+        float[] pieces = new float[Terrain.PIECE_STRIDE * 100];
+        long[] handles = new long[100];
+        long[] added = new long[2];
+        float[] ends = {0, 0, 0.1f, 0.1f, 0.2f, 0.1f, 0.3f, 0};
+        float[] pose = new float[3];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Terrain terrain = world.terrain();
+            Chain chain = Chain.of(width, 0.1f * height, 0.5f * width, 0.2f * height, 0, 0.1f * height);
+            terrain.addChain(chain);
+            TerrainBody drum = terrain.addBody(0.5f * width, 0.5f * height, 0);
+            drum.addArc(0, 0, 0.2f * height, 0, 3, ArcSide.INNER);
+            drum.setAngularVelocity(2);
+            Rewind rewind = new Rewind(world, 3);
+            FixedStep loop = new FixedStep(world, scene.timeStep());
+            int[] frames = new int[1];
+            Runnable frame = () -> {
+                long segment = terrain.addSegment(0, 0.3f * height, 0.2f * width, 0.3f * height, 0.01f, 3);
+                terrain.setKind(segment, 1 + terrain.kindOf(segment));
+                rewind.save(frames[0]);
+                drum.setVelocity(0.01f * (frames[0]++ % 3 - 1), 0);
+                loop.advance(1.5f * scene.timeStep(), null);
+                rewind.restore(frames[0] - 1);
+                loop.reset();
+                drum.moveTo(0.5f * width, 0.5f * height, 1);
+                loop.advance(2.5f * scene.timeStep(), null);
+                consume(terrain.readPieces(pieces, handles) + loop.pieces(pieces, null));
+                loop.pose(drum, pose);
+                consume(drum.x() + drum.angle() + drum.vx() + terrain.size() + terrain.idLimit());
+                terrain.addSegments(ends, 0, added);
+                terrain.remove(added[0]);
+                terrain.remove(added[1]);
+                drum.addChain(chain, 5, added);
+                drum.teleport(0.5f * width, 0.5f * height, 0);
+                world.step(scene.timeStep());
+                terrain.remove(added[0]);
+                terrain.remove(added[1]);
+                terrain.remove(segment);
+                consume(terrain.contains(segment) ? 1 : world.hash());
+                consume(terrain.bodyOf(terrain.handle(0)) == terrain.ground() ? 1 : 0);
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
     void rewindingAllocatesNothingOnTheJvm() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         long[] handles = new long[scene.size()];

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.reference.ChainShape;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -88,6 +89,67 @@ public interface WorldCalls {
     void applyAngularImpulse(long handle, float impulse);
 
     int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale);
+
+    Terrain terrain();
+
+    default void setOneWay(int kind, boolean oneWay) {
+        kind(kind).setOneWay(oneWay);
+    }
+
+    default long addBody(float x, float y, float angle) {
+        return terrain().addBody(x, y, angle).handle();
+    }
+
+    /** A body; 0 is the ground. */
+    default TerrainBody body(long handle) {
+        return handle == 0 ? terrain().ground() : terrain().body(handle);
+    }
+
+    default long addSegment(long body, float x1, float y1, float x2, float y2, float thickness, int kind) {
+        return body(body).addSegment(x1, y1, x2, y2, thickness, kind);
+    }
+
+    default long addArc(long body, float x, float y, float radius, float from, float to, ArcSide side, int kind) {
+        return body(body).addArc(x, y, radius, from, to, side, kind);
+    }
+
+    /** Returns how many pieces it has; handles has room for them. */
+    default int addChain(long body, ChainShape shape, int kind, long[] handles) {
+        Chain chain = Chain.from(shape.x(), shape.y());
+        for (float[] way : shape.ways()) {
+            chain = way.length == 2 ? chain.lineTo(way[0], way[1]) : chain.arcTo(way[0], way[1], way[2]);
+        }
+        return body(body).addChain(shape.closed() ? chain.close() : chain, kind, handles);
+    }
+
+    default void removePiece(long piece) {
+        terrain().remove(piece);
+    }
+
+    default void setPieceKind(long piece, int kind) {
+        terrain().setKind(piece, kind);
+    }
+
+    default void clearTerrain() {
+        terrain().clear();
+    }
+
+    default void setBodyVelocity(long body, float vx, float vy, float angularVelocity) {
+        body(body).setVelocity(vx, vy);
+        body(body).setAngularVelocity(angularVelocity);
+    }
+
+    default void moveBodyTo(long body, float x, float y, float angle) {
+        body(body).moveTo(x, y, angle);
+    }
+
+    default void teleportBody(long body, float x, float y, float angle) {
+        body(body).teleport(x, y, angle);
+    }
+
+    default void removeBody(long body) {
+        body(body).remove();
+    }
 
     void applyImpulse(long handle, float x, float y);
 

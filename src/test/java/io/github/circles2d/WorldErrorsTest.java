@@ -180,13 +180,14 @@ class WorldErrorsTest {
     }
 
     @Test
-    void aWorldThatFindsTooLittleMemoryToTurnWaitsOn() {
+    void aWorldThatFindsTooLittleMemoryToTurnOrForTerrainWaitsOn() {
         List<Consumer<World>> turns = List.of(
                 each -> each.setAngularVelocity(1L << 32, 3),
                 each -> each.setFriction(1L << 32, 0.5f),
                 each -> each.applyTorque(1L << 32, 0.5f),
                 each -> each.kind(0).setFriction(0.5f),
-                each -> each.setWallSurface(Wall.MIN_Y, 0.5f, 0, 1));
+                each -> each.setWallSurface(Wall.MIN_Y, 0.5f, 0, 1),
+                each -> each.terrain().addSegment(0, 0, 1, 0));
         for (Consumer<World> turn : turns) {
             try (World world = world();
                     World same = world()) {

@@ -561,7 +561,7 @@ class WorldFuzzTest {
                         && Math.abs(events.y(i)) < 1e10f
                         && Math.abs(events.normalX(i)) < 1.001f
                         && Math.abs(events.normalY(i)) < 1.001f
-                        && (events.side(i) == null) == (events.b(i) != 0);
+                        && (events.side(i) == null && events.piece(i) == 0) == (events.b(i) != 0);
                 assertThat(sound).as("event %d", i).isTrue();
             }
         }

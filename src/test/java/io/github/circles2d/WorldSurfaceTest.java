@@ -2,7 +2,6 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.SurfaceRows.Row;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -12,25 +11,25 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Discs roll, slide, turn, bounce and lie as theory says, or, where it says nothing, at least as well as Box2D's. */
 class WorldSurfaceTest {
-    static List<Row> quick() {
+    static List<FigureRow> quick() {
         return Stream.concat(SurfaceRows.all().stream(), SurfaceCrowds.quick().stream())
                 .toList();
     }
 
-    static List<Row> slow() {
+    static List<FigureRow> slow() {
         return SurfaceCrowds.slow();
     }
 
     @ParameterizedTest
     @MethodSource("quick")
-    void everyFigureIsAsAsked(Row row) {
+    void everyFigureIsAsAsked(FigureRow row) {
         assertAll(row.figures().get());
     }
 
     @ParameterizedTest
     @MethodSource("slow")
     @Tag("exhaustive")
-    void everyFigureOfHeapsIsAsAsked(Row row) {
+    void everyFigureOfHeapsIsAsAsked(FigureRow row) {
         assertAll(row.figures().get());
     }
 
@@ -40,7 +39,7 @@ class WorldSurfaceTest {
         assertThat(SurfaceCrowds.speedInASmallHeap()).isLessThan(1e-3);
     }
 
-    private static void assertAll(List<SurfaceFigure> figures) {
-        assertThat(figures).isNotEmpty().allMatch(SurfaceFigure::holds);
+    private static void assertAll(List<RowFigure> figures) {
+        assertThat(figures).isNotEmpty().allMatch(RowFigure::holds);
     }
 }

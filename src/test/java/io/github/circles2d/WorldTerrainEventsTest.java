@@ -3,6 +3,8 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.circles2d.reference.Event;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -416,24 +418,91 @@ class WorldTerrainEventsTest {
     }
 
     @Test
+    void aRollbackNeitherRepeatsNorLosesEvents() {
+        try (World played = heapWorld();
+                World other = WorldScenes.jvm().build()) {
+            played.kind(GATE).setSensor(true);
+            played.report(ALL | Events.WALL);
+            other.report(ALL | Events.WALL);
+            Terrain ground = played.terrain();
+            TerrainBody spinner = ground.addBody(0, 3, 0);
+            spinner.addSegment(-4, 0, 4, 0, 0.2f, 0);
+            spinner.setAngularVelocity(3);
+            ground.addSegment(-10, 2, 10, 2, 0, GATE);
+            played.step(DT, 90);
+            int ofPieces = 0;
+            int late = 0;
+            for (int k = 0; k < 60; k++) {
+                played.step(DT);
+                played.events();
+                if (k % 4 == 0) {
+                    ground.remove(ground.handle(k % 3));
+                    float y = 1 + k % 7 * 0.1f;
+                    ground.addSegment(9 - k / 8f, y, -9 + k / 8f, y);
+                }
+                if (k % 5 == 0) {
+                    played.remove(played.handle(k));
+                }
+                ByteBuffer snapshot = ByteBuffer.allocate(played.snapshotBytes());
+                played.snapshot(snapshot);
+                played.step(DT, 3);
+                List<Event> expected = Event.of(played.events());
+                ofPieces += (int) expected.stream().filter(e -> e.piece() != 0).count();
+                late += (int) expected.stream()
+                        .filter(e -> e.piece() != 0 && !ground.contains(e.piece()))
+                        .count();
+                other.restore(snapshot.flip());
+                assertThat(other.events().size()).isZero();
+                other.step(DT, 3);
+                assertThat(Event.of(other.events())).isEqualTo(expected);
+                played.restore(snapshot.rewind());
+                played.step(DT, 3);
+                assertThat(Event.of(played.events())).isEqualTo(expected);
+                played.restore(snapshot.rewind());
+            }
+            assertThat(ofPieces).isGreaterThan(300);
+            assertThat(late).isGreaterThan(10);
+        }
+    }
+
+    @Test
+    void aWorldWithTerrainThatReportsNothingWritesNothingOfTouches() {
+        try (World heap = heapWorld()) {
+            heap.step(DT, 100);
+            int bytes = heap.snapshotBytes();
+            heap.report(ALL);
+            heap.step(DT);
+            assertThat(heap.snapshotBytes()).isGreaterThan(bytes);
+            heap.report(0);
+            heap.step(DT);
+            assertThat(heap.snapshotBytes()).isCloseTo(bytes, within(400));
+        }
+    }
+
+    @Test
     void reportingChangesNoBit() {
         float[] before = heapPositions(0);
         assertThat(heapPositions(ALL | Events.WALL)).isEqualTo(before);
     }
 
-    private static float[] heapPositions(int types) {
-        try (World heap = WorldScenes.jvm()
+    private static World heapWorld() {
+        World heap = WorldScenes.jvm()
                 .bounds(-20, -10, 20, 40)
                 .gravity(0, -10)
                 .restitution(0.5f)
-                .build()) {
-            heap.kind(0).setFriction(0.5f);
+                .build();
+        heap.kind(0).setFriction(0.5f);
+        heap.terrain().addChain(Chain.of(20, 0, 5, -3, -5, -3, -20, 0));
+        heap.terrain().addArc(0, 0, 2, 0, 3, ArcSide.OUTER);
+        for (int k = 0; k < 150; k++) {
+            heap.add(-9 + (k % 15) * 1.2f, 5 + (k / 15) * 1.2f, 0.5f, 1);
+        }
+        return heap;
+    }
+
+    private static float[] heapPositions(int types) {
+        try (World heap = heapWorld()) {
             heap.report(types);
-            heap.terrain().addChain(Chain.of(20, 0, 5, -3, -5, -3, -20, 0));
-            heap.terrain().addArc(0, 0, 2, 0, 3, ArcSide.OUTER);
-            for (int k = 0; k < 150; k++) {
-                heap.add(-9 + (k % 15) * 1.2f, 5 + (k / 15) * 1.2f, 0.5f, 1);
-            }
             heap.step(DT, 200);
             float[] circles = new float[4 * heap.size()];
             heap.read(circles);

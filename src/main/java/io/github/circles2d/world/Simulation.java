@@ -424,7 +424,7 @@ public final class Simulation implements AutoCloseable {
                 hold ? pipeline.candidatePairs() : 0,
                 hold ? pipeline.contacts() : 0,
                 hold ? pipeline.greatestContacts() : 0,
-                pipeline.bytesHeld() + events.bytes(),
+                pipeline.bytesHeld() + events.bytes() + terrain.bytes(),
                 Collections.unmodifiableMap(pipeline.stageMillis()),
                 pipeline.device());
     }

@@ -15,11 +15,11 @@ import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command lines of the sample games, which are those of the playground: their messages and exit codes. */
 class SamplesTest {
-    private static final Path LIBGDX = Path.of("samples/merge/target/lib");
-
     @TempDir
     Path classes;
 
@@ -56,33 +56,37 @@ class SamplesTest {
     }
 
     /** Where the launcher has built the game, so that libGDX is there. */
-    @Test
-    void mergeDoesTheSame() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"merge", "pinball"})
+    void gamesWithLibgdxDoTheSame(String game) throws IOException {
+        Path libgdx = Path.of("samples", game, "target/lib");
         assumeTrue(
-                Files.isDirectory(LIBGDX), "libGDX is not there: ./circles2d play merge --frames 1 would download it");
+                Files.isDirectory(libgdx),
+                "libGDX is not there: ./circles2d play " + game + " --frames 1 would download it");
         List<Path> jars;
-        try (Stream<Path> all = Files.list(LIBGDX)) {
+        try (Stream<Path> all = Files.list(libgdx)) {
             jars = all.filter(jar -> jar.getFileName().toString().matches("(gdx|lwjgl).*\\.jar"))
                     .toList();
         }
-        compile("merge", jars);
-        requireRefusals("merge", jars);
+        compile(game, jars);
+        requireRefusals(game, jars);
         ForkedJvm.Result result = jvm(jars)
                 .environment("DISPLAY", "")
                 .environment("WAYLAND_DISPLAY", "")
-                .run("com.example.merge.Main", "--backend", "jvm");
+                .run("com.example." + game + ".Main", "--backend", "jvm");
         assertThat(result.output())
-                .contains("merge: no window can be shown here: ")
-                .contains("merge: without a display, it plays by itself: --frames 300")
+                .contains(game + ": no window can be shown here: ")
+                .contains(game + ": without a display, it plays by itself: --frames 300")
                 .doesNotContain("Exception");
         assertThat(result.exitStatus()).isEqualTo(1);
     }
 
     @Test
-    void bothReadTheirCommandLinesAlike() throws IOException {
+    void allReadTheirCommandLinesAlike() throws IOException {
         String swarm = Files.readString(source("swarm").resolve("Options.java"));
-        assertThat(Files.readString(source("merge").resolve("Options.java")))
-                .isEqualTo(swarm.replace("swarm", "merge"));
+        for (String game : List.of("merge", "pinball")) {
+            assertThat(Files.readString(source(game).resolve("Options.java"))).isEqualTo(swarm.replace("swarm", game));
+        }
     }
 
     private void requireRefusals(String game, List<Path> jars) {

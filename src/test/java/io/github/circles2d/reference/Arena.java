@@ -50,6 +50,17 @@ record Arena(float[] min, float[] max, Edge[] edges) {
         return way;
     }
 
+    /** The short way of a difference of coordinates. */
+    double shortWay(int axis, double d) {
+        double half = 0.5 * period(axis);
+        return isWrapped(axis) && d > half ? d - period(axis) : isWrapped(axis) && d < -half ? d + period(axis) : d;
+    }
+
+    /** The periods between the bounds and a coordinate, as a length. */
+    double laps(int axis, double coordinate) {
+        return isWrapped(axis) ? Math.floor((coordinate - min[axis]) / period(axis)) * period(axis) : 0;
+    }
+
     /** The share of a path that leads no farther than an eighth of a period. */
     float share(float[] path) {
         float share = 1f;

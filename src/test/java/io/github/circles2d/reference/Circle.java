@@ -2,6 +2,9 @@ package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.dot;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /** A circle: its state, and what a step notes about it. Arrays hold a value for x and one for y. */
 final class Circle {
     static final float MARGIN = 0.025f;
@@ -52,6 +55,9 @@ final class Circle {
     float friction = Float.NaN;
 
     float rollingResistance = Float.NaN;
+
+    /** With the pieces that it was near to in the last step, in the order of their ids. */
+    final List<PieceContact> pieceContacts = new ArrayList<>();
 
     // within a step
     /** The base as the step begins. */

@@ -121,6 +121,11 @@ abstract class Constraint {
     /** The speed of the circles along the tangent. */
     abstract float tangentSpeed();
 
+    /** What the normal speed loses in a biased visit. */
+    float bend() {
+        return 0f;
+    }
+
     /** The speed of rolling. */
     abstract float rollingSpeed();
 
@@ -223,7 +228,7 @@ abstract class Constraint {
 
     private boolean visit(boolean biased) {
         along = tangentSpeed();
-        float vn = normalVelocity(this::velocityNow);
+        float vn = normalVelocity(this::velocityNow) - bend();
         boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
         if (flies && isImpactInFlight(vn)) {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;

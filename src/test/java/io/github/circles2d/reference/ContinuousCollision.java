@@ -175,7 +175,7 @@ final class ContinuousCollision {
         return timeOfTouch(d, u, radii - GRAZE * radii) < 1f ? timeOfTouch(d, u, radii) : 2f;
     }
 
-    private static float timeOfTouch(float[] d, float[] u, float radii) {
+    static float timeOfTouch(float[] d, float[] u, float radii) {
         float b = dot(d, u);
         float gap = dot(d, d) - radii * radii;
         float discriminant = b * b - dot(u, u) * gap;

@@ -4,13 +4,14 @@ import io.github.circles2d.Events;
 import java.util.ArrayList;
 import java.util.List;
 
-/** An event. The side is the number of the wall, or -1; a wall has the handle 0. */
+/** An event. The side is the number of the wall, or -1; a wall and a piece have the handle 0, and what is no piece has the piece 0. */
 public record Event(
         int step,
         int type,
         long a,
         long b,
         int side,
+        long piece,
         float speed,
         float slipSpeed,
         float impulse,
@@ -20,7 +21,7 @@ public record Event(
         float normalY) {
     /** The same in a step. */
     Event at(int number) {
-        return new Event(number, type, a, b, side, speed, slipSpeed, impulse, x, y, normalX, normalY);
+        return new Event(number, type, a, b, side, piece, speed, slipSpeed, impulse, x, y, normalX, normalY);
     }
 
     /** The events of a world. */
@@ -33,6 +34,7 @@ public record Event(
                     events.a(i),
                     events.b(i),
                     events.side(i) == null ? -1 : events.side(i).ordinal(),
+                    events.piece(i),
                     events.speed(i),
                     events.slipSpeed(i),
                     events.impulse(i),

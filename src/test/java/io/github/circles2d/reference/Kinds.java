@@ -44,6 +44,9 @@ final class Kinds {
     /** The number of a field: the bits of the damping of angular velocities. */
     static final int ANGULAR_DAMPING = 12;
 
+    /** The number of a field: 1 for terrain that circles pass from behind. */
+    static final int ONE_WAY = 13;
+
     private static final int KINDS = 256;
 
     private static final int[] AT_FIRST = atFirst();
@@ -63,7 +66,7 @@ final class Kinds {
 
     /** By the number of a field; there is no field 0. */
     private static int[] atFirst() {
-        int[] fields = new int[ANGULAR_DAMPING + 1];
+        int[] fields = new int[ONE_WAY + 1];
         fields[CATEGORY] = 1;
         fields[MASK] = -1;
         fields[RESTITUTION] = Float.floatToIntBits(Float.NaN);
@@ -115,14 +118,19 @@ final class Kinds {
         if (a.isStatic() && b.isStatic() || a.group != 0 && a.group == b.group) {
             return Response.IGNORE;
         }
-        Response response = matrix.getOrDefault(pair(a.kind, b.kind), Response.BY_MASK);
+        return response(a.kind, b.kind);
+    }
+
+    /** What a circle and a piece of two kinds do to each other, and two circles unless more is known of them. */
+    Response response(int a, int b) {
+        Response response = matrix.getOrDefault(pair(a, b), Response.BY_MASK);
         if (response != Response.BY_MASK) {
             return response;
         }
-        if (!accepts(a.kind, b.kind) || !accepts(b.kind, a.kind)) {
+        if (!accepts(a, b) || !accepts(b, a)) {
             return Response.IGNORE;
         }
-        return switch (get(a.kind, SENSOR) + get(b.kind, SENSOR)) {
+        return switch (get(a, SENSOR) + get(b, SENSOR)) {
             case 0 -> Response.SOLID;
             case 1 -> Response.SENSE;
             default -> Response.IGNORE;

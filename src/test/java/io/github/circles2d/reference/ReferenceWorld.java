@@ -1,10 +1,12 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.ArcSide;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Inertia;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
+import io.github.circles2d.Terrain;
 import io.github.circles2d.Wall;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
@@ -57,6 +59,7 @@ public final class ReferenceWorld implements WorldCalls {
     private final Map<Contact.Pair, Impulses> impulseCache = new HashMap<>();
 
     private final Kinds kinds = new Kinds();
+    private final ReferenceTerrain terrain = new ReferenceTerrain();
     private final TouchEvents events = new TouchEvents();
     private Arena arena = new Arena(new float[] {0f, 0f}, new float[] {1f, 1f}, new Edge[] {Edge.WALL, Edge.WALL});
     private float[] min = arena.lowerWalls();
@@ -137,8 +140,9 @@ public final class ReferenceWorld implements WorldCalls {
                 c.appliedTorque = 0f;
             }
             circles.forEach(c -> c.start = c.base.clone());
+            terrain.begin(parameters(dt));
             if (!circles.isEmpty()) {
-                Step step = new Step(circles, parameters(dt), kinds);
+                Step step = new Step(circles, terrain, parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
@@ -146,6 +150,7 @@ public final class ReferenceWorld implements WorldCalls {
             for (int i = 0; i < velocities.length; i++) {
                 circles.get(i).arrive(velocities[i]);
             }
+            terrain.end(arena);
             previousDt = dt;
             startMin = min;
             startMax = max;
@@ -194,6 +199,7 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     private void forgetImpulses(Circle c) {
+        c.pieceContacts.clear();
         c.wallImpulse[0] = 0f;
         c.wallImpulse[1] = 0f;
         Arrays.fill(c.wallFriction, 0f);
@@ -243,6 +249,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void teleport(long handle, float x, float y) {
         find(handle).target = null;
+        find(handle).pieceContacts.clear();
         find(handle).place(0, arena.inside(0, x));
         find(handle).place(1, arena.inside(1, y));
     }
@@ -372,6 +379,82 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setKindRestitution(int kind, float e) {
         kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
+    }
+
+    @Override
+    public Terrain terrain() {
+        throw new UnsupportedOperationException("terrain belongs to a World");
+    }
+
+    @Override
+    public void setOneWay(int kind, boolean oneWay) {
+        kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0);
+    }
+
+    @Override
+    public long addBody(float x, float y, float angle) {
+        return terrain.addBody(arena.inside(0, x), arena.inside(1, y), angle);
+    }
+
+    @Override
+    public long addSegment(long body, float x1, float y1, float x2, float y2, float thickness, int kind) {
+        return terrain.addSegment(terrain.body(body), x1, y1, x2, y2, thickness, kind);
+    }
+
+    @Override
+    public long addArc(long body, float x, float y, float radius, float from, float to, ArcSide side, int kind) {
+        return terrain.addArc(terrain.body(body), x, y, radius, from, to, side == ArcSide.INNER, kind);
+    }
+
+    @Override
+    public int addChain(long body, ChainShape shape, int kind, long[] handles) {
+        List<Long> chain = terrain.addChain(terrain.body(body), shape, kind);
+        for (int k = 0; k < chain.size(); k++) {
+            handles[k] = chain.get(k);
+        }
+        return chain.size();
+    }
+
+    @Override
+    public void removePiece(long piece) {
+        events.removed(terrain.piece(piece));
+        terrain.remove(terrain.piece(piece));
+    }
+
+    @Override
+    public void setPieceKind(long piece, int kind) {
+        terrain.piece(piece).kind = kind;
+    }
+
+    @Override
+    public void clearTerrain() {
+        terrain.pieces().forEach(events::removed);
+        terrain.clear();
+    }
+
+    @Override
+    public void setBodyVelocity(long body, float vx, float vy, float angularVelocity) {
+        terrain.body(body).velocity[0] = vx + 0f;
+        terrain.body(body).velocity[1] = vy + 0f;
+        terrain.body(body).omega = angularVelocity + 0f;
+    }
+
+    @Override
+    public void moveBodyTo(long body, float x, float y, float angle) {
+        terrain.body(body).target = new float[] {arena.inside(0, x), arena.inside(1, y)};
+        terrain.body(body).targetAngle = (int) Angles.units(angle);
+    }
+
+    @Override
+    public void teleportBody(long body, float x, float y, float angle) {
+        terrain.teleport(terrain.body(body), arena.inside(0, x), arena.inside(1, y), angle);
+    }
+
+    @Override
+    public void removeBody(long body) {
+        Body removed = terrain.body(body);
+        terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
+        terrain.removeBody(removed);
     }
 
     @Override
@@ -620,7 +703,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash() + arena.hash() + surfaces.hash();
+        sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash();
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
@@ -628,7 +711,7 @@ public final class ReferenceWorld implements WorldCalls {
                 sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));
                 sum += hashOfField(APPLIED_FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.appliedForce[a]));
             }
-            sum += hashOfTurning(c);
+            sum += hashOfTurning(c) + terrain.hashOfContacts(c);
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);

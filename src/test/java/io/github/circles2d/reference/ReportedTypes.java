@@ -53,8 +53,8 @@ final class ReportedTypes {
         return ofWalls ? walls : all;
     }
 
-    int of(Circle a, Circle b) {
-        return ofPair.getOrDefault(pair(a.kind, b.kind), all);
+    int of(int kindA, int kindB) {
+        return ofPair.getOrDefault(pair(kindA, kindB), all);
     }
 
     int ofWalls(Circle c) {

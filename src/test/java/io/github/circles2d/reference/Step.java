@@ -16,6 +16,7 @@ final class Step {
     private static final int CROWD = 60;
 
     private final List<Circle> circles;
+    private final ReferenceTerrain terrain;
     private final StepParameters k;
     private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
@@ -24,8 +25,9 @@ final class Step {
     private final List<Contact> crossContacts = new ArrayList<>();
 
     /** Circles are in the order of their ids. */
-    Step(List<Circle> circles, StepParameters k, Kinds kinds) {
+    Step(List<Circle> circles, ReferenceTerrain terrain, StepParameters k, Kinds kinds) {
         this.circles = circles;
+        this.terrain = terrain;
         this.k = k;
         this.kinds = kinds;
     }
@@ -37,6 +39,7 @@ final class Step {
         circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
         circles.forEach(this::planMotion);
         new ContinuousCollision(circles, grid, k, kinds).clampMotion();
+        circles.stream().filter(c -> !c.isStatic()).forEach(c -> terrain.findContacts(c, kinds, k));
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
@@ -181,6 +184,7 @@ final class Step {
 
     private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
+        c.loaded |= c.pieceContacts.stream().anyMatch(contact -> contact.normalImpulse > 0f);
         float[] gained = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
@@ -212,9 +216,13 @@ final class Step {
             float slip = c.walls[a].slipOf(c.velocityBeforeImpulses, c.turn.speedBeforeImpulses);
             c.walls[a].look(c.velocityBeforeImpulses[a], gained[a], slip);
         }
+        PieceContact.measure(c.pieceContacts, subStep);
+        c.pieceContacts.forEach(PieceContact::warmStart);
+        c.pieceContacts.stream().filter(PieceContact::acts).forEach(contact -> contact.solve(subStep));
     }
 
     private void integratePositions(Circle c, int subStep) {
+        float[] from = c.displacement.clone();
         float[] to = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocity[a] = limitSpeed(c.velocity[a]);
@@ -235,6 +243,7 @@ final class Step {
                 c.velocity[a] = 0f;
             }
         }
+        PieceContact.move(c, from, subStep);
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
             float before = c.velocity[a];
             float slip = c.walls[a].slipOf(c.velocity, c.turn.speed);
@@ -243,6 +252,7 @@ final class Step {
             c.walls[a].storeImpulse();
             c.walls[a].look(before, c.velocity[a] - before, slip);
         }
+        c.pieceContacts.stream().filter(PieceContact::acts).forEach(contact -> contact.relax(subStep + 1));
         clearImpulses(c);
     }
 

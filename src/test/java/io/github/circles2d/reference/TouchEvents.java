@@ -15,8 +15,12 @@ final class TouchEvents {
     private static final float LEFT = 1f / 64f;
     private static final int NO_SIDE = -1;
 
-    /** Two circles, the one of lower id first, or a circle, null and the number of a wall. */
-    private record Key(Circle lower, Circle higher, int side) {
+    /** Two circles, the one of lower id first, or a circle, null, and the number of a wall or a piece of terrain. */
+    private record Key(Circle lower, Circle higher, int side, Piece piece) {
+        static Key of(Circle lower, Circle higher) {
+            return new Key(lower, higher, NO_SIDE, null);
+        }
+
         boolean has(Circle c) {
             return lower == c || higher == c;
         }
@@ -28,13 +32,19 @@ final class TouchEvents {
         long b() {
             return higher == null ? 0 : higher.handle;
         }
+
+        long pieceHandle() {
+            return piece == null ? 0 : piece.handle;
+        }
     }
 
     private record Ranked(int rank, Event event) {}
 
     private static final Comparator<Ranked> ORDER = Comparator.comparingInt((Ranked r) -> (int) r.event.a())
+            .thenComparingInt(r -> r.event.piece() == 0 ? 0 : 1)
             .thenComparingInt(r -> r.event.side())
             .thenComparingInt(r -> (int) r.event.b())
+            .thenComparingInt(r -> (int) r.event.piece())
             .thenComparingInt(Ranked::rank);
 
     private final ReportedTypes types = new ReportedTypes();
@@ -75,7 +85,10 @@ final class TouchEvents {
     }
 
     private int typesOf(Key key) {
-        return key.higher == null ? types.ofWalls(key.lower) : types.of(key.lower, key.higher);
+        if (key.piece != null) {
+            return types.of(key.lower.kind, key.piece.kind);
+        }
+        return key.higher == null ? types.ofWalls(key.lower) : types.of(key.lower.kind, key.higher.kind);
     }
 
     /** Lists the pairs of two kinds that touch. */
@@ -122,6 +135,10 @@ final class TouchEvents {
         end(key -> key.has(c), 0);
     }
 
+    void removed(Piece piece) {
+        end(key -> key.piece == piece, 0);
+    }
+
     private void end(Predicate<Key> ends, int firstRank) {
         for (Key key : List.copyOf(touching.keySet())) {
             if (ends.test(key)) {
@@ -139,13 +156,14 @@ final class TouchEvents {
             return;
         }
         Event event = t == null
-                ? new Event(0, type, key.a(), key.b(), key.side, 0f, 0f, 0f, 0f, 0f, 0f, 0f)
+                ? new Event(0, type, key.a(), key.b(), key.side, key.pieceHandle(), 0f, 0f, 0f, 0f, 0f, 0f, 0f)
                 : new Event(
                         0,
                         type,
                         key.a(),
                         key.b(),
                         key.side,
+                        key.pieceHandle(),
                         t.speed(),
                         t.slip,
                         t.impulse,
@@ -163,22 +181,30 @@ final class TouchEvents {
         }
         Map<Key, Touch> now = new HashMap<>();
         for (Contact c : contacts) {
-            now.put(new Key(c.lower, c.higher, NO_SIDE), c.touch);
+            now.put(Key.of(c.lower, c.higher), c.touch);
         }
         for (Circle c : circles) {
             for (int a = 0; a < 2 && !c.isStatic(); a++) {
                 if (arena.edges()[a] != Edge.WALL) {
                     continue;
                 }
-                c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c, null, side), t));
+                c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c, null, side, null), t));
             }
         }
         for (int i = 0; i < circles.size(); i++) {
             Circle lower = circles.get(i);
             for (Circle higher : circles.subList(i + 1, circles.size())) {
-                boolean isReported = (types.of(lower, higher) & (Events.BEGIN | Events.END)) != 0;
+                boolean isReported = (types.of(lower.kind, higher.kind) & (Events.BEGIN | Events.END)) != 0;
                 if (isReported && kinds.response(lower, higher) == Response.SENSE) {
-                    now.put(new Key(lower, higher, NO_SIDE), Sensing.touch(lower, higher, dt));
+                    now.put(Key.of(lower, higher), Sensing.touch(lower, higher, dt));
+                }
+            }
+        }
+        for (Circle c : circles) {
+            for (PieceContact contact : c.isStatic() ? List.<PieceContact>of() : c.pieceContacts) {
+                Touch touch = contact.touchAfterStep();
+                if (touch != null) {
+                    now.put(new Key(c, null, NO_SIDE, contact.piece), touch);
                 }
             }
         }

@@ -35,9 +35,8 @@ final class Turn {
     private float turned;
 
     Turn(Circle c, Kinds kinds, Surfaces surfaces, float h) {
-        friction = first(c.friction, kinds.getFloat(c.kind, Kinds.FRICTION), surfaces.friction());
-        rollingResistance = first(
-                c.rollingResistance, kinds.getFloat(c.kind, Kinds.ROLLING_RESISTANCE), surfaces.rollingResistance());
+        friction = friction(c.friction, c.kind, kinds, surfaces);
+        rollingResistance = rollingResistance(c.rollingResistance, c.kind, kinds, surfaces);
         belt = kinds.getFloat(c.kind, Kinds.BELT_SPEED);
         inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
         radius = c.radius;
@@ -45,6 +44,14 @@ final class Turn {
         gain = c.actingTorque == 0f ? 0f : limitSpeed(c.actingTorque / radius * inverseInertia * h);
         speedAtFirst = c.angularVelocity * radius;
         speed = speedAtFirst;
+    }
+
+    static float friction(float own, int kind, Kinds kinds, Surfaces surfaces) {
+        return first(own, kinds.getFloat(kind, Kinds.FRICTION), surfaces.friction());
+    }
+
+    static float rollingResistance(float own, int kind, Kinds kinds, Surfaces surfaces) {
+        return first(own, kinds.getFloat(kind, Kinds.ROLLING_RESISTANCE), surfaces.rollingResistance());
     }
 
     /** The first that is a number. */

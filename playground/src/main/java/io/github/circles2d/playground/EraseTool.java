@@ -3,7 +3,7 @@ package io.github.circles2d.playground;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.World;
 
-/** Removes the circles that the way of the mouse touches. */
+/** Removes the circles and the pieces of terrain that the way of the mouse touches. */
 final class EraseTool implements Tool {
     private static final float REACH = 3;
 
@@ -38,6 +38,10 @@ final class EraseTool implements Tool {
             world.queries().overlapCircle(x, y, reach, found);
         }
         world.removeAll(found, count, StaleHandles.REFUSE);
+        int pieces = Math.min(world.queries().terrain().overlapCircle(x, y, reach, found), found.length);
+        for (int k = 0; k < pieces; k++) {
+            world.terrain().remove(found[k]);
+        }
     }
 
     @Override

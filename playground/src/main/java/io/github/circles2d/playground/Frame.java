@@ -23,6 +23,12 @@ final class Frame {
     /** Radians to the left; NaN for a circle without a mark of how it has turned. */
     float[] angle = new float[0];
 
+    /** Pieces of terrain, as {@link io.github.circles2d.Terrain#readPieces} gives them, and their colours. */
+    int pieces;
+
+    float[] piece = new float[0];
+    int[] pieceColour = new int[0];
+
     String stage = "";
     Backend backend = Backend.JVM;
     String device = "";
@@ -50,6 +56,15 @@ final class Frame {
 
     /** How many circles of no mass that is infinite there are. */
     int movable;
+
+    /** Makes room for so many pieces, of so many elements each. */
+    void ensurePieces(int count, int stride) {
+        if (pieceColour.length < count) {
+            int room = count + (count >> 1);
+            piece = new float[room * stride];
+            pieceColour = new int[room];
+        }
+    }
 
     /** Makes room for so many circles. */
     void ensure(int count) {

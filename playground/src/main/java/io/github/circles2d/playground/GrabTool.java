@@ -1,10 +1,11 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
 import java.util.List;
 
-/** A spring from the place where a circle was picked to the mouse. A static circle is moved along with the mouse. */
+/** A spring from the place where a circle was picked to the mouse. A static circle and a body of terrain are moved along with the mouse. */
 final class GrabTool implements Tool {
     /** How many radii beside a circle a click may be. */
     private static final float NEAR = 2;
@@ -15,7 +16,14 @@ final class GrabTool implements Tool {
     /** A mouse farther away than this part of the arena pulls no harder. */
     private static final double LONGEST = 0.25;
 
+    /** Radians of a notch of the wheel, and how far a body turns in a step. */
+    private static final float NOTCH = (float) Math.toRadians(15);
+
+    private static final float TURN = 0.04f;
+
     private long held;
+    private TerrainBody body;
+    private float bodyAngle;
     private float offsetX;
     private float offsetY;
     private float mouseX;
@@ -25,8 +33,18 @@ final class GrabTool implements Tool {
     public void press(Sandbox sandbox, float x, float y, float brush) {
         World world = sandbox.world();
         long[] found = {world.queries().pick(x, y)};
-        if (found[0] == 0) {
-            world.queries().nearest(x, y, NEAR * sandbox.grain().radius(), 1, found, null);
+        float near = NEAR * sandbox.grain().radius();
+        long piece = found[0] == 0 ? world.queries().terrain().pick(x, y, near) : 0;
+        body = piece == 0 ? null : world.terrain().bodyOf(piece);
+        if (body == world.terrain().ground()) {
+            body = null; // it does not move
+        }
+        if (body != null) {
+            offsetX = x - body.x();
+            offsetY = y - body.y();
+            bodyAngle = body.angle();
+        } else if (found[0] == 0) {
+            world.queries().nearest(x, y, near, 1, found, null);
         }
         held = found[0];
         if (held != 0) {
@@ -45,6 +63,16 @@ final class GrabTool implements Tool {
     @Override
     public void release(Sandbox sandbox) {
         held = 0;
+        body = null;
+    }
+
+    /** Turns the body that is held by notches of the wheel; false if none is. */
+    boolean turn(int notches) {
+        if (!holdsBody()) {
+            return false;
+        }
+        bodyAngle += notches * NOTCH;
+        return true;
     }
 
     /** The circle that is held; 0 if there is none. */
@@ -55,6 +83,9 @@ final class GrabTool implements Tool {
     @Override
     public void beforeStep(Sandbox sandbox) {
         World world = sandbox.world();
+        if (holdsBody()) {
+            moveBody(sandbox.grain().radius());
+        }
         if (!holds(world)) {
             return;
         }
@@ -72,6 +103,20 @@ final class GrabTool implements Tool {
         double ax = omega * omega * dx * cut - 2 * omega * world.vx(held) - world.gravityX();
         double ay = omega * omega * dy * cut - 2 * omega * world.vy(held) - world.gravityY();
         world.applyForce(held, force(mass * ax), force(mass * ay));
+    }
+
+    /** Not farther in a step than by a radius. */
+    private void moveBody(float most) {
+        double dx = (double) mouseX - offsetX - body.x();
+        double dy = (double) mouseY - offsetY - body.y();
+        double part = Math.min(1, most / Math.max(Math.hypot(dx, dy), 1e-30));
+        double turn = Math.IEEEremainder((double) bodyAngle - body.angle(), 2 * Math.PI);
+        body.moveTo((float) (body.x() + dx * part), (float) (body.y() + dy * part), (float)
+                (body.angle() + Math.min(Math.max(turn, -TURN), TURN)));
+    }
+
+    private boolean holdsBody() {
+        return body != null && body.exists(); // a world that goes back in time may lose it
     }
 
     /** Not farther in a step than by a radius, so that it pushes a crowd and does not fly through it. */
@@ -96,6 +141,10 @@ final class GrabTool implements Tool {
     @Override
     public void mark(Sandbox sandbox, List<Mark> marks) {
         World world = sandbox.world();
+        if (holdsBody()) {
+            marks.add(Mark.ring(body.x(), body.y(), sandbox.grain().radius(), 1));
+            marks.add(Mark.line(body.x(), body.y(), mouseX, mouseY));
+        }
         if (holds(world)) {
             FloatBuffer shown = sandbox.loop().positions(null); // between two steps, as the circle is drawn
             int at = 2 * World.id(held);

@@ -26,6 +26,9 @@ final class Hand {
         tools.put(ToolKind.EXPLODE, new ExplodeTool());
         tools.put(ToolKind.WALL, new WallTool());
         tools.put(ToolKind.ERASE, new EraseTool());
+        tools.put(ToolKind.LINE, new ShapeTool(ShapeTool.LINE));
+        tools.put(ToolKind.ARC, new ShapeTool(ShapeTool.ARC));
+        tools.put(ToolKind.CHAIN, new ChainTool());
     }
 
     ToolKind kind() {
@@ -89,7 +92,11 @@ final class Hand {
         pour(sandbox, false);
     }
 
+    /** Scales the brush, or turns the terrain that is held. */
     void scaleBrush(int notches) {
+        if (((GrabTool) tools.get(ToolKind.GRAB)).turn(notches)) {
+            return;
+        }
         brush = (float) Math.min(Math.max(brush * Math.pow(STRONGER, notches), LEAST), GREATEST);
     }
 

@@ -9,8 +9,9 @@ final class Help {
     /** What to press, and what it does. An empty line begins the second column. */
     static final String[][] LINES = {
         {"1 to 5", "grab, pour, explode, draw, erase"},
+        {"6 to 8", "draw a line, an arc, a chain"},
         {"left button", "use the tool"},
-        {"[ ]  shift + wheel", "smaller or larger brush"},
+        {"[ ]  shift + wheel", "brush size; turns held terrain"},
         {"F (held)", "pour at the mouse"},
         {"X", "explode at the mouse"},
         {"wheel", "zoom"},

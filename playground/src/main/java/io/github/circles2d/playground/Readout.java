@@ -1,5 +1,7 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.Kind;
+import io.github.circles2d.Terrain;
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -50,6 +52,7 @@ final class Readout {
         } else {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
+        readPieces(frame, sandbox);
         measure(world, ids);
         frame.energy = energy;
     }
@@ -76,6 +79,17 @@ final class Readout {
         }
         frame.circles = count;
         frame.movable = movable;
+    }
+
+    private static void readPieces(Frame frame, Sandbox sandbox) {
+        World world = sandbox.world();
+        Terrain terrain = world.terrain();
+        frame.ensurePieces(terrain.size(), Terrain.PIECE_STRIDE);
+        frame.pieces = sandbox.loop().pieces(frame.piece, null);
+        for (int k = 0; k < frame.pieces; k++) {
+            Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + 1]);
+            frame.pieceColour[k] = kind.beltSpeed() != 0 ? Theme.BELT : kind.isOneWay() ? Theme.ONE_WAY : Theme.STATIC;
+        }
     }
 
     /** Whether a circle turns or has turned. */

@@ -1,5 +1,8 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.ArcSide;
+import io.github.circles2d.Chain;
+import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scenes;
@@ -13,7 +16,7 @@ final class Stages {
     private static final float FIXED = Float.POSITIVE_INFINITY;
     private static final float GRAVITY = 60;
 
-    // Kinds of static circles.
+    // Kinds of terrain and static circles.
     private static final int BELT = 1;
     private static final int ROLLER = 2;
     private static final int ICE = 3;
@@ -25,6 +28,7 @@ final class Stages {
             own("marbles", Stages::marbles),
             own("crowd", Stages::crowd),
             own("slopes-and-belts", builder -> builder.friction(0.6f).rollingResistance(0.01f), Stages::slopesAndBelts),
+            own("drum", builder -> builder.friction(0.5f), Stages::drum),
             own("empty", world -> {}),
             Stage.of("thesis", () -> Scenes.thesis(Scenes.THESIS_SIZE, Scenes.SEED)),
             Stage.of("packed", () -> Scenes.packed(10_000, Scenes.SEED)),
@@ -72,29 +76,27 @@ final class Stages {
 
     /** A pile between two ramps, and a basin. */
     private static void sandbox(World world) {
-        line(world, 4, 72, 62, 52, 0.8f);
-        line(world, 156, 60, 92, 40, 0.8f);
-        arc(world, 62, 22, 24, 200, 340, 0.8f);
+        wall(world, 4, 72, 62, 52);
+        wall(world, 156, 60, 92, 40);
+        world.terrain().addBody(62, 24.8f, 0).addChain(basin(24, 0.8f, 200, 340));
         heap(world, 6, 76, 56, 98, 0.7f, 1.1f, 2);
         heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3);
-        world.add(62, 7, 5, 60);
+        world.add(62, 9, 5, 60);
         world.add(120, 8, 7, 110);
     }
 
-    /** Sand that runs through a neck. */
+    /** Sand that runs through a neck. Whoever holds the glass can turn it over. */
     private static void hourglass(World world) {
-        line(world, 36, 97, 36, 84, 0.8f);
-        line(world, 124, 97, 124, 84, 0.8f);
-        line(world, 36, 84, 76, 52, 0.8f);
-        line(world, 124, 84, 84, 52, 0.8f);
-        line(world, 76, 52, 76, 48, 0.8f);
-        line(world, 84, 52, 84, 48, 0.8f);
-        line(world, 76, 48, 36, 16, 0.8f);
-        line(world, 84, 48, 124, 16, 0.8f);
-        line(world, 36, 16, 36, 1, 0.8f);
-        line(world, 124, 16, 124, 1, 0.8f);
-        heap(world, 40, 85, 120, 98, 0.5f, 0.7f, 5);
-        heap(world, 58, 71, 102, 84, 0.5f, 0.7f, 6);
+        Chain glass = Chain.from(-30, 38).lineTo(30, 38).lineTo(30, 32); // clockwise: the sand is inside
+        glass.lineTo(3.532f, 2.682f).arcTo(6.5f, 0, 1.469f).lineTo(30, -32).lineTo(30, -38);
+        glass.lineTo(-30, -38).lineTo(-30, -32);
+        glass.lineTo(-3.532f, -2.682f).arcTo(-6.5f, 0, 1.469f).lineTo(-30, 32).close();
+        world.terrain().addBody(80, 50, 0).addChain(glass);
+        for (int row = 0; row < 22; row++) {
+            float y = 56 + 1.41f * row;
+            float half = Math.min(30, 4 + 26 * (y - 52) / 30) - 1;
+            heap(world, 80 - half, y, 80 + half, y + 1.41f, 0.5f, 0.7f, 5 + row);
+        }
     }
 
     /** A board of nails, above bins. */
@@ -108,7 +110,7 @@ final class Stages {
             }
         }
         for (int wall = 1; wall < 14; wall++) {
-            line(world, 160f * wall / 14, 1, 160f * wall / 14, 22, 0.5f);
+            world.terrain().addSegment(160f * wall / 14, 0, 160f * wall / 14, 22, 0.5f, 0);
         }
         heap(world, 40, 80, 120, 98, 0.7f, 0.9f, 7);
     }
@@ -131,16 +133,33 @@ final class Stages {
         world.kind(ROLLER).setFriction(1);
         world.kind(ICE).setFriction(0);
         world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);
-        line(world, 2, 82, 52, 66, 0.8f);
-        line(world, 54, 62, 112, 72, 0.8f, BELT);
+        wall(world, 2, 82, 52, 66);
+        wall(world, 54, 62, 112, 72, BELT);
         for (int k = 0; k < 7; k++) {
             long roller = world.add(150 - 7.5f * k, 56 - 0.7f * k, 3.2f, FIXED, 0, 0, ROLLER);
             world.setAngularVelocity(roller, 6);
         }
-        line(world, 98, 46, 52, 28, 0.8f, ICE);
-        line(world, 156, 66, 156, 58, 0.8f);
+        wall(world, 98, 46, 52, 28, ICE);
+        wall(world, 156, 66, 156, 58);
         heap(world, 4, 84, 48, 99, 1, 1.6f, 10);
         heap(world, 20, 2, 140, 12, 1, 1.6f, 11);
+    }
+
+    /** A drum with paddles that turns, half full. */
+    private static void drum(World world) {
+        TerrainBody drum = world.terrain().addBody(80, 50, 0);
+        drum.addArc(0, 0, 46, 0, 2 * (float) Math.PI, ArcSide.INNER);
+        for (int k = 0; k < 8; k++) {
+            float x = (float) StrictMath.cos(k * Math.PI / 4);
+            float y = (float) StrictMath.sin(k * Math.PI / 4);
+            drum.addSegment(46 * x, 46 * y, 37 * x, 37 * y, 0.6f, 0);
+        }
+        drum.setAngularVelocity(0.5f);
+        for (int row = 0; row < 20; row++) {
+            float y = 16 + 2.4f * row;
+            float half = (float) Math.sqrt(34 * 34 - (y - 50) * (y - 50)) - 2;
+            heap(world, 80 - half, y, 80 + half, y + 2.4f, 0.8f, 1.1f, 20 + row);
+        }
     }
 
     /** Ten thousand. */
@@ -162,27 +181,28 @@ final class Stages {
         }
     }
 
-    /** Static circles, one beside the other. */
-    private static void line(World world, float x, float y, float toX, float toY, float radius) {
-        line(world, x, y, toX, toY, radius, 0);
+    /** A thick segment, which can be moved and turned around its middle. */
+    private static void wall(World world, float x, float y, float toX, float toY) {
+        wall(world, x, y, toX, toY, 0);
     }
 
-    private static void line(World world, float x, float y, float toX, float toY, float radius, int kind) {
-        double length = Math.hypot(toX - x, toY - y);
-        int parts = (int) Math.ceil(length / (1.2 * radius));
-        for (int k = 0; k <= parts; k++) {
-            float share = (float) k / parts;
-            world.add(x + (toX - x) * share, y + (toY - y) * share, radius, FIXED, 0, 0, kind);
-        }
+    private static void wall(World world, float x, float y, float toX, float toY, int kind) {
+        float halfX = (toX - x) / 2;
+        float halfY = (toY - y) / 2;
+        world.terrain().addBody(x + halfX, y + halfY, 0).addSegment(-halfX, -halfY, halfX, halfY, 0.8f, kind);
     }
 
-    private static void arc(World world, float x, float y, float r, int from, int to, float radius) {
-        int parts = (int) Math.ceil(Math.toRadians(to - from) * r / (1.2 * radius));
-        for (int k = 0; k <= parts; k++) {
-            double angle = StrictMath.toRadians(from + (double) (to - from) * k / parts);
-            float px = x + (float) (r * StrictMath.cos(angle));
-            float py = y + (float) (r * StrictMath.sin(angle));
-            world.add(px, Math.max(py, radius), radius, FIXED);
-        }
+    /** A part of a ring, with round ends: anticlockwise along the outer arc, and back along the inner one. */
+    private static Chain basin(float radius, float thickness, int fromDegrees, int toDegrees) {
+        double from = Math.toRadians(fromDegrees);
+        double to = Math.toRadians(toDegrees);
+        float outer = radius + thickness;
+        float half = (float) Math.PI;
+        return Chain.from(outer * (float) StrictMath.cos(from), outer * (float) StrictMath.sin(from))
+                .arcTo(0, 0, (float) (to - from))
+                .arcTo(radius * (float) StrictMath.cos(to), radius * (float) StrictMath.sin(to), half)
+                .arcTo(0, 0, (float) (from - to))
+                .arcTo(radius * (float) StrictMath.cos(from), radius * (float) StrictMath.sin(from), half)
+                .close();
     }
 }

@@ -14,11 +14,14 @@ final class Theme {
     /** The walls of the arena. */
     static final int WALL = 0x3b4756;
 
-    /** Static circles, and their rims. */
+    /** Static circles, their rims, and terrain. */
     static final int STATIC = 0x5a6878;
 
-    /** Static circles whose surfaces move. */
+    /** Static circles and terrain whose surfaces move. */
     static final int BELT = 0x8a6a3a;
+
+    /** Terrain that circles pass from behind. */
+    static final int ONE_WAY = 0x2f7f9f;
 
     static final Color PANEL = new Color(0x10, 0x15, 0x1c, 215);
     static final Color BAR = new Color(0x171d26);

@@ -5,8 +5,11 @@ enum ToolKind {
     GRAB("Grab", "pull a circle and throw it"),
     POUR("Pour", "a stream of circles"),
     EXPLODE("Explode", "push away what is near"),
-    WALL("Draw", "a line of static circles"),
-    ERASE("Erase", "remove circles");
+    WALL("Draw", "a wall along the way of the mouse"),
+    ERASE("Erase", "remove circles and terrain"),
+    LINE("Line", "a straight wall"),
+    ARC("Arc", "half a pipe: to the right a bowl, to the left a roof"),
+    CHAIN("Chain", "ground that is smooth: drawn to the left it carries circles");
 
     private final String label;
     private final String purpose;

@@ -53,7 +53,7 @@ class PlaygroundWindowTest {
                         "another back end comes: true",
                         "with the same hash: true",
                         "and goes on: true",
-                        "a line of circles is drawn: true",
+                        "a wall is drawn: true",
                         "and erased: true",
                         "nothing turns at first: true",
                         "a slider sets friction: true",

@@ -1,8 +1,10 @@
 package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -95,6 +97,7 @@ class ToolsTest {
             assertThat(poured).isGreaterThan(1);
             Tool wall = new WallTool();
             wall.press(small, 0.25f, 0.5f, 0.25f);
+            wall.release(small);
             assertThat(small.world().size()).isEqualTo(poured + 1);
             float[] circles = new float[4 * (poured + 1)];
             small.world().read(circles);
@@ -163,7 +166,9 @@ class ToolsTest {
         wall.drag(sandbox, 100, 53);
         wall.drag(sandbox, 140, 50);
         wall.drag(sandbox, 200, 50);
-        assertThat(world().size()).isGreaterThan(100);
+        wall.release(sandbox);
+        assertThat(world().terrain().size()).isEqualTo(3);
+        assertThat(world().size()).as("a click alone gives a circle").isZero();
         long[] balls = new long[12];
         for (int k = 0; k < balls.length; k++) {
             balls[k] = world().add(30 + 8 * k, 80, 0.6f, 1);
@@ -175,7 +180,66 @@ class ToolsTest {
     }
 
     @Test
+    void anArcThatIsDrawnToTheRightIsABowl() {
+        Tool arc = new ShapeTool(ShapeTool.ARC);
+        arc.press(sandbox, 60, 50, 1);
+        arc.drag(sandbox, 70, 55);
+        arc.drag(sandbox, 100, 50); // in place of the one before
+        arc.release(sandbox);
+        assertThat(world().terrain().size()).isEqualTo(1);
+        long ball = world().add(65, 70, 0.6f, 1);
+        run(arc, 600);
+        assertThat(world().x(ball)).isBetween(60f, 100f);
+        assertThat(world().y(ball)).isBetween(30f, 50f);
+    }
+
+    @Test
+    void aChainThatIsDrawnToTheLeftCarriesAndOneToTheRightDoesNot() {
+        long[] balls = {world().add(30, 60, 0.6f, 1), world().add(110, 60, 0.6f, 1)};
+        Tool chain = new ChainTool();
+        chain.press(sandbox, 60, 50, 1);
+        for (int x = 59; x >= 10; x--) {
+            chain.drag(sandbox, x, 50);
+        }
+        chain.release(sandbox);
+        chain.press(sandbox, 90, 50, 1);
+        for (int x = 91; x <= 130; x++) {
+            chain.drag(sandbox, x, 50);
+        }
+        chain.release(sandbox);
+        run(chain, 120);
+        assertThat(world().y(balls[0])).isBetween(50.5f, 50.7f);
+        assertThat(world().y(balls[1])).isLessThan(45);
+    }
+
+    @Test
+    void aLineIsMovedAndTurnedByTheMouse() {
+        Tool line = new ShapeTool(ShapeTool.LINE);
+        line.press(sandbox, 60, 50, 1);
+        line.drag(sandbox, 80, 50);
+        line.release(sandbox);
+        TerrainBody body = world().terrain().bodyOf(world().queries().terrain().pick(65, 50, 1));
+        GrabTool grab = new GrabTool();
+        assertThat(grab.turn(1)).as("nothing is held").isFalse();
+        grab.press(sandbox, 65, 50, 1);
+        assertThat(grab.held()).isZero();
+        assertThat(grab.turn(2)).isTrue();
+        grab.drag(sandbox, 75, 60);
+        run(grab, 60);
+        List<Mark> marks = new ArrayList<>();
+        grab.mark(sandbox, marks);
+        assertThat(marks).hasSize(2);
+        grab.release(sandbox);
+        run(grab, 10);
+        assertThat(body.x()).isCloseTo(80, within(0.01f));
+        assertThat(body.y()).isCloseTo(60, within(0.01f));
+        assertThat(body.angle()).isCloseTo((float) Math.toRadians(30), within(0.001f));
+    }
+
+    @Test
     void theEraserRemovesAllThatItsWayTouchesAndNothingElse() {
+        world().terrain().addSegment(60, 45, 60, 55);
+        long kept = world().terrain().addSegment(60, 60, 60, 70);
         for (int k = 0; k < 40; k++) {
             world().add(10 + 3 * k, 50, 1, k % 2 == 0 ? 1 : Float.POSITIVE_INFINITY);
             world().add(10 + 3 * k, 80, 1, 1);
@@ -186,5 +250,7 @@ class ToolsTest {
         assertThat(world().queries().overlapBox(40, 49, 100, 51, new long[0])).isZero();
         assertThat(world().queries().overlapBox(0, 79, 160, 81, new long[0])).isEqualTo(40);
         assertThat(world().size()).isBetween(50, 62);
+        assertThat(world().terrain().size()).isEqualTo(1);
+        assertThat(world().terrain().contains(kept)).isTrue();
     }
 }

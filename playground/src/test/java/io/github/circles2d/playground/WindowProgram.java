@@ -176,18 +176,20 @@ final class WindowProgram {
 
     private void drawAndErase() throws Exception {
         key(KeyEvent.VK_4);
-        int before = ask(s -> s.world().size());
+        int before = ask(s -> s.world().terrain().size());
         mouse(MouseEvent.MOUSE_PRESSED, 20, 40);
-        mouse(MouseEvent.MOUSE_DRAGGED, 50, 30);
+        for (int x = 22; x <= 50; x += 2) {
+            mouse(MouseEvent.MOUSE_DRAGGED, x, 40 - (x - 20) / 3);
+        }
         mouse(MouseEvent.MOUSE_RELEASED, 50, 30);
-        say("a line of circles is drawn", becomesTrue(() -> ask(s -> s.world().size()) > before + 20));
+        say("a wall is drawn", becomesTrue(() -> ask(s -> s.world().terrain().size()) > before + 10));
         key(KeyEvent.VK_5);
-        int drawn = ask(s -> s.world().size());
+        int drawn = ask(s -> s.world().terrain().size());
         mouse(MouseEvent.MOUSE_PRESSED, 20, 40);
         mouse(MouseEvent.MOUSE_DRAGGED, 36, 35);
         save("7-erasing");
         mouse(MouseEvent.MOUSE_RELEASED, 36, 35);
-        say("and erased", becomesTrue(() -> ask(s -> s.world().size()) < drawn - 8));
+        say("and erased", becomesTrue(() -> ask(s -> s.world().terrain().size()) < drawn - 5));
         key(KeyEvent.VK_1);
     }
 

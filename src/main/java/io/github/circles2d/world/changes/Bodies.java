@@ -9,6 +9,7 @@ import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainTables;
 
@@ -26,6 +27,7 @@ public final class Bodies {
             (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, true);
     private static final Guard.CircleChange<Bodies> TELEPORT =
             (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, false);
+    private static final Guard.ChangeWith<Bodies, BodyPoses> KEEP = (bodies, poses) -> poses.keep(bodies.table);
     private static final Guard.Numbers<Bodies, Void> FIND = (bodies, none, handle, n) -> bodies.table.ids.find(handle);
     private static final Guard.Numbers<Bodies, Void> REQUIRE = (bodies, none, handle, n) -> bodies.find(handle);
     private static final Guard.Numbers<Bodies, Void> HANDLE = (bodies, none, id, n) -> bodies.handleOf((int) id);
@@ -170,6 +172,17 @@ public final class Bodies {
             terrain.teleport(body, x, y, Surface.units(angle));
         }
         guard.changing = false;
+    }
+
+    /** Takes down where bodies are. */
+    public void keep(BodyPoses poses) {
+        guard.change(this, poses, KEEP);
+    }
+
+    /** Takes down where a body is on the way from before a step to after it. */
+    public void keepBetween(int id, BodyPoses before, BodyPoses after, float alpha, BodyPoses to) {
+        guard.check();
+        to.keepOneBetween(before, after, alpha, table, terrain.bounds(), id);
     }
 
     public boolean contains(long handle) {

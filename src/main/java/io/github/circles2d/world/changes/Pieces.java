@@ -8,6 +8,7 @@ import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.ChainPath;
 import io.github.circles2d.world.terrain.PieceRead;
 import io.github.circles2d.world.terrain.PieceTable;
@@ -138,10 +139,10 @@ public final class Pieces {
         try {
             int of = Bodies.find(terrain, body);
             KindTable.check(kind);
-            TerrainLimits.arc(x, y, radius, settings.bounds());
             Limits.within("from", from, -Limits.ANGLE, Limits.ANGLE);
             Limits.within("to", to, -Limits.ANGLE, Limits.ANGLE);
             long opening = TerrainLimits.opening(from, to);
+            TerrainLimits.arc(x, y, radius, (int) (opening >>> 1), settings.bounds());
             begin(1);
             log.arc(of, kind, x, y, radius, from, to, inside);
             guard.changing = true;
@@ -283,13 +284,7 @@ public final class Pieces {
     public int read(float[] to, long[] handles) {
         guard.enter();
         try {
-            int n = table.ids.size();
-            if (Limits.notNull("pieces", to).length < PieceRead.STRIDE * n) {
-                throw new IllegalArgumentException("pieces has " + to.length + " elements, but there are " + n
-                        + " pieces of " + PieceRead.STRIDE + " elements");
-            }
-            checkHandles(handles, n);
-            terrain.makeRoom(settings.subSteps());
+            int n = checkRead(to, handles);
             read.read(to, handles);
             return n;
         } catch (RuntimeException | Error e) {
@@ -297,5 +292,31 @@ public final class Pieces {
         } finally {
             guard.user = null;
         }
+    }
+
+    /** The same with bodies on the way from before a step to after it, whose poses are kept in the third ones. */
+    public int readBetween(
+            BodyPoses before, BodyPoses after, float alpha, BodyPoses between, float[] to, long[] handles) {
+        guard.enter();
+        try {
+            int n = checkRead(to, handles);
+            between.keepBetween(before, after, alpha, terrain.bodies, terrain.bounds());
+            read.read(between, to, handles);
+            return n;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private int checkRead(float[] to, long[] handles) {
+        int n = table.ids.size();
+        if (Limits.notNull("pieces", to).length < PieceRead.STRIDE * n) {
+            throw new IllegalArgumentException("pieces has " + to.length + " elements, but there are " + n
+                    + " pieces of " + PieceRead.STRIDE + " elements");
+        }
+        checkHandles(handles, n);
+        return n;
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.TerrainLimits;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
@@ -8,10 +9,10 @@ import java.util.Arrays;
  * What events go on from in a snapshot: a section behind all others, if events are reported and there is something.
  *
  * <pre>
- * section    int {@link #NUMBER}, number of pairs, of hits that are not complete, of events of removed circles; for each pair, in
+ * section    int {@link #NUMBER}, number of pairs, of hits that are not complete, of events of removed circles and pieces; for each pair, in
  *            ascending order: varint of the lower id minus the one before (0 at first), varint of the higher id, or of the code of a
- *            wall, minus the lower; for each such hit: int number of the pair, its values; for each such event: long handles, byte type,
- *            byte number of the wall or -1, values
+ *            wall or piece of terrain, minus the lower; for each such hit: int number of the pair, its values; for each such event: long
+ *            handles, byte type, byte number of the wall, -1 or {@link SavedTouches#PIECE}, values
  * values     float approach speed, impulse, normal x, y, point x, y
  * </pre>
  *
@@ -30,6 +31,9 @@ final class TouchSection {
     private static final int LATE = 2 * Long.BYTES + 2 + VALUE_BYTES;
     private static final int LEAST_PAIR = 2;
     private static final int WALLS = 4;
+
+    /** The code of the first piece of terrain. */
+    private static final int PIECES = Limits.CIRCLES + WALLS;
 
     private TouchSection() {}
 
@@ -108,8 +112,10 @@ final class TouchSection {
             SnapshotCodec.require(
                     isCircle(s, nextLower)
                             && higher > nextLower
-                            && (isCircle(s, higher) || higher >= Limits.CIRCLES && higher < Limits.CIRCLES + WALLS),
-                    "a pair that touches lacks a circle");
+                            && (isCircle(s, higher)
+                                    || higher >= Limits.CIRCLES && higher < PIECES
+                                    || isPiece(s, higher)),
+                    "a pair that touches lacks a circle or a piece");
             lower = (int) nextLower;
             t.pair[k] = nextLower << Integer.SIZE | higher;
             SnapshotCodec.require(k == 0 || t.pair[k] > t.pair[k - 1], "its pairs that touch are not in order");
@@ -136,8 +142,12 @@ final class TouchSection {
         int type = in.get();
         int side = in.get();
         boolean isEvent = type == SavedTouches.HIT || type == SavedTouches.END;
-        boolean isPair = side == -1 ? isHandle(b) && (int) a < (int) b : side >= 0 && side < WALLS && b == 0;
-        SnapshotCodec.require(isEvent && isHandle(a) && isPair, "an event of a removed circle is out of range");
+        boolean isPair = side == -1
+                ? isHandle(b, Limits.CIRCLES) && (int) a < (int) b
+                : side == SavedTouches.PIECE ? isHandle(b, TerrainLimits.PIECES) : side >= 0 && side < WALLS && b == 0;
+        SnapshotCodec.require(
+                isEvent && isHandle(a, Limits.CIRCLES) && isPair,
+                "an event of a removed circle or piece is out of range");
         t.lateHandles[2 * k] = a;
         t.lateHandles[2 * k + 1] = b;
         t.lateInts[SavedTouches.LATE_INTS * k] = type;
@@ -145,8 +155,8 @@ final class TouchSection {
         readValues(t.lateValues, k, in);
     }
 
-    private static boolean isHandle(long handle) {
-        return handle >>> Integer.SIZE != 0 && (int) handle >= 0 && (int) handle < Limits.CIRCLES;
+    private static boolean isHandle(long handle, int ids) {
+        return handle >>> Integer.SIZE != 0 && (int) handle >= 0 && (int) handle < ids;
     }
 
     private static void readValues(float[] values, int k, ByteBuffer in) {
@@ -156,6 +166,11 @@ final class TouchSection {
             SnapshotCodec.require(Float.isFinite(value), "a value of an event is out of range");
             values[SavedTouches.VALUES * k + v] = value;
         }
+    }
+
+    private static boolean isPiece(SavedState s, long code) {
+        long piece = code - PIECES;
+        return piece >= 0 && piece < s.terrain.pieceIds && s.terrain.lives((int) piece);
     }
 
     private static boolean isCircle(SavedState s, long id) {

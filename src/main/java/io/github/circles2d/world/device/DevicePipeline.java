@@ -9,6 +9,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
@@ -408,9 +409,19 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
+    public void savePieceContacts(SavedPieceContacts into) {
+        into.clear();
+        if (arrays.terrain()) {
+            settle();
+            new PieceTransfer(arrays, home.slots).save(into);
+        }
+    }
+
+    @Override
     public void makeRoom(SavedState from) {
         settle();
-        if (from.circles > arrays.slotCapacity() || from.impulses > arrays.contactCapacity()) {
+        int contacts = Math.max(from.impulses, from.pieceContacts.count);
+        if (from.circles > arrays.slotCapacity() || contacts > arrays.contactCapacity()) {
             stats.keep();
         }
         if (from.turns) {
@@ -418,7 +429,7 @@ public final class DevicePipeline implements Pipeline {
         }
         arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);
-        arrays.ensureContacts(from.impulses);
+        arrays.ensureContacts(contacts);
         links = new StateTransfer.Links(from, arrays);
     }
 

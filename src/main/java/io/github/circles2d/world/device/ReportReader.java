@@ -41,6 +41,7 @@ final class ReportReader implements AutoCloseable {
     /** What of the steps that have been enqueued is reported. */
     private boolean recording;
 
+    private boolean ofPieces;
     private boolean sensed;
     private int seekingVersion;
 
@@ -95,13 +96,17 @@ final class ReportReader implements AutoCloseable {
     /** Takes down what of the steps to come is reported; none are pending. */
     void learn(StepReports k) {
         recording = k.recording;
+        ofPieces = k.pieces;
         sensed = k.sensing;
         seekingVersion = k.seekingVersion;
     }
 
     /** Whether steps report what was taken down. */
     boolean areOf(StepReports k) {
-        return recording == k.recording && sensed == k.sensing && seekingVersion == k.seekingVersion;
+        return recording == k.recording
+                && ofPieces == k.pieces
+                && sensed == k.sensing
+                && seekingVersion == k.seekingVersion;
     }
 
     /** Whether steps record what contacts and walls do. */
@@ -130,6 +135,7 @@ final class ReportReader implements AutoCloseable {
             sensing.ensure(arrays);
             sensing.send(k);
         }
+        touches.setPieces(ofPieces);
         deciding.send(events);
         deciding.setHitSpeed(events.hitSpeed());
         pairs.use(stages, status);

@@ -37,6 +37,9 @@ final class StateTransfer {
         private final int[] own;
         private final float[] cachedGrip;
 
+        /** Null in a world without terrain. */
+        private final PieceTransfer.Room pieces;
+
         /** Of walls, where the state has none. */
         private final float[] noGrips;
 
@@ -49,6 +52,7 @@ final class StateTransfer {
             turn = new int[turning ? TURN_INTS * from.circles : 0];
             own = new int[turning ? FieldsStruct.TURNING_STRIDE * from.circles : 0];
             cachedGrip = new float[turning ? GRIP_FLOATS * from.impulses : 0];
+            pieces = arrays.terrain() ? new PieceTransfer.Room(from) : null;
             noGrips = new float[turning && !from.turns ? FLOATS * from.circles : 0];
         }
     }
@@ -212,6 +216,9 @@ final class StateTransfer {
         arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields));
         if (arrays.turning()) {
             loadTurning(from, arrays, links);
+        }
+        if (arrays.terrain()) {
+            links.pieces.load(from, arrays);
         }
     }
 

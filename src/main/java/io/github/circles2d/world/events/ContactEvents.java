@@ -242,7 +242,7 @@ public final class ContactEvents {
 
     /** Makes room, so that {@link #learnPieces} does not run out of memory. All steps have been made. */
     public void makeRoomForPieces() {
-        pieces.ensure();
+        pieces.ensure(pieces.idsNow());
         if (pieces.anyGone()) {
             place.bringHere();
             tracker.makeRoomForGone();
@@ -442,9 +442,10 @@ public final class ContactEvents {
     }
 
     /** Makes room for a saved state, so that {@link #load} does not run out of memory. */
-    public void makeRoom(SavedTouches from, int ids) {
+    public void makeRoom(SavedTouches from, int ids, int pieceIds) {
         if (isOn()) {
             circles.ensure(ids);
+            pieces.ensure(pieceIds);
             pairs.ensure(from.pairs);
             step.ensure(from.late);
         }
@@ -458,6 +459,7 @@ public final class ContactEvents {
         step.clear();
         if (isOn()) {
             circles.read(handles);
+            pieces.read();
             snapshots.load(from, tracker.open());
         }
     }

@@ -40,13 +40,16 @@ final class KnownPieces {
     }
 
     /** Makes room. The length of the array that grows last tells whether there is room. */
-    void ensure() {
-        int ids = table.ids.end();
+    void ensure(int ids) {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
             kindOf = Arrays.copyOf(kindOf, c);
             handleOf = Arrays.copyOf(handleOf, c);
         }
+    }
+
+    int idsNow() {
+        return table.ids.end();
     }
 
     /** Whether a piece that was known is no more. */
@@ -69,6 +72,9 @@ final class KnownPieces {
 
     /** Learns all handles and kinds, for which there is room. */
     void read() {
+        if (table == null) {
+            return;
+        }
         Arrays.fill(population, 0);
         end = table.ids.end();
         for (int id = 0; id < end; id++) {

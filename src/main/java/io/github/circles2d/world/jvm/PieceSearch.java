@@ -250,7 +250,7 @@ final class PieceSearch {
                 numbers[number + PieceContactRow.PIECE] = piece;
                 numbers[number + PieceContactRow.SERIAL] = serial;
                 numbers[number + PieceContactRow.RESPONSE] = response;
-                numbers[number + PieceContactRow.FEATURE] = PieceGap.NONE;
+                numbers[number + PieceContactRow.FEATURE] = PieceGap.FACE;
                 found++;
             }
         }

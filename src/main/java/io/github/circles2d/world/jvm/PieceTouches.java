@@ -242,16 +242,17 @@ final class PieceTouches {
             return;
         }
         float[] bodies = terrain.motion;
-        int body = BodyRow.of(motion, k.subSteps);
-        int pose = body + BodyRow.pose(k.subSteps);
+        int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(k.subSteps);
         float cos = bodies[pose + BodyRow.COS];
         float sin = bodies[pose + BodyRow.SIN];
-        float px = x - (bodies[body + BodyRow.PIVOT_X] - atX);
-        float py = y - (bodies[body + BodyRow.PIVOT_Y] - atY);
+        float pivotX = terrain.rows[at + PieceRow.PIVOT_X];
+        float pivotY = terrain.rows[at + PieceRow.PIVOT_Y];
+        float px = x - pivotX;
+        float py = y - pivotY;
         rows[t + NORMAL_X] = cos * found.nx - sin * found.ny;
         rows[t + NORMAL_Y] = sin * found.nx + cos * found.ny;
-        rows[t + POINT_X] = (bodies[body + BodyRow.PIVOT_X] + bodies[pose + BodyRow.DX]) + (cos * px - sin * py);
-        rows[t + POINT_Y] = (bodies[body + BodyRow.PIVOT_Y] + bodies[pose + BodyRow.DY]) + (sin * px + cos * py);
+        rows[t + POINT_X] = ((atX + pivotX) + bodies[pose + BodyRow.DX]) + (cos * px - sin * py);
+        rows[t + POINT_Y] = ((atY + pivotY) + bodies[pose + BodyRow.DY]) + (sin * px + cos * py);
     }
 
     /** Memory of the arrays. */

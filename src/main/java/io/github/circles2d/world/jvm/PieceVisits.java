@@ -143,8 +143,8 @@ final class PieceVisits {
         float[] bodies = terrain.motion;
         int body = BodyRow.of(motion, subSteps);
         int pose = body + BodyRow.pose(boundary);
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float x = (ox - px) + (dx - bodies[pose + BodyRow.DX]);
         float y = (oy - py) + (dy - bodies[pose + BodyRow.DY]);
         float cos = bodies[pose + BodyRow.COS];
@@ -218,6 +218,15 @@ final class PieceVisits {
             return false;
         }
         found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        if (found.isAround(contacts.numbers[number + FEATURE], side)) {
+            side = isTwoSided(terrain, piece, shape) ? -side : 0f;
+            rows[k + SIDE] = side;
+            if (side == 0f) {
+                leave(c);
+                return false;
+            }
+            found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        }
         float nx = found.nx;
         float ny = found.ny;
         if (motion != 0) {
@@ -311,8 +320,8 @@ final class PieceVisits {
         int s = CircleRow.of(slot);
         int k = PieceContactRow.of(c);
         float reach = state.circle[s + RADIUS] + contacts.rows[k + GAP];
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float dx = state.motion[s + DX] - bodies[pose + BodyRow.DX];
         float dy = state.motion[s + DY] - bodies[pose + BodyRow.DY];
         float x = ((contacts.rows[k + BASE_X] - px) + dx) - contacts.rows[k + NX] * reach;
@@ -350,7 +359,7 @@ final class PieceVisits {
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
-                if (k.turning) {
+                if (k.turning && (rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f)) {
                     takeGrip(s, c);
                     grip.warmStart();
                     giveGrip(s, c);
@@ -591,6 +600,7 @@ final class PieceVisits {
         if (PieceRow.form(shape) == PieceRow.ARC
                 || motion(piece) != 0
                 || side == 0f
+                || contacts.numbers[number + FEATURE] != PieceGap.FACE
                 || contacts.numbers[number + RESPONSE] != PairTable.SOLID
                 || CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r)) {
             return false;
@@ -740,8 +750,8 @@ final class PieceVisits {
         int body = BodyRow.of(motion(piece), subSteps);
         int pose = body + BodyRow.pose(boundary);
         float[] bodies = terrain.motion;
-        float px = bodies[body + BodyRow.PIVOT_X] - terrain.rows[row + PieceRow.X];
-        float py = bodies[body + BodyRow.PIVOT_Y] - terrain.rows[row + PieceRow.Y];
+        float px = terrain.rows[row + PieceRow.PIVOT_X];
+        float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float x = stopX - px;
         float y = stopY - py;
         float cos = bodies[pose + BodyRow.COS];

@@ -25,7 +25,7 @@ public final class PieceGap {
     /** How the way at this gap curves towards the circle, 1/length. */
     public float curve;
 
-    /** Of a line: of the centre, over the front. */
+    /** Of the centre, over the front. */
     public float height;
 
     public void measure(float[] rows, int row, int shape, float ox, float oy, float r, float side) {
@@ -61,7 +61,7 @@ public final class PieceGap {
         boolean behind = t > rows[row + PieceRow.LENGTH];
         int joint = before ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape);
         if (!before && !behind || joint == PieceRow.CONCAVE) {
-            feature = FACE;
+            feature = goesOn(t, rows[row + PieceRow.LENGTH], r) ? FACE : NONE;
             nx = side * ty;
             ny = side * -tx;
             gap = faceGap(side, height, reach);
@@ -69,6 +69,17 @@ public final class PieceGap {
         } else {
             atVertex(rows, row, before, joint, ox, oy, reach, side * ty, side * -tx);
         }
+    }
+
+    /** At a concave joint a line goes on, so that no circle slips in: not behind what follows there. */
+    static boolean goesOn(float t, float length, float r) {
+        float more = Tuning.CORNER * r;
+        return t >= -more && t <= length + more;
+    }
+
+    /** Whether a circle that was beyond an end has come behind the piece: around that end, since no circle passes a face. */
+    public boolean isAround(int featureBefore, float side) {
+        return feature == FACE && featureBefore != FACE && side * height < 0f;
     }
 
     private void arc(float[] rows, int row, int shape, float ox, float oy, float r) {
@@ -83,7 +94,8 @@ public final class PieceGap {
             feature = FACE;
             nx = central ? out * tx : out * (ox / d);
             ny = central ? out * ty : out * (oy / d);
-            gap = out * (d - length) - r;
+            height = out * (d - length);
+            gap = height - r;
             curve = central ? 0f : -out / d;
         } else {
             boolean left = tx * oy - ty * ox > 0f;
@@ -118,14 +130,38 @@ public final class PieceGap {
         return CircleMath.clamp(0.5f * curve * along * along * h, -most, most);
     }
 
-    /** Whether a centre is in front of a piece. */
+    /**
+     * Whether a centre is in front of a piece, or at the tip of it and the next piece in front of that one. Beside an arc its tangents at the ends
+     * decide: who comes from there has not passed it.
+     */
     public static boolean isInFront(float[] rows, int row, int shape, float ox, float oy) {
-        if (PieceRow.form(shape) != PieceRow.ARC) {
-            return ox * rows[row + PieceRow.TY] - oy * rows[row + PieceRow.TX] >= 0f;
-        }
-        float d = CircleMath.length(ox, oy);
+        float tx = rows[row + PieceRow.TX];
+        float ty = rows[row + PieceRow.TY];
         float length = rows[row + PieceRow.LENGTH];
-        return (shape & PieceRow.SOLID_OUTSIDE) != 0 ? d <= length : d >= length;
+        float cos = ox * tx + oy * ty;
+        float ex = ox - rows[row + PieceRow.END_X];
+        float ey = oy - rows[row + PieceRow.END_Y];
+        boolean front;
+        boolean beyond;
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            boolean inner = (shape & PieceRow.SOLID_OUTSIDE) != 0;
+            float d = CircleMath.length(ox, oy);
+            float height = d - length;
+            beyond = false;
+            if (!(cos >= rows[row + PieceRow.SPREAD] * d)) {
+                beyond = tx * oy - ty * ox > 0f == !inner;
+                int e = row + (beyond ? PieceRow.END_X : PieceRow.START_X);
+                height = rows[e] * (ox - rows[e]) + rows[e + 1] * (oy - rows[e + 1]);
+            }
+            front = inner ? height <= 0f : height >= 0f;
+        } else {
+            front = ox * ty - oy * tx >= 0f;
+            beyond = cos > length;
+        }
+        return front
+                || beyond
+                        && PieceRow.endJoint(shape) == PieceRow.CONVEX
+                        && ex * rows[row + PieceRow.NEXT_Y] - ey * rows[row + PieceRow.NEXT_X] >= 0f;
     }
 
     /** Of a centre and the nearest point of a piece with its thickness; joints do not matter. */

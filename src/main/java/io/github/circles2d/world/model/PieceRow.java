@@ -47,6 +47,11 @@ public final class PieceRow {
 
     public static final int HALF_Y = 17;
 
+    /** What the body turns around, against (X, Y): on an axis that wraps, where the piece is. */
+    public static final int PIVOT_X = 18;
+
+    public static final int PIVOT_Y = 19;
+
     /** Less than any cosine. */
     public static final float ALL_AROUND = -2f;
 

@@ -31,6 +31,9 @@ public final class Tuning {
     /** A vertex of terrain no higher over the face of another piece is no constraint, in radii. */
     public static final float COVER = 0.02f;
 
+    /** How far a line of terrain goes on beyond a concave joint, in radii. */
+    public static final float CORNER = 0.5f;
+
     /** The allowance of a pushed circle, which goes to the end of its free path. */
     public static final float CARRIED = Float.NEGATIVE_INFINITY;
 

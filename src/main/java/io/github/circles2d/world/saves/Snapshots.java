@@ -154,7 +154,7 @@ public final class Snapshots {
         terrain.makeRoom(saved.terrain);
         needs.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
-        events.makeRoom(saved.touches, saved.ids);
+        events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
         copies.forget();
         log.restore(saved);
     }

@@ -214,7 +214,7 @@ public final class BodyTable {
         return Math.max(-Limits.COORDINATE, Math.min(Limits.COORDINATE, coordinate));
     }
 
-    private static double shortWay(double d, double period) {
+    static double shortWay(double d, double period) {
         return d > 0.5 * period ? d - period : d < -0.5 * period ? d + period : d;
     }
 
@@ -254,7 +254,7 @@ public final class BodyTable {
     }
 
     /** Inside an axis that wraps. */
-    private static double place(double at, double min, double period) {
+    static double place(double at, double min, double period) {
         return period == Double.POSITIVE_INFINITY ? at : at - Math.floor((at - min) / period) * period;
     }
 

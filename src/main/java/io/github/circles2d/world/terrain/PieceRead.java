@@ -28,18 +28,34 @@ public final class PieceRead {
     public static final int INSIDE = 7;
 
     private final TerrainTables terrain;
+    private final PieceRows writer;
+    private final BodyPoses now = new BodyPoses();
+    private final float[] rows = new float[PieceRow.STRIDE];
 
     public PieceRead(TerrainTables terrain) {
         this.terrain = terrain;
+        writer = new PieceRows(terrain.pieces);
     }
 
-    /** Both have room, and the tables do; handles may be null. */
+    /** As of now. Both arrays have room; handles may be null. */
     public void read(float[] to, long[] handles) {
-        terrain.refresh();
+        now.keep(terrain.bodies);
+        read(now, to, handles);
+    }
+
+    /** With bodies in such poses, which are those of all bodies that there are. */
+    public void read(BodyPoses poses, float[] to, long[] handles) {
         PieceTable pieces = terrain.pieces;
+        writer.setBounds(terrain.bounds());
+        int posed = -1;
         int n = 0;
         for (int piece = 0; piece < pieces.ids.end(); piece++) {
             if (pieces.ids.lives(piece)) {
+                int body = pieces.body[piece];
+                if (body != posed) {
+                    writer.setPose(poses.x(body), poses.y(body), poses.angle(body));
+                    posed = body;
+                }
                 if (handles != null) {
                     handles[n] = pieces.ids.handle(piece);
                 }
@@ -48,28 +64,27 @@ public final class PieceRead {
         }
     }
 
-    private static void write(PieceTable pieces, int piece, float[] to, int at) {
-        float[] rows = pieces.rows;
-        int row = PieceRow.of(piece);
+    private void write(PieceTable pieces, int piece, float[] to, int at) {
+        writer.write(piece, rows, 0);
         to[at + SHAPE] = PieceRow.form(pieces.shape(piece));
         to[at + KIND] = pieces.kindOf(piece);
-        float x = rows[row + PieceRow.X];
-        float y = rows[row + PieceRow.Y];
+        float x = rows[PieceRow.X];
+        float y = rows[PieceRow.Y];
         if (pieces.isArc(piece)) {
-            double middle = Math.atan2(rows[row + PieceRow.TY], rows[row + PieceRow.TX]);
+            double middle = Math.atan2(rows[PieceRow.TY], rows[PieceRow.TX]);
             double half = Integer.toUnsignedLong(pieces.half[piece]) * Rotation.RADIANS_PER_UNIT;
             to[at + CENTRE_X] = x;
             to[at + CENTRE_Y] = y;
-            to[at + RADIUS] = rows[row + PieceRow.LENGTH];
+            to[at + RADIUS] = rows[PieceRow.LENGTH];
             to[at + FROM] = (float) (middle - half);
             to[at + TO] = (float) (middle + half);
             to[at + INSIDE] = pieces.isSolidOutside(piece) ? 1f : 0f;
         } else {
             to[at + X1] = x;
             to[at + Y1] = y;
-            to[at + X2] = x + rows[row + PieceRow.END_X];
-            to[at + Y2] = y + rows[row + PieceRow.END_Y];
-            to[at + THICKNESS] = rows[row + PieceRow.THICKNESS];
+            to[at + X2] = x + rows[PieceRow.END_X];
+            to[at + Y2] = y + rows[PieceRow.END_Y];
+            to[at + THICKNESS] = rows[PieceRow.THICKNESS];
             to[at + INSIDE] = 0f;
         }
     }

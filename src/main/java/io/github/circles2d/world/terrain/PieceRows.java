@@ -39,10 +39,14 @@ final class PieceRows {
     }
 
     void setPose(BodyTable bodies, int body) {
-        pivotX = bodies.x[body];
-        pivotY = bodies.y[body];
-        cos = Rotation.cos(bodies.angle[body]);
-        sin = Rotation.sin(bodies.angle[body]);
+        setPose(bodies.x[body], bodies.y[body], bodies.angle[body]);
+    }
+
+    void setPose(double x, double y, int angle) {
+        pivotX = x;
+        pivotY = y;
+        cos = Rotation.cos(angle);
+        sin = Rotation.sin(angle);
     }
 
     /** Fills the row of a piece that does not move in the step, in the pose that was set; marks it as changed. */
@@ -52,13 +56,9 @@ final class PieceRows {
 
     /** row: of its body. way: how far the pivot goes in the step; turn: how far the body turns, in radians. */
     void fill(int piece, int row, double way, double turn) {
-        if (pieces.isArc(piece)) {
-            fillArc(piece);
-        } else {
-            fillLine(piece);
-        }
         int at = PieceRow.of(piece);
         float[] rows = pieces.rows;
+        write(piece, rows, at);
         tangentOfNext(piece);
         rows[at + PieceRow.NEXT_X] = (float) (cos * tangent.x - sin * tangent.y);
         rows[at + PieceRow.NEXT_Y] = (float) (sin * tangent.x + cos * tangent.y);
@@ -66,6 +66,15 @@ final class PieceRows {
         rows[at + PieceRow.MOST] = row == 0 ? 0f : (float) ((way + farthest(piece) * Math.min(turn, 2)) * MARGIN);
         pieces.traits[PieceRow.traits(piece) + PieceRow.MOTION] = row;
         pieces.changed(piece);
+    }
+
+    /** Writes what a row has of the form of a piece, and of the pose. */
+    void write(int piece, float[] rows, int at) {
+        if (pieces.isArc(piece)) {
+            writeArc(piece, rows, at);
+        } else {
+            writeLine(piece, rows, at);
+        }
     }
 
     private void tangentOfNext(int piece) {
@@ -86,10 +95,8 @@ final class PieceRows {
         return pivotY + (sin * x + cos * y);
     }
 
-    private void fillLine(int piece) {
+    private void writeLine(int piece, float[] rows, int at) {
         int from = PieceTable.FORM * piece;
-        int at = PieceRow.of(piece);
-        float[] rows = pieces.rows;
         double localX1 = pieces.form[from + PieceTable.X];
         double localY1 = pieces.form[from + PieceTable.Y];
         double localX2 = pieces.form[from + PieceTable.X2];
@@ -115,6 +122,8 @@ final class PieceRows {
         rows[at + PieceRow.THICKNESS] = (float) thickness;
         rows[at + PieceRow.START_X] = 0f;
         rows[at + PieceRow.START_Y] = 0f;
+        rows[at + PieceRow.PIVOT_X] = (float) (pivotX - backX) - x;
+        rows[at + PieceRow.PIVOT_Y] = (float) (pivotY - backY) - y;
         rows[at + PieceRow.END_X] = (float) (x2 - backX - x);
         rows[at + PieceRow.END_Y] = (float) (y2 - backY - y);
         rows[at + PieceRow.MID_X] = (float) (0.5 * (x1 + x2) - backX);
@@ -123,10 +132,8 @@ final class PieceRows {
         rows[at + PieceRow.HALF_Y] = (float) (0.5 * Math.abs(y2 - y1) + thickness);
     }
 
-    private void fillArc(int piece) {
+    private void writeArc(int piece, float[] rows, int at) {
         int from = PieceTable.FORM * piece;
-        int at = PieceRow.of(piece);
-        float[] rows = pieces.rows;
         double localX = pieces.form[from + PieceTable.X];
         double localY = pieces.form[from + PieceTable.Y];
         double radius = pieces.form[from + PieceTable.RADIUS];
@@ -160,6 +167,8 @@ final class PieceRows {
         double backY = lapsY(midY);
         rows[at + PieceRow.X] = (float) (x - backX);
         rows[at + PieceRow.Y] = (float) (y - backY);
+        rows[at + PieceRow.PIVOT_X] = (float) (pivotX - backX) - rows[at + PieceRow.X];
+        rows[at + PieceRow.PIVOT_Y] = (float) (pivotY - backY) - rows[at + PieceRow.Y];
         rows[at + PieceRow.TX] = (float) tx;
         rows[at + PieceRow.TY] = (float) ty;
         rows[at + PieceRow.LENGTH] = (float) radius;

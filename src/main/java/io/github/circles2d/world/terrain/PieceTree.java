@@ -49,6 +49,10 @@ public final class PieceTree {
 
     private int nodes;
     private int[] order = new int[0];
+
+    // by place in the order: the middle, side by side, since rows are far apart
+    private float[] middleX = new float[0];
+    private float[] middleY = new float[0];
     private double sizeAsBuilt;
 
     PieceTree() {}
@@ -72,6 +76,8 @@ public final class PieceTree {
             int c = Math.max(pieces, order.length + (order.length >> 1));
             boxes = Arrays.copyOf(boxes, BOX_STRIDE * nodesOf(c));
             links = Arrays.copyOf(links, LINK_STRIDE * nodesOf(c));
+            middleX = new float[c];
+            middleY = new float[c];
             order = new int[c];
         }
     }
@@ -81,7 +87,7 @@ public final class PieceTree {
         int n = collect(pieces, true);
         groundNodes = nodesOf(n);
         nodes = groundNodes;
-        build(pieces.rows, 0, n);
+        build(0, n);
         refit(pieces.rows, 0, groundNodes);
     }
 
@@ -89,7 +95,7 @@ public final class PieceTree {
     void buildBodies(PieceTable pieces) {
         int n = collect(pieces, false);
         nodes = groundNodes + nodesOf(n);
-        build(pieces.rows, groundNodes, n);
+        build(groundNodes, n);
         sizeAsBuilt = refit(pieces.rows, groundNodes, nodes);
     }
 
@@ -102,20 +108,22 @@ public final class PieceTree {
         int n = 0;
         for (int piece = 0; piece < pieces.ids.end(); piece++) {
             if (pieces.ids.lives(piece) && (pieces.body[piece] == BodyTable.GROUND) == ofGround) {
+                middleX[n] = pieces.rows[PieceRow.of(piece) + PieceRow.MID_X];
+                middleY[n] = pieces.rows[PieceRow.of(piece) + PieceRow.MID_Y];
                 order[n++] = piece;
             }
         }
         return n;
     }
 
-    private void build(float[] rows, int first, int n) {
+    private void build(int first, int n) {
         if (n > 0) {
-            build(rows, first, 0, n);
+            build(first, 0, n);
         }
     }
 
     /** Halves the pieces along the axis along which their middles lie farther apart. The depth is the logarithm of their number. */
-    private void build(float[] rows, int node, int from, int to) {
+    private void build(int node, int from, int to) {
         int n = to - from;
         links[LINK_STRIDE * node + SKIP] = node + nodesOf(n);
         if (n == 1) {
@@ -124,46 +132,42 @@ public final class PieceTree {
         }
         links[LINK_STRIDE * node + PIECE] = -1;
         int middle = from + to >>> 1;
-        select(rows, widerAxis(rows, from, to), from, to - 1, middle);
-        build(rows, node + 1, from, middle);
-        build(rows, node + 1 + nodesOf(middle - from), middle, to);
+        select(isWide(from, to) ? middleX : middleY, from, to - 1, middle);
+        build(node + 1, from, middle);
+        build(node + 1 + nodesOf(middle - from), middle, to);
     }
 
-    /** Where the coordinate of the middle along that axis stands in a row. */
-    private int widerAxis(float[] rows, int from, int to) {
+    private boolean isWide(int from, int to) {
         float minX = Float.POSITIVE_INFINITY;
         float minY = Float.POSITIVE_INFINITY;
         float maxX = Float.NEGATIVE_INFINITY;
         float maxY = Float.NEGATIVE_INFINITY;
         for (int k = from; k < to; k++) {
-            int at = PieceRow.of(order[k]);
-            minX = Math.min(minX, rows[at + PieceRow.MID_X]);
-            minY = Math.min(minY, rows[at + PieceRow.MID_Y]);
-            maxX = Math.max(maxX, rows[at + PieceRow.MID_X]);
-            maxY = Math.max(maxY, rows[at + PieceRow.MID_Y]);
+            minX = Math.min(minX, middleX[k]);
+            minY = Math.min(minY, middleY[k]);
+            maxX = Math.max(maxX, middleX[k]);
+            maxY = Math.max(maxY, middleY[k]);
         }
-        return maxX - minX >= maxY - minY ? PieceRow.MID_X : PieceRow.MID_Y;
+        return maxX - minX >= maxY - minY;
     }
 
     /** Brings the least pieces to the left of a place, by Hoare's selection. */
-    private void select(float[] rows, int axis, int from, int to, int place) {
+    private void select(float[] middles, int from, int to, int place) {
         int low = from;
         int high = to;
         while (low < high) {
-            float pivot = rows[PieceRow.of(order[low + high >>> 1]) + axis];
+            float pivot = middles[low + high >>> 1];
             int i = low;
             int j = high;
             while (i <= j) {
-                while (rows[PieceRow.of(order[i]) + axis] < pivot) {
+                while (middles[i] < pivot) {
                     i++;
                 }
-                while (rows[PieceRow.of(order[j]) + axis] > pivot) {
+                while (middles[j] > pivot) {
                     j--;
                 }
                 if (i <= j) {
-                    int swapped = order[i];
-                    order[i++] = order[j];
-                    order[j--] = swapped;
+                    swap(i++, j--);
                 }
             }
             if (place <= j) {
@@ -174,6 +178,18 @@ public final class PieceTree {
                 return;
             }
         }
+    }
+
+    private void swap(int i, int j) {
+        int piece = order[i];
+        order[i] = order[j];
+        order[j] = piece;
+        float x = middleX[i];
+        middleX[i] = middleX[j];
+        middleX[j] = x;
+        float y = middleY[i];
+        middleY[i] = middleY[j];
+        middleY[j] = y;
     }
 
     /** Computes the boxes of nodes, those below first; returns the sum of their sides. */

@@ -37,6 +37,10 @@ public final class TerrainTables {
         pieces.filler().setBounds(to);
     }
 
+    public Bounds bounds() {
+        return bounds;
+    }
+
     /** Whether there are pieces. */
     public boolean isThere() {
         return pieces.ids.size() > 0;

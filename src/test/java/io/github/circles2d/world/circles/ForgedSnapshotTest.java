@@ -2,10 +2,12 @@ package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Chain;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.Inertia;
 import io.github.circles2d.Response;
+import io.github.circles2d.Terrain;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -69,12 +71,16 @@ class ForgedSnapshotTest {
             world.setAngularVelocity(world.add(62, 1, 1, 1), -6);
             world.setFriction(world.add(64, 1, 1, 1), 0.25f);
             world.remove(world.add(50, 20, 1, 1));
+            Terrain terrain = world.terrain();
+            terrain.addChain(Chain.of(46, 0.5f, 30, 0.5f, 20, 0.4f, 8, 0.5f));
+            terrain.addBody(65, 1, 0.5f).addSegment(-6, 0, 6, 0);
             long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
             long touching = world.add(20, 20, 1, 1);
             world.add(21, 20, 1, 1);
             world.step(1 / 60f);
             world.remove(touching);
+            terrain.remove(terrain.handle(1));
             world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             world.setPosition(travelling, 25, 22);
             world.applyTorque(world.add(85, 27, 1, 1), 40);

@@ -130,6 +130,44 @@ class EventsAgreeTest {
         return more;
     }
 
+    /** Pieces of terrain come, go, move and get other kinds, some of which only sense. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void piecesOfTerrainHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4), Scenes.gas(300, 4)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(9);
+                twins.report(0, 0, ContactEvents.OF_PAIR_TYPES);
+                twins.report(0, 1, ContactEvents.BEGIN | ContactEvents.END);
+                twins.sense(0, 1);
+                int events = 0;
+                for (int k = 0; k < TestScale.of(24, 60); k++) {
+                    if (k == 10) {
+                        twins.report(ContactEvents.ALL);
+                    }
+                    for (int changes = k == 0 ? 30 : 4 * (k % 3); changes > 0; changes--) {
+                        twins.changeTerrain(random);
+                    }
+                    if (k == 15) {
+                        twins.changeSurfaces(random);
+                    }
+                    if (k % 5 == 1) {
+                        twins.change(scene, random);
+                    }
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    if (k % 7 == 6) {
+                        twins.exchange();
+                    }
+                    twins.assertEqual(scene.name() + " after call " + k);
+                    if (k % 2 == 0) {
+                        events += twins.assertSameEvents(scene.name() + " after call " + k);
+                    }
+                }
+                assertThat(events).as(scene.name()).isGreaterThan(100);
+            }
+        }
+    }
+
     /** Requested events are those of the steps before, whatever has been made since. */
     @ParameterizedTest
     @MethodSource("devices")

@@ -46,9 +46,9 @@ final class OclgrindWorlds {
 
     /**
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
-     * circles are loaded or pairs that touch are sent, or a world begins to turn; and all that comes of it.
+     * circles are loaded or pairs that touch are sent, or a world begins to turn or gets terrain; and all that comes of it.
      */
-    static final Set<String> MISJUDGED = Set.of("changes", "edges", "turning");
+    static final Set<String> MISJUDGED = Set.of("changes", "edges", "turning", "terrain", "terrain of tiles");
 
     private final Device device;
     private final boolean small;
@@ -133,6 +133,13 @@ final class OclgrindWorlds {
                 break;
             case "turning":
                 kernels.addAll(turning(Scenes.mixed(20, 1)));
+                break;
+            case "terrain":
+                kernels.addAll(terrain(Plans.COLOURS, Scenes.mixed(20, 1), true));
+                break;
+            case "terrain of tiles":
+                kernels.addAll(terrain(Plans.TILES, Scenes.thesis(20, 1), false));
+                kernels.addAll(terrain(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
                 break;
             default:
                 throw new IllegalArgumentException(world);
@@ -285,6 +292,33 @@ final class OclgrindWorlds {
             twins.assertSameEvents(scene.name());
             twins.assertSameTurns(scene.name());
             twins.assertEqual(scene.name());
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /** Random pieces, at rest and on bodies that move, some of which come and go. */
+    private Set<String> terrain(Plans plans, Scene scene, boolean turns) {
+        DevicePipeline pipeline = pipeline(plans);
+        SplittableRandom random = new SplittableRandom(6);
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
+            for (int k = 0; k < 3; k++) {
+                for (int changes = 0; changes < 20; changes++) {
+                    twins.changeTerrain(random);
+                }
+                if (k == 1) {
+                    twins.sense(0, 1);
+                    twins.report(ContactEvents.ALL);
+                }
+                if (turns && k == 1) {
+                    twins.changeSurfaces(random);
+                }
+                twins.set(Commands.RADIUS, k, 1.1f * scene.radius(k), 0);
+                twins.step(5 * scene.timeStep(), 2);
+                twins.assertEqual(scene.name() + " with terrain, step " + k);
+            }
+            if (twins.pieces() == 0) {
+                throw new IllegalStateException("there is no terrain");
+            }
             return pipeline.kernelNanos().keySet();
         }
     }

@@ -1,5 +1,9 @@
 package io.github.circles2d.world.device;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.world.circles.SavedPieceContacts;
+import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.KindTerrain;
@@ -11,6 +15,8 @@ import io.github.circles2d.world.shared.Pipeline;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 
 /** Random tables of terrain, which pipelines are given in place of those of their simulations: also such as no world has. */
@@ -20,7 +26,8 @@ final class TerrainTwins {
     private final TerrainStep tables = new TerrainStep();
     private final Bounds bounds;
     private final float length;
-    private int subSteps = 4;
+    private final int subSteps = 4;
+    private Pipeline[] pipelines;
 
     /** Pieces are about as long as that. */
     TerrainTwins(Bounds bounds, float length) {
@@ -28,8 +35,17 @@ final class TerrainTwins {
         this.length = length;
     }
 
+    float[] rows() {
+        return tables.rows;
+    }
+
+    int[] traits() {
+        return tables.traits;
+    }
+
     /** The same pipelines, in steps with these tables. */
-    Pipeline[] on(Pipeline... pipelines) {
+    Pipeline[] on(Pipeline... all) {
+        pipelines = all;
         Pipeline[] with = new Pipeline[pipelines.length];
         for (int k = 0; k < pipelines.length; k++) {
             Pipeline pipeline = pipelines[k];
@@ -54,6 +70,26 @@ final class TerrainTwins {
         }
     }
 
+    /** Compares the contacts of circles with pieces; returns their number. */
+    int assertSameContacts(String when) {
+        List<String> expected = contacts(pipelines[0]);
+        for (Pipeline pipeline : pipelines) {
+            assertThat(contacts(pipeline)).as(when + " on " + pipeline.device()).isEqualTo(expected);
+        }
+        return expected.size();
+    }
+
+    private static List<String> contacts(Pipeline pipeline) {
+        SavedPieceContacts saved = new SavedState().pieceContacts;
+        pipeline.savePieceContacts(saved);
+        List<String> contacts = new ArrayList<>();
+        for (int k = 0; k < saved.count; k++) {
+            contacts.add(saved.circle[k] + " " + saved.piece[k] + " " + saved.serial[k] + " " + saved.side[k] + " "
+                    + saved.impulse[k] + " " + saved.friction[k] + " " + saved.rolling[k]);
+        }
+        return contacts;
+    }
+
     private void prepare(StepInput input) {
         input.constants.terrain = tables.pieces > 0;
         TerrainStep to = input.terrain;
@@ -61,10 +97,14 @@ final class TerrainTwins {
         to.rows = tables.rows;
         to.traits = tables.traits;
         to.version = tables.version;
+        to.changedFrom = tables.changedFrom;
+        to.changedTo = tables.changedTo;
         to.nodes = tables.nodes;
         to.boxes = tables.boxes;
         to.links = tables.links;
         to.treeVersion = tables.treeVersion;
+        to.linksVersion = tables.linksVersion;
+        to.boxesFrom = tables.boxesFrom;
         to.bodies = tables.bodies;
         to.motion = tables.motion;
         to.motionVersion = tables.motionVersion;
@@ -98,6 +138,9 @@ final class TerrainTwins {
         }
         tables.kinds.version++;
         move(random);
+        // not by one, so all is new
+        tables.version++;
+        tables.linksVersion++;
     }
 
     /** Lets bodies move in some way in the next step. */
@@ -127,12 +170,26 @@ final class TerrainTwins {
         }
         tables.motion = motion;
         tables.motionVersion++;
+        tables.changedFrom = tables.pieces;
+        tables.changedTo = 0;
         for (int piece = 0; piece < tables.pieces; piece++) {
+            int row = PieceRow.of(piece);
             boolean moves = tables.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0;
-            tables.rows[PieceRow.of(piece) + PieceRow.MOST] = moves ? 0.1f * most : 0f;
+            tables.rows[row + PieceRow.MOST] = moves ? 0.1f * most : 0f;
+            if (moves) {
+                float shift = between(random, -0.1f, 0.1f) * length;
+                tables.rows[row + PieceRow.X] += shift;
+                tables.rows[row + PieceRow.MID_X] += shift;
+                int body = BodyRow.of(tables.traits[PieceRow.traits(piece) + PieceRow.MOTION], subSteps);
+                tables.rows[row + PieceRow.PIVOT_X] = motion[body + BodyRow.PIVOT_X] - tables.rows[row + PieceRow.X];
+                tables.rows[row + PieceRow.PIVOT_Y] = motion[body + BodyRow.PIVOT_Y] - tables.rows[row + PieceRow.Y];
+                tables.changedFrom = Math.min(tables.changedFrom, piece);
+                tables.changedTo = piece + 1;
+            }
         }
         tables.version++;
         plant(0.1f * most);
+        tables.boxesFrom = tables.changedFrom;
     }
 
     /** A tree that is a list. */

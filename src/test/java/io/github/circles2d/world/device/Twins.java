@@ -6,7 +6,9 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
+import io.github.circles2d.world.changes.Bodies;
 import io.github.circles2d.world.changes.BulkChanges;
+import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
@@ -21,6 +23,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.terrain.ChainPath;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -208,6 +211,7 @@ final class Twins implements AutoCloseable {
         List<String> events = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "
+                    + rows.piece(i) + " "
                     + rows.speed(i) + " " + rows.slipSpeed(i) + " " + rows.impulse(i) + " " + rows.x(i) + " "
                     + rows.y(i) + " " + rows.normalX(i)
                     + " " + rows.normalY(i));
@@ -375,6 +379,20 @@ final class Twins implements AutoCloseable {
         return snapshot.flip();
     }
 
+    /** Goes on from the state of others. */
+    void takeOver(Twins others) {
+        for (Simulation simulation : simulations) {
+            simulation.snapshots().restore(snapshot(others.simulations[0]));
+        }
+        handles = others.handles.clone();
+        ids = others.ids;
+    }
+
+    /** Number of pieces of terrain. */
+    int pieces() {
+        return simulations[0].pieces().size();
+    }
+
     /** Sets the number of sub-steps, by the only way there is: a restore. */
     void restoreWithSubSteps(int count) {
         restoreWith(p -> new WorldParameters(
@@ -390,11 +408,7 @@ final class Twins implements AutoCloseable {
     void loadInPlace(Scene scene, AxisEdge x, AxisEdge y) {
         try (Twins one = load(scene, new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false))) {
             one.restoreWithEdges(x, y);
-            for (Simulation simulation : simulations) {
-                simulation.snapshots().restore(snapshot(one.simulations[0]));
-            }
-            handles = one.handles;
-            ids = one.ids;
+            takeOver(one);
         }
     }
 
@@ -576,6 +590,113 @@ final class Twins implements AutoCloseable {
             case 6 -> simulation.circles().applyAngularImpulse(handle, 0.01f * b);
             default -> simulation.circles().setKind(handle, (int) (8 * a) % 3);
         }
+    }
+
+    /** Changes terrain in some way: pieces, bodies, kinds that are one-way. */
+    void changeTerrain(SplittableRandom random) {
+        Bounds bounds = simulations[0].bounds();
+        float width = bounds.maxX() - bounds.minX();
+        float x = between(random, bounds.minX(), bounds.maxX());
+        float y = between(random, bounds.minY(), bounds.maxY());
+        float length = between(random, 0.05f, 0.3f) * width;
+        float angle = between(random, -3, 3);
+        float bend = between(random, -2, 2);
+        float velocity = random.nextInt(3) == 0 ? 0 : between(random, -1, 1);
+        int kind = random.nextInt(3);
+        int change = random.nextInt(14);
+        long body = anyBody(random);
+        long piece = anyPiece(random);
+        for (Simulation simulation : simulations) {
+            changeTerrain(simulation, change, body, piece, kind, x, y, length, angle, bend, velocity);
+        }
+    }
+
+    private static void changeTerrain(
+            Simulation simulation,
+            int change,
+            long body,
+            long piece,
+            int kind,
+            float x,
+            float y,
+            float length,
+            float angle,
+            float bend,
+            float velocity) {
+        Pieces pieces = simulation.pieces();
+        Bodies bodies = simulation.bodies();
+        boolean ground = body == bodies.ground();
+        float toX = x + length * (float) Math.cos(angle);
+        float toY = y + length * (float) Math.sin(angle);
+        // in the coordinates of a body
+        float atX = ground ? x : 0.1f * velocity;
+        float atY = ground ? y : -0.2f * velocity;
+        switch (change) {
+            case 0, 1, 2 ->
+                pieces.addSegment(body, kind, atX, atY, atX + toX - x, atY + toY - y, change * 0.1f * length);
+            case 3 -> pieces.addArc(body, kind, atX, atY, length, angle, angle + 2 + bend, bend > 0);
+            case 4, 5 -> {
+                ChainPath chain = new ChainPath(atX, atY);
+                chain.lineTo(atX + length, atY + 0.5f * bend * length);
+                chain.arcTo(atX + length, atY + length + bend * length, bend < 0 ? bend - 0.1f : bend + 0.1f);
+                chain.lineTo(atX + 2 * length, atY - length);
+                if (bend > 1) {
+                    chain.close();
+                }
+                pieces.addChain(body, chain, kind, null);
+            }
+            case 6 -> bodies.add(x, y, angle);
+            case 7 -> remove(simulation, body, piece, bend > 1);
+            case 8 -> simulation.kinds().set(KindField.ONE_WAY, kind, bend > 1 ? 1 : 0);
+            case 9 -> {
+                if (piece != 0) {
+                    pieces.setKind(piece, kind);
+                }
+            }
+            default -> {
+                if (!ground) {
+                    moveBody(bodies, change, body, x, y, angle, length, bend, velocity);
+                }
+            }
+        }
+    }
+
+    private static void remove(Simulation simulation, long body, long piece, boolean withBody) {
+        if (withBody && body != simulation.bodies().ground()) {
+            simulation.bodies().remove(body);
+        } else if (piece != 0) {
+            simulation.pieces().remove(piece);
+        }
+    }
+
+    private static void moveBody(
+            Bodies bodies,
+            int change,
+            long body,
+            float x,
+            float y,
+            float angle,
+            float length,
+            float bend,
+            float velocity) {
+        switch (change) {
+            case 10 -> bodies.setVelocity(body, velocity, bend * velocity);
+            case 11 -> bodies.setAngularVelocity(body, 5 * velocity);
+            case 12 -> bodies.move(body, bodies.x(body) + 0.3f * length, bodies.y(body), angle);
+            default -> bodies.teleport(body, x, y, angle);
+        }
+    }
+
+    private long anyBody(SplittableRandom random) {
+        Bodies bodies = simulations[0].bodies();
+        long body = bodies.handle(random.nextInt(bodies.idLimit()));
+        return random.nextInt(3) == 0 || body == 0 ? bodies.ground() : body;
+    }
+
+    /** 0 if there is none. */
+    private long anyPiece(SplittableRandom random) {
+        Pieces pieces = simulations[0].pieces();
+        return pieces.idLimit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.idLimit()));
     }
 
     private static float surface(SplittableRandom random) {

@@ -60,6 +60,7 @@ class WorldOclgrindTest {
                         "fast",
                         "levels in an arena that is not folded",
                         "turning",
+                        "terrain",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
                 .contains(
@@ -71,6 +72,7 @@ class WorldOclgrindTest {
                         "events_add",
                         "events_move",
                         "sensing_find",
+                        "pieces_find",
                         "readback_turns");
     }
 
@@ -92,6 +94,8 @@ class WorldOclgrindTest {
                         "fast",
                         "levels in an arena that is not folded",
                         "turning",
+                        "terrain",
+                        "terrain of tiles",
                         "queries"))
                 .containsAll(kernelsIn(""));
     }
@@ -111,6 +115,7 @@ class WorldOclgrindTest {
                         "fast",
                         "TILES",
                         "turning",
+                        "terrain",
                         "edges"))
                 .contains("scan_starts", "solver_solveTile", "persistentGpu_steps");
     }

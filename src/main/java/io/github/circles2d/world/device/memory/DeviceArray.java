@@ -177,7 +177,8 @@ public enum DeviceArray {
             "float4",
             "standing",
             Index.CONTACT,
-            "by piece contact: centre against x and y of the piece, in the frame of the start of the step; target speed of a bounce"),
+            "by piece contact: centre against x and y of the piece, in the frame of the start of the step; target speed of a bounce;"
+                    + " gap as the sub-step begins if it is deep, else 0"),
     KIND_TERRAIN("float", "kindTerrain", Index.TABLE, "a row a kind, of KIND_TERRAIN_STRIDE floats"),
     TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes");
 

@@ -154,6 +154,7 @@ enum ElementField {
 
     STANDING_PLACE(DeviceArray.STANDING, 0, 2),
     STANDING_BOUNCE(DeviceArray.STANDING, 2, 1),
+    STANDING_ALLOWED(DeviceArray.STANDING, 3, 1),
 
     CACHED_FRICTION(DeviceArray.CACHED_GRIP, 0, 1),
     CACHED_ROLLING(DeviceArray.CACHED_GRIP, 1, 1);

@@ -4,7 +4,7 @@ import io.github.circles2d.world.model.PieceRow;
 
 /**
  * Where the tables of terrain lie behind {@link DeviceArray#TERRAIN}, which begins with a head: so many floats before the rows of pieces, their
- * traits, the boxes of nodes, their links, and the motion of bodies; then the number of nodes.
+ * traits, the boxes of nodes, their links, and the motion of bodies; then the number of nodes, and of rows of bodies.
  */
 final class TerrainRoom {
     static final int ROWS = 0;
@@ -13,6 +13,7 @@ final class TerrainRoom {
     static final int LINKS = 3;
     static final int MOTION = 4;
     static final int NODES = 5;
+    static final int BODIES = 6;
 
     /** Ints of the head: a multiple of 4, as all that follows, for kernels that read vectors. */
     static final int HEAD = 8;

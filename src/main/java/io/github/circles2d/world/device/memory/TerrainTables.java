@@ -8,53 +8,52 @@ import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.TerrainStep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.Arrays;
 
 /**
- * Sends the tables of terrain where they have changed. They stay the host's, which may change them once steps have been enqueued: those that are
+ * Sends what has changed of the tables of terrain. They stay the host's, which may change them once steps have been enqueued: those that are
  * made once more find on the device what was sent with them.
  */
 final class TerrainTables {
     private static final int NEVER = -1;
 
+    /** Of what was taken down last; meaningless unless there is terrain. */
     private TerrainStep tables;
 
-    /** Whether the steps have terrain. */
     private boolean any;
-
     private int subSteps;
-
-    // of what was taken down last
     private int piecesVersion = NEVER;
     private int treeVersion = NEVER;
     private int motionVersion = NEVER;
     private int kindsVersion = NEVER;
 
-    private int roomVersion = NEVER;
-    private boolean piecesSent;
-    private boolean treeSent;
-    private boolean motionSent;
-    private boolean kindsSent;
-    private boolean headSent;
+    // the same of what is on the device
+    private int sentRoom = NEVER;
+    private int sentPieces = NEVER;
+    private int sentTree = NEVER;
+    private int sentLinks = NEVER;
+    private int sentMotion = NEVER;
+    private int sentKinds = NEVER;
+
+    /** Whether all that was taken down last has been sent, but for what has no room. */
+    private boolean sent;
+
     private final int[] head = new int[TerrainRoom.HEAD];
+    private final int[] sentHead = new int[TerrainRoom.HEAD];
     private final IntBuffer headView = IntBuffer.wrap(head);
 
     /** Takes down what the next steps are made with. */
     void set(StepInput input) {
-        tables = input.terrain;
-        headSent = headSent && any == input.constants.terrain && (!any || treeVersion == tables.treeVersion);
         any = input.constants.terrain;
-        if (!any) {
-            return;
+        if (any) {
+            tables = input.terrain;
+            subSteps = input.constants.subSteps;
+            piecesVersion = tables.version;
+            treeVersion = tables.treeVersion;
+            motionVersion = tables.motionVersion;
+            kindsVersion = tables.kinds.version;
         }
-        piecesSent = piecesSent && piecesVersion == tables.version;
-        treeSent = treeSent && treeVersion == tables.treeVersion;
-        motionSent = motionSent && motionVersion == tables.motionVersion && subSteps == input.constants.subSteps;
-        kindsSent = kindsSent && kindsVersion == tables.kinds.version;
-        piecesVersion = tables.version;
-        treeVersion = tables.treeVersion;
-        motionVersion = tables.motionVersion;
-        kindsVersion = tables.kinds.version;
-        subSteps = input.constants.subSteps;
+        sent = false;
     }
 
     /** Whether what was taken down last is this. */
@@ -77,23 +76,24 @@ final class TerrainTables {
 
     /** Sends what is not there yet, where there is memory for it. */
     void send(DeviceArrays arrays) {
-        if (!arrays.terrain()) {
+        if (sent || !arrays.terrain()) {
             return;
         }
         TerrainRoom room = arrays.terrainRoom();
-        if (roomVersion != room.version()) {
-            roomVersion = room.version();
-            headSent = false;
-            piecesSent = false;
-            treeSent = false;
-            motionSent = false;
-        }
-        if (!headSent) {
-            sendHead(arrays, room);
+        if (sentRoom != room.version()) {
+            sentPieces = NEVER;
+            sentTree = NEVER;
+            sentLinks = NEVER;
+            sentMotion = NEVER;
+            sentRoom = room.version();
         }
         if (any) {
-            sendTables(arrays, room);
+            sendPieces(arrays, room);
+            sendTree(arrays, room);
+            sendMotion(arrays, room);
         }
+        sendHead(arrays, room);
+        sent = true;
     }
 
     private void sendHead(DeviceArrays arrays, TerrainRoom room) {
@@ -101,37 +101,65 @@ final class TerrainTables {
             head[table] = room.at(table);
         }
         head[TerrainRoom.NODES] = any ? tables.nodes : 0;
-        arrays.writeTable(DeviceArray.TERRAIN_AT, headView);
-        headSent = true;
+        head[TerrainRoom.BODIES] = any ? tables.bodies : 1;
+        if (!Arrays.equals(head, sentHead)) {
+            arrays.writeTable(DeviceArray.TERRAIN_AT, headView);
+            System.arraycopy(head, 0, sentHead, 0, head.length);
+        }
     }
 
-    private void sendTables(DeviceArrays arrays, TerrainRoom room) {
-        if (!piecesSent) {
-            write(arrays, room.at(TerrainRoom.ROWS), tables.rows, PieceRow.of(tables.pieces));
-            write(arrays, room.at(TerrainRoom.TRAITS), tables.traits, PieceRow.traits(tables.pieces));
-            piecesSent = true;
+    private void sendPieces(DeviceArrays arrays, TerrainRoom room) {
+        if (sentPieces != piecesVersion) {
+            boolean some = sentPieces != NEVER && sentPieces == piecesVersion - 1;
+            int from = some ? tables.changedFrom : 0;
+            int to = some ? tables.changedTo : tables.pieces;
+            write(arrays, room.at(TerrainRoom.ROWS), tables.rows, PieceRow.of(from), PieceRow.of(to));
+            write(arrays, room.at(TerrainRoom.TRAITS), tables.traits, PieceRow.traits(from), PieceRow.traits(to));
+            sentPieces = piecesVersion;
         }
-        if (!treeSent) {
-            write(arrays, room.at(TerrainRoom.BOXES), tables.boxes, TerrainRoom.BOX * tables.nodes);
-            write(arrays, room.at(TerrainRoom.LINKS), tables.links, TerrainRoom.LINK * tables.nodes);
-            treeSent = true;
+    }
+
+    private void sendTree(DeviceArrays arrays, TerrainRoom room) {
+        if (sentTree != treeVersion) {
+            boolean some = sentTree != NEVER && sentTree == treeVersion - 1 && sentLinks == tables.linksVersion;
+            int from = some ? tables.boxesFrom : 0;
+            write(
+                    arrays,
+                    room.at(TerrainRoom.BOXES),
+                    tables.boxes,
+                    TerrainRoom.BOX * from,
+                    TerrainRoom.BOX * tables.nodes);
+            if (!some) {
+                write(arrays, room.at(TerrainRoom.LINKS), tables.links, 0, TerrainRoom.LINK * tables.nodes);
+            }
+            sentTree = treeVersion;
+            sentLinks = tables.linksVersion;
         }
-        if (!motionSent) {
-            write(arrays, room.at(TerrainRoom.MOTION), tables.motion, BodyRow.of(tables.bodies, subSteps));
-            motionSent = true;
+    }
+
+    private void sendMotion(DeviceArrays arrays, TerrainRoom room) {
+        if (sentMotion != motionVersion) {
+            int floats = BodyRow.of(tables.bodies, subSteps);
+            write(arrays, room.at(TerrainRoom.MOTION), tables.motion, BodyRow.of(1, subSteps), floats);
+            sentMotion = motionVersion;
         }
-        if (!kindsSent) {
+        if (sentKinds != kindsVersion) {
             int at = DeviceArray.KIND_TERRAIN_AT;
             arrays.writeTable(at, FloatBuffer.wrap(tables.kinds.rows, 0, KindTerrain.of(PairTable.KINDS)));
-            kindsSent = true;
+            sentKinds = kindsVersion;
         }
     }
 
-    private static void write(DeviceArrays arrays, int at, float[] values, int length) {
-        arrays.writeTable(DeviceArray.TERRAIN_AT + at, FloatBuffer.wrap(values, 0, length));
+    /** Writes a part of a table. */
+    private static void write(DeviceArrays arrays, int table, float[] values, int from, int to) {
+        if (from < to) {
+            arrays.writeTable(DeviceArray.TERRAIN_AT + table + from, FloatBuffer.wrap(values, from, to - from));
+        }
     }
 
-    private static void write(DeviceArrays arrays, int at, int[] values, int length) {
-        arrays.writeTable(DeviceArray.TERRAIN_AT + at, IntBuffer.wrap(values, 0, length));
+    private static void write(DeviceArrays arrays, int table, int[] values, int from, int to) {
+        if (from < to) {
+            arrays.writeTable(DeviceArray.TERRAIN_AT + table + from, IntBuffer.wrap(values, from, to - from));
+        }
     }
 }

@@ -4,7 +4,7 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 
-/** The memory in which a step notes what contacts and walls do, if they are reported; {@code kernels/world/stages/Touches.cl}. */
+/** The memory in which a step notes what contacts, walls and pieces of terrain do, if they are reported; {@code kernels/world/stages/Touches.cl}. */
 public final class TouchArrays implements AutoCloseable {
     /** Arguments of {@link #bind}. */
     public static final int ARGUMENTS = 3;
@@ -13,16 +13,25 @@ public final class TouchArrays implements AutoCloseable {
     /** More, if circles turn. */
     private static final long SLIP_BYTES = 8;
 
+    /** More, if there is terrain: of a piece contact, for which there is as much room. */
+    private static final long PIECE_BYTES = 32;
+
     private static final long SLOT_BYTES = 32;
 
     private final Session session;
     private final boolean walls;
+    private boolean pieces;
     private DeviceBuffer contacts;
     private DeviceBuffer slots;
 
     public TouchArrays(Session session, boolean walls) {
         this.session = session;
         this.walls = walls;
+    }
+
+    /** Sets whether the steps to come report pieces of terrain. */
+    public void setPieces(boolean some) {
+        pieces = some;
     }
 
     /** A struct and the arguments that fill it, for kernels of steps that record (RECORDING). */
@@ -34,9 +43,12 @@ public final class TouchArrays implements AutoCloseable {
                     global float4 *wallTouch; // by slot and axis: see Touches.cl
                     int walls; // whether walls are reported
                     int numbers; // by tiles: see SET_TOUCH_NUMBERS
+                    int pieces; // whether pieces of terrain are reported
                 } Recording;
-                #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, int withWalls
-                #define RECORD_IN(w) Recording recording = {touch, wallTouch, withWalls}; (w).recording = recording
+                #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, int recorded
+                #define RECORD_IN(w) \
+                    Recording recording = {touch, wallTouch, recorded & 1, 0, recorded & 2}; \
+                    (w).recording = recording
                 #else
                 #define RECORDING_PARAMETERS
                 #define RECORD_IN(w)
@@ -48,12 +60,12 @@ public final class TouchArrays implements AutoCloseable {
     public void bind(Kernel kernel, int first) {
         kernel.arg(StageKernels.own(first), contacts)
                 .arg(StageKernels.own(first + 1), slots)
-                .arg(StageKernels.own(first + 2), walls ? 1 : 0);
+                .arg(StageKernels.own(first + 2), (walls ? 1 : 0) | (pieces ? 2 : 0));
     }
 
     /** Makes room for what other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
-        long contactBytes = CONTACT_BYTES + (arrays.turning() ? SLIP_BYTES : 0);
+        long contactBytes = CONTACT_BYTES + (arrays.terrain() ? PIECE_BYTES : 0) + (arrays.turning() ? SLIP_BYTES : 0);
         contacts = ensure("touches", contacts, contactBytes * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
     }

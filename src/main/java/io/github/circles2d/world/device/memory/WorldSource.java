@@ -1,10 +1,12 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.events.PieceCode;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
@@ -49,6 +51,7 @@ public final class WorldSource {
                 .define("HOLD", Tuning.HOLD)
                 .define("ASIDE", Tuning.ASIDE)
                 .define("GRAZE", Tuning.GRAZE)
+                .define("CORNER", Tuning.CORNER)
                 .define("COVER", Tuning.COVER)
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)
@@ -66,6 +69,8 @@ public final class WorldSource {
                 .define("WAIT_DEPTH_OF_SMALLER", CrossRule.WAIT_DEPTH_OF_SMALLER)
                 .define("TOUCH_SLACK", TouchRule.SLACK)
                 .define("FIRST_WALL", Limits.CIRCLES)
+                .define("FIRST_PIECE", PieceCode.of(0))
+                .define("ALL_AROUND", PieceRow.ALL_AROUND)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)
                 .define("UNITS_PER_RADIAN", Surface.UNITS_PER_RADIAN)

@@ -115,12 +115,14 @@ final class WorldTables {
     }
 
     private static void terrain(StringBuilder text) {
+        define(text, "TERRAIN_AT", DeviceArray.TERRAIN_AT, "floats before terrain in the buffer of kindMotion");
         define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");
         define(text, "TERRAIN_TRAITS", TerrainRoom.TRAITS, "before their traits, an int4 each");
         define(text, "TERRAIN_BOXES", TerrainRoom.BOXES, "before the boxes of nodes, a float4 each");
         define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
         define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
         define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
+        define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
         define(text, "KIND_TERRAIN_STRIDE", KindTerrain.STRIDE, "floats of a row of kindTerrain");
         define(text, "KIND_RESTITUTION", KindTerrain.RESTITUTION, "restitution");
         define(text, "KIND_ONE_WAY", KindTerrain.ONE_WAY, "1 if circles pass from behind");
@@ -141,6 +143,8 @@ final class WorldTables {
         define(text, "PIECE_NEXT_Y", PieceRow.NEXT_Y, "the same");
         define(text, "PIECE_MID_X", PieceRow.MID_X, "middle of its box");
         define(text, "PIECE_MID_Y", PieceRow.MID_Y, "the same");
+        define(text, "PIECE_PIVOT_X", PieceRow.PIVOT_X, "what its body turns around, against x");
+        define(text, "PIECE_PIVOT_Y", PieceRow.PIVOT_Y, "the same");
         define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
         define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
         define(text, "TRAIT_KIND", "s" + PieceRow.KIND, "kind");
@@ -156,9 +160,7 @@ final class WorldTables {
         define(text, "JOINT_FREE", PieceRow.FREE, "no other piece there");
         define(text, "JOINT_CONVEX", PieceRow.CONVEX, "or straight");
         define(text, "JOINT_CONCAVE", PieceRow.CONCAVE, "the surface turns towards its free side");
-        define(text, "BODY_PIVOT_X", BodyRow.PIVOT_X, "float of the motion of a body: what it turns around");
-        define(text, "BODY_PIVOT_Y", BodyRow.PIVOT_Y, "the same");
-        define(text, "BODY_VX", BodyRow.VX, "its velocity");
+        define(text, "BODY_VX", BodyRow.VX, "float of the motion of a body: its velocity");
         define(text, "BODY_VY", BodyRow.VY, "the same");
         define(text, "BODY_OMEGA", BodyRow.OMEGA, "angular velocity");
         define(text, "BODY_HEAD", BodyRow.pose(0), "floats before the first pose");

@@ -62,7 +62,11 @@ public final class EventStage {
 
     /** Enqueues what comes behind a step, once its pairs have been told of. circles: of the step. */
     public void decide(int circles) {
-        bind(end).run(items(events.places()));
+        bind(end);
+        if (arrays.terrain()) {
+            end.arg(FIRST + EventArrays.ARGUMENTS, arrays.get(DeviceArray.KIND_MOTION));
+        }
+        end.run(items(events.places()));
         scan.run(events.tally(), events.ids() + 1, events.blockSums(), events.starts(), arrays.get(DeviceArray.STATUS));
         bind(settle).run(items(circles));
         bind(write).run(items(circles));

@@ -1,9 +1,10 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.Terrain;
 import io.github.circles2d.World;
 import org.teavm.jso.typedarrays.Float32Array;
 
-/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned. */
+/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned; and terrain. */
 final class Picture {
     static final int PLAIN = 0;
     static final int SPEED = 1;
@@ -30,7 +31,21 @@ final class Picture {
     private float[] more = new float[0];
     private float[] angles = new float[0];
     private int[] kinds = new int[0];
+    private float[] pieces = new float[0];
     private float meanPressure;
+
+    /** The pieces of terrain as they are, with a shade in place of the kind. */
+    Float32Array terrainOf(World world) {
+        Terrain terrain = world.terrain();
+        pieces = atLeast(pieces, Terrain.PIECE_STRIDE * terrain.size());
+        int length = Terrain.PIECE_STRIDE * terrain.readPieces(pieces, null);
+        Float32Array rows = new Float32Array(length);
+        for (int k = 0; k < length; k++) {
+            boolean isKind = k % Terrain.PIECE_STRIDE == 1;
+            rows.set(k, isKind ? world.kind((int) pieces[k]).beltSpeed() != 0 ? BELT : STATIC : pieces[k]);
+        }
+        return rows;
+    }
 
     /** Draws the world as it is. */
     Float32Array of(World world, int mode) {

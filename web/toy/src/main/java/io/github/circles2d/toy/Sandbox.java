@@ -22,7 +22,8 @@ final class Sandbox {
     /** Part of the way to the pointer that a grabbed circle goes in a step, as a speed. */
     private static final float PULL = 15;
 
-    private static final float WALL_RADIUS = 0.8f;
+    private static final int MOST_PIECES = 4_000;
+    private static final float SHORTEST_WALL = 0.5f;
     private static final float BLAST_RADIUS = 4;
     private static final float BLAST_FALLOFF = 16;
     private static final float BLAST_IMPULSE = 70;
@@ -84,10 +85,11 @@ final class Sandbox {
         world.explode(x, y, BLAST_RADIUS, BLAST_IMPULSE, BLAST_FALLOFF);
     }
 
-    /** Draws a wall of static circles to the pointer. */
+    /** Draws a wall to the pointer. */
     void wallFrom(float fromX, float fromY) {
-        if (world.size() < MOST_CIRCLES) {
-            Stages.line(world, fromX, fromY, x, y, WALL_RADIUS);
+        boolean isLong = Math.max(Math.abs(x - fromX), Math.abs(y - fromY)) > SHORTEST_WALL;
+        if (isLong && world.terrain().size() < MOST_PIECES) {
+            world.terrain().addSegment(fromX, fromY, x, y, Stages.WALL_RADIUS, 0);
         }
     }
 

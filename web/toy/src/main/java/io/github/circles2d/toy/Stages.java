@@ -1,15 +1,21 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.ArcSide;
 import io.github.circles2d.Backend;
+import io.github.circles2d.Chain;
+import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.util.Random;
 
 /** What there is to begin with. */
 final class Stages {
+    /** The thickness of walls. */
+    static final float WALL_RADIUS = 0.8f;
+
     private static final float FIXED = Float.POSITIVE_INFINITY;
 
-    // Kinds of static circles.
+    // Kinds of terrain and static circles.
     private static final int BELT = 1;
     private static final int ROLLER = 2;
     private static final int ICE = 3; // has the friction of the world, 0
@@ -26,6 +32,7 @@ final class Stages {
                 .build();
         switch (name) {
             case "hourglass" -> hourglass(world);
+            case "drum" -> drum(world);
             case "pegs" -> pegs(world);
             case "marbles" -> marbles(world);
             case "crowd" -> heap(world, 1, 1, 159, 99, 0.62f, 0.82f, 9, 5_000);
@@ -37,8 +44,8 @@ final class Stages {
     }
 
     private static void ramps(World world) {
-        line(world, 4, 72, 62, 52, 0.8f);
-        line(world, 156, 60, 92, 40, 0.8f);
+        wall(world, 4, 72, 62, 52, 0);
+        wall(world, 156, 60, 92, 40, 0);
         heap(world, 6, 76, 56, 98, 0.7f, 1.1f, 2, 600);
         heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3, 900);
         world.add(62, 7, 5, 60);
@@ -51,31 +58,40 @@ final class Stages {
         world.kind(BELT).setFriction(1).setBeltSpeed(-24);
         world.kind(ROLLER).setFriction(1);
         world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);
-        line(world, 2, 82, 52, 66, 0.8f);
-        line(world, 54, 62, 112, 72, 0.8f, BELT);
+        wall(world, 2, 82, 52, 66, 0);
+        wall(world, 54, 62, 112, 72, BELT);
         for (int k = 0; k < 7; k++) {
             long roller = world.add(150 - 7.5f * k, 56 - 0.7f * k, 3.2f, FIXED, 0, 0, ROLLER);
             world.setAngularVelocity(roller, 6);
         }
-        line(world, 98, 46, 52, 28, 0.8f, ICE);
-        line(world, 156, 66, 156, 58, 0.8f);
+        wall(world, 98, 46, 52, 28, ICE);
+        wall(world, 156, 66, 156, 58, 0);
         heap(world, 4, 84, 48, 99, 1, 1.6f, 10, 120);
         heap(world, 20, 2, 140, 12, 1, 1.6f, 11, 120);
     }
 
     private static void hourglass(World world) {
-        line(world, 36, 99, 36, 84, 0.8f);
-        line(world, 124, 99, 124, 84, 0.8f);
-        line(world, 36, 84, 76, 52, 0.8f);
-        line(world, 124, 84, 84, 52, 0.8f);
-        line(world, 76, 52, 76, 48, 0.8f);
-        line(world, 84, 52, 84, 48, 0.8f);
-        line(world, 76, 48, 36, 16, 0.8f);
-        line(world, 84, 48, 124, 16, 0.8f);
-        line(world, 36, 16, 36, 1, 0.8f);
-        line(world, 124, 16, 124, 1, 0.8f);
-        heap(world, 40, 85, 120, 98, 0.5f, 0.7f, 5, 600);
+        Chain glass = Chain.from(40, 99).lineTo(120, 99).lineTo(120, 84); // clockwise: the sand is inside
+        glass.lineTo(85.333f, 52.981f).arcTo(88, 50, 1.6818f).lineTo(120, 16).lineTo(120, 1);
+        glass.lineTo(40, 1).lineTo(40, 16);
+        glass.lineTo(74.667f, 47.019f).arcTo(72, 50, 1.6818f).lineTo(40, 84).close();
+        world.terrain().addChain(glass);
+        heap(world, 41, 85, 119, 98, 0.5f, 0.7f, 5, 600);
         heap(world, 58, 71, 102, 84, 0.5f, 0.7f, 6, 400);
+    }
+
+    /** A drum with paddles that turns. */
+    private static void drum(World world) {
+        TerrainBody drum = world.terrain().addBody(80, 50, 0);
+        drum.addArc(0, 0, 46, 0, 2 * (float) Math.PI, ArcSide.INNER);
+        for (int k = 0; k < 8; k++) {
+            float x = (float) StrictMath.cos(k * Math.PI / 4);
+            float y = (float) StrictMath.sin(k * Math.PI / 4);
+            drum.addSegment(46 * x, 46 * y, 37 * x, 37 * y, 0.6f, 0);
+        }
+        drum.setAngularVelocity(0.5f);
+        world.kind(0).setFriction(0.5f);
+        heap(world, 50, 24, 110, 76, 0.8f, 1.1f, 20, 700);
     }
 
     private static void pegs(World world) {
@@ -88,7 +104,7 @@ final class Stages {
             }
         }
         for (int wall = 1; wall < 14; wall++) {
-            line(world, 160f * wall / 14, 1, 160f * wall / 14, 22, 0.5f);
+            world.terrain().addSegment(160f * wall / 14, 0, 160f * wall / 14, 22, 0.5f, 0);
         }
         heap(world, 40, 80, 120, 98, 0.7f, 0.9f, 7, 900);
     }
@@ -128,18 +144,7 @@ final class Stages {
         }
     }
 
-    /** Static circles, each beside the next. */
-    static void line(World world, float x, float y, float toX, float toY, float radius) {
-        line(world, x, y, toX, toY, radius, 0);
-    }
-
-    private static void line(World world, float x, float y, float toX, float toY, float radius, int kind) {
-        float dx = toX - x;
-        float dy = toY - y;
-        int parts = (int) Math.ceil(Math.sqrt(dx * dx + dy * dy) / (1.2f * radius));
-        for (int k = 0; k <= parts; k++) {
-            float share = parts == 0 ? 0 : (float) k / parts;
-            world.add(x + dx * share, y + dy * share, radius, FIXED, 0, 0, kind);
-        }
+    private static void wall(World world, float x, float y, float toX, float toY, int kind) {
+        world.terrain().addSegment(x, y, toX, toY, WALL_RADIUS, kind);
     }
 }

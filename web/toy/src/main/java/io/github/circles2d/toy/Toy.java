@@ -109,6 +109,12 @@ public final class Toy {
         return picture.of(sandbox.world(), mode);
     }
 
+    /** The pieces of terrain, as {@link io.github.circles2d.Terrain#readPieces} gives them, with a shade in place of the kind. */
+    @JSExport
+    public static Float32Array terrain() {
+        return picture.terrainOf(sandbox.world());
+    }
+
     /** The hash of a scene on record after some steps. */
     @JSExport
     public static String sameBits(String scene, int steps) {

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
 /**
- * A figure of World on a scene in which surfaces grip.
+ * A figure of World on a scene of the page on its physics.
  *
  * @param row the row of the table
  * @param what what was measured, with its unit
@@ -11,7 +11,7 @@ package io.github.circles2d;
  * @param greatest what is asked of World at most
  * @param floor what the tests ask of a figure that is not met yet; NaN if it is
  */
-record SurfaceFigure(
+record RowFigure(
         String row,
         String what,
         double exact,
@@ -21,23 +21,23 @@ record SurfaceFigure(
         double floor,
         double world) {
     /** A figure that is to be the exact one, but for a share of it. */
-    static SurfaceFigure share(String row, String what, double exact, double box2d, double share, double world) {
+    static RowFigure share(String row, String what, double exact, double box2d, double share, double world) {
         return within(row, what, exact, box2d, share * Math.abs(exact), world);
     }
 
     /** A figure that is to be the exact one, but for a difference. */
-    static SurfaceFigure within(String row, String what, double exact, double box2d, double difference, double world) {
-        return new SurfaceFigure(row, what, exact, box2d, exact - difference, exact + difference, Double.NaN, world);
+    static RowFigure within(String row, String what, double exact, double box2d, double difference, double world) {
+        return new RowFigure(row, what, exact, box2d, exact - difference, exact + difference, Double.NaN, world);
     }
 
     /** A figure that theory does not say. */
-    static SurfaceFigure between(String row, String what, double box2d, double least, double greatest, double world) {
-        return new SurfaceFigure(row, what, Double.NaN, box2d, least, greatest, Double.NaN, world);
+    static RowFigure between(String row, String what, double box2d, double least, double greatest, double world) {
+        return new RowFigure(row, what, Double.NaN, box2d, least, greatest, Double.NaN, world);
     }
 
     /** This figure, which does not meet what is asked yet, but is not to be worse than another one. */
-    SurfaceFigure notBelow(double floor) {
-        return new SurfaceFigure(row, what, exact, box2d, least, greatest, floor, world);
+    RowFigure notBelow(double floor) {
+        return new RowFigure(row, what, exact, box2d, least, greatest, floor, world);
     }
 
     boolean met() {

@@ -1,0 +1,530 @@
+package io.github.circles2d.reference;
+
+import static io.github.circles2d.reference.Numbers.dot;
+import static io.github.circles2d.reference.Numbers.length;
+import static io.github.circles2d.reference.Numbers.max;
+import static io.github.circles2d.reference.Numbers.minus;
+import static io.github.circles2d.reference.Numbers.plus;
+
+import java.util.List;
+import java.util.function.Function;
+
+/** A circle and a piece of terrain near it. The circle counts as one of mass 1, so impulses are speeds. */
+final class PieceContact extends Constraint {
+    private static final float WALL_STIFFNESS = 2f;
+    private static final float COVER = 0.02f;
+    private static final int ROUNDS = 2;
+
+    final Circle c;
+    final Piece piece;
+
+    /** That of the piece as the contact was found. */
+    final int serial;
+
+    /** Whether it pushes nothing. */
+    final boolean sensed;
+
+    private final float belt;
+    private final float inverseInertia;
+    private final boolean oneWay;
+
+    /** 1 in front of the piece, -1 behind it, 0 if the piece has a front and the circle is behind. */
+    float side;
+
+    /** As measured last. */
+    private Piece.Stand stand;
+
+    private Piece.Feature feature = Piece.Feature.FACE;
+    private float[] o = new float[2];
+    private float[] normal = new float[2];
+
+    /** The gap as the sub-step begins, if the circle is in the piece; else 0. */
+    private float allowed;
+
+    /** The velocity of the piece's surface. */
+    private float[] surface = new float[2];
+
+    /** What it does in the step, if it is no sensed one. */
+    private final Touch touch = new Touch();
+
+    /** The normal impulse that was applied last. */
+    private float applied;
+
+    /** How fast the surface came along the normal when the circle approached fastest. */
+    private float surfaceSpeed;
+
+    /** Where the circle was as the step began, in the frame of the piece. */
+    private float[] start;
+
+    /** What the normal speed loses in a biased visit, since the piece curves away. */
+    private float bend;
+
+    PieceContact(Circle c, Piece piece, boolean sensed, Kinds kinds, StepParameters step) {
+        super(
+                step,
+                WALL_STIFFNESS,
+                length(step.gravity()),
+                2f * c.radius,
+                max(c.restitution, max(kinds.restitution(piece.kind, 0f), 0f)),
+                1f);
+        this.c = c;
+        this.piece = piece;
+        serial = piece.serial;
+        this.sensed = sensed;
+        oneWay = kinds.get(piece.kind, Kinds.ONE_WAY) != 0;
+        inverseInertia = c.turn.inverseInertia / c.inverseMass();
+        belt = kinds.getFloat(piece.kind, Kinds.BELT_SPEED) + c.turn.belt;
+        frictionCoefficient =
+                Numbers.sqrt(c.turn.friction * Turn.friction(Float.NaN, piece.kind, kinds, step.surfaces()));
+        tangentMass = 1f / (1f + inverseInertia);
+        float resistance =
+                max(c.turn.rollingResistance, Turn.rollingResistance(Float.NaN, piece.kind, kinds, step.surfaces()));
+        rollingCoefficient = inverseInertia > 0f ? resistance : 0f;
+        rollingMass = 1f / inverseInertia;
+    }
+
+    /** Whether a circle is near enough to a piece for a contact. */
+    static boolean isNear(Circle c, Piece piece) {
+        float path = length(c.freePath);
+        float sight = (c.radius + Circle.MARGIN * c.radius) + (path + c.radius);
+        return piece.distance(offset(c, piece)) < sight + piece.most;
+    }
+
+    /** The base against the origin of a piece. */
+    private static float[] offset(Circle c, Piece piece) {
+        float[] offset = new float[2];
+        for (int a = 0; a < 2; a++) {
+            offset[a] = c.base[a] - piece.origin[a];
+            if (c.arena.isWrapped(0) || c.arena.isWrapped(1)) {
+                float way = c.base[a] - piece.middle[a];
+                offset[a] = (float) c.arena.shortWay(a, way) + (piece.middle[a] - piece.origin[a]);
+            }
+        }
+        return offset;
+    }
+
+    /** Goes on from the contact of the step before, if there is one. */
+    void begin(PieceContact last) {
+        if (last != null && last.serial == serial) {
+            side = last.side;
+            normalImpulse = last.normalImpulse;
+            friction = last.friction;
+            rolling = last.rolling;
+        }
+        if (side == 0f) {
+            float[] at = offset(c, piece);
+            boolean front = piece.isInFront(at);
+            if (hasTwoSides()) {
+                side = front ? 1f : -1f;
+            } else if (oneWay) {
+                side = front && piece.measure(at, c.radius, 1f).gap() >= 0f ? 1f : 0f;
+            } else {
+                side = front ? 1f : 0f;
+            }
+        }
+    }
+
+    boolean acts() {
+        return feature != Piece.Feature.NONE && !sensed;
+    }
+
+    // ---- where the circle is
+    // -----------------------------------------------------------------------------------------
+
+    /** From the origin of the piece to a displacement, in the frame of the start of the step. */
+    private float[] local(float[] displacement, int boundary) {
+        float[] from = offset(c, piece);
+        Body.Motion motion = piece.body.motion;
+        if (motion == null) {
+            return plus(from, displacement);
+        }
+        float[] pivot = piece.pivot;
+        float[] d = plus(minus(from, pivot), minus(displacement, motion.ways()[boundary]));
+        float cos = motion.cosines()[boundary];
+        float sin = motion.sines()[boundary];
+        return new float[] {(cos * d[0] + sin * d[1]) + pivot[0], (cos * d[1] - sin * d[0]) + pivot[1]};
+    }
+
+    /** Measures all contacts of a circle at a boundary of sub-steps; those that are no constraints forget their impulses. */
+    static void measure(List<PieceContact> all, int boundary) {
+        all.forEach(contact -> contact.measure(boundary));
+        all.forEach(contact -> contact.leaveToFaces(all));
+        all.stream().filter(contact -> contact.feature == Piece.Feature.NONE).forEach(PieceContact::forget);
+    }
+
+    private void measure(int boundary) {
+        o = local(c.displacement, boundary);
+        start = start == null ? o : start;
+        if (side == 0f) {
+            feature = Piece.Feature.NONE;
+            return;
+        }
+        stand = piece.measure(o, c.radius, side);
+        boolean around =
+                stand.feature() == Piece.Feature.FACE && feature != Piece.Feature.FACE && side * stand.height() < 0f;
+        if (around) {
+            goAround();
+        }
+        feature = side == 0f ? Piece.Feature.NONE : stand.feature();
+        if (side == 0f) {
+            return;
+        }
+        separation = stand.gap();
+        normal = stand.normal();
+        Body.Motion motion = piece.body.motion;
+        if (motion != null) {
+            float cos = motion.cosines()[boundary];
+            float sin = motion.sines()[boundary];
+            normal = new float[] {cos * normal[0] - sin * normal[1], sin * normal[0] + cos * normal[1]};
+        }
+        if (isAtVertex() && hasTwoSides() && stand.height() != 0f) {
+            side = stand.height() > 0f ? 1f : -1f;
+        }
+    }
+
+    /** Around an end, the circle has come behind the piece. */
+    private void goAround() {
+        side = hasTwoSides() ? -side : 0f;
+        if (side != 0f) {
+            stand = piece.measure(o, c.radius, side);
+        }
+    }
+
+    private boolean hasTwoSides() {
+        return piece.hasTwoSides() && !oneWay;
+    }
+
+    private boolean isAtVertex() {
+        return feature == Piece.Feature.START || feature == Piece.Feature.END;
+    }
+
+    /** A free vertex with the face of another piece under it is no constraint. */
+    private void leaveToFaces(List<PieceContact> all) {
+        boolean atStart = feature == Piece.Feature.START;
+        if (!isAtVertex() || sensed || piece.joint(atStart) != Piece.Joint.FREE) {
+            return;
+        }
+        float[] vertex = atStart ? piece.start : piece.end;
+        for (PieceContact other : all) {
+            if (other.feature == Piece.Feature.FACE && !other.sensed && other.piece.body.motion == piece.body.motion) {
+                float[] place = plus(minus(other.o, o), vertex);
+                if (other.piece.covers(other.side, place, piece.thickness(), COVER * c.radius)) {
+                    feature = Piece.Feature.NONE;
+                    return;
+                }
+            }
+        }
+    }
+
+    private void forget() {
+        normalImpulse = 0f;
+        friction = 0f;
+        rolling = 0f;
+        bounceSpeed = 0f;
+    }
+
+    /** Finds how fast the surface moves where the circle is nearest to it. */
+    private void findSurface(int boundary) {
+        surface = new float[2];
+        Body.Motion motion = piece.body.motion;
+        if (motion != null) {
+            float reach = c.radius + separation;
+            float[] pivot = piece.pivot;
+            float[] d = plus(minus(offset(c, piece), pivot), minus(c.displacement, motion.ways()[boundary]));
+            float x = d[0] - normal[0] * reach;
+            float y = d[1] - normal[1] * reach;
+            surface[0] = motion.velocity()[0] - motion.omega() * y;
+            surface[1] = motion.velocity()[1] + motion.omega() * x;
+        }
+    }
+
+    // ---- visits
+    // ------------------------------------------------------------------------------------------------------
+
+    void warmStart() {
+        allowed = acts() ? Numbers.min(separation, 0f) : 0f;
+        if (!acts() || !(normalImpulse > 0f)) {
+            friction = 0f;
+            rolling = 0f;
+            return;
+        }
+        apply(normalImpulse);
+        if (friction != 0f || rolling != 0f) {
+            forgetGrips();
+            applyAlong(friction);
+            c.turn.speed += inverseInertia * (rolling - friction);
+        }
+    }
+
+    /** The biased visit. */
+    void solve(int boundary) {
+        findSurface(boundary);
+        bounceSpeed = 0f;
+        float[] u = minus(c.velocity, surface);
+        float[] way = {u[0] * step.h(), u[1] * step.h()};
+        float most = Circle.CAP * c.radius;
+        if (separation > Circle.MARGIN * c.radius && normalImpulse == 0f && dot(way, way) > most * most) {
+            return; // its move ends at the piece
+        }
+        float along = tangentSpeed();
+        float mostBend = Math.abs(along);
+        bend = Numbers.clamp(0.5f * stand.curve() * along * along * step.h(), -mostBend, mostBend);
+        float vn = normalVelocity(circle -> circle.velocity) - bend;
+        float v0 = normalVelocity(circle -> circle.velocityBeforeImpulses);
+        boolean staysClear = separation > 0f
+                && normalImpulse == 0f
+                && separation * step.inverseH() + vn >= 0f
+                && separation + v0 * step.h() >= 0f;
+        if (!staysClear) {
+            float before = normalImpulse;
+            float slip = slip(tangentSpeed(c.velocityBeforeImpulses), c.turn.speedBeforeImpulses);
+            float[] place = place(c.displacement);
+            applied = 0f;
+            solve();
+            look(v0, slip, place, before + applied);
+        }
+        bend = 0f;
+    }
+
+    void relax(int boundary) {
+        findSurface(boundary);
+        if (separation > 0f && normalImpulse == 0f && bounceSpeed == 0f && friction == 0f && rolling == 0f) {
+            return;
+        }
+        float vn = normalVelocity(circle -> circle.velocity);
+        float slip = slip(tangentSpeed(), c.turn.speed);
+        float[] place = place(c.displacement);
+        applied = 0f;
+        relax();
+        look(vn, slip, place, applied);
+    }
+
+    // ---- touches
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Half-way between the surfaces. */
+    private float[] place(float[] displacement) {
+        float[] place = new float[2];
+        for (int a = 0; a < 2; a++) {
+            place[a] = (c.base[a] + displacement[a]) + -normal[a] * (c.radius + 0.5f * separation);
+        }
+        return place;
+    }
+
+    /** Looks at the touch after a visit, by what was before it, and what it gave the circle along the normal. */
+    private void look(float vn, float slip, float[] place, float impulse) {
+        touch.impulse += impulse;
+        float approach = max(-vn, 0f);
+        if ((impulse > 0f || separation <= 0f) && approach > touch.approach) {
+            touch.approach = approach;
+            touch.slip = frictionCoefficient > 0f ? Math.abs(slip) : 0f;
+            surfaceSpeed = dot(normal, surface);
+            note(normal, place);
+        }
+    }
+
+    private void note(float[] fromPiece, float[] place) {
+        touch.normal = new float[] {-fromPiece[0], -fromPiece[1]};
+        touch.point = place;
+    }
+
+    /** What there was in the step; null if they were not near each other. */
+    Touch touchAfterStep() {
+        touch.slack = Touch.SLACK * radii;
+        if (sensed) {
+            return hasTwoSides() || piece.isInFront(start) ? sense() : null;
+        }
+        touch.separation = separation;
+        if (touch.approach < 0f) {
+            if (feature == Piece.Feature.NONE || !touch.staysInTouch()) {
+                return null;
+            }
+            note(normal, place(new float[2]));
+        }
+        touch.impulse = c.mass * touch.impulse;
+        touch.normalVelocity = -dot(touch.normal, c.velocity) - surfaceSpeed;
+        touch.threshold = squaredHitSpeed();
+        return touch;
+    }
+
+    /** The circle has moved evenly, in the frame of the piece. */
+    private Touch sense() {
+        float[] u = minus(o, start);
+        float time = piece.timeOfNotice(start, u, c.radius);
+        touch.separation = time <= 1f ? 0f : piece.distance(o) - c.radius;
+        if (!touch.staysInTouch()) {
+            return null;
+        }
+        time = Numbers.min(time, 1f);
+        float[] at = {start[0] + time * u[0], start[1] + time * u[1]};
+        Piece.Stand then = piece.measure(at, c.radius, piece.isInFront(start) ? 1f : -1f);
+        float vn = dot(then.normal(), u) / step.dt();
+        touch.sensedSpeed = max(-vn, 0f);
+        float away = c.radius + 0.5f * then.gap();
+        float[] place = {at[0] - away * then.normal()[0], at[1] - away * then.normal()[1]};
+        Body.Motion motion = piece.body.motion;
+        if (motion == null) {
+            note(then.normal(), plus(piece.origin, place));
+            return touch;
+        }
+        int last = step.subSteps();
+        float cos = motion.cosines()[last];
+        float sin = motion.sines()[last];
+        float[] p = minus(place, piece.pivot);
+        float[] pivot = plus(plus(piece.origin, piece.pivot), motion.ways()[last]);
+        float[] n = then.normal();
+        note(
+                new float[] {cos * n[0] - sin * n[1], sin * n[0] + cos * n[1]},
+                new float[] {pivot[0] + (cos * p[0] - sin * p[1]), pivot[1] + (sin * p[0] + cos * p[1])});
+        return touch;
+    }
+
+    @Override
+    float bend() {
+        return bend;
+    }
+
+    @Override
+    float normalVelocity(Function<Circle, float[]> velocity) {
+        return dot(normal, minus(velocity.apply(c), surface));
+    }
+
+    @Override
+    boolean isLoaded() {
+        return c.loaded;
+    }
+
+    @Override
+    void apply(float impulse) {
+        applied = impulse;
+        c.velocity[0] += normal[0] * impulse;
+        c.velocity[1] += normal[1] * impulse;
+    }
+
+    /** As off a wall. */
+    @Override
+    void applyFreeBounce(float impulse) {
+        float vn = normalVelocity(circle -> circle.velocity) - bend;
+        boolean fliesOn = separation > 0f && vn < 0f && -vn * step.dt() <= c.radius;
+        float behind = fliesOn ? impulse * (separation / -vn) : 0f;
+        c.displacement[0] -= normal[0] * behind;
+        c.displacement[1] -= normal[1] * behind;
+        apply(impulse);
+    }
+
+    @Override
+    float tangentSpeed() {
+        return tangentSpeed(c.velocity);
+    }
+
+    private float tangentSpeed(float[] velocity) {
+        float[] u = minus(velocity, surface);
+        return normal[0] * u[1] - normal[1] * u[0];
+    }
+
+    @Override
+    float slip(float speed) {
+        return slip(speed, c.turn.speed);
+    }
+
+    private float slip(float speed, float spin) {
+        return (speed - spin) - belt;
+    }
+
+    @Override
+    float rollingSpeed() {
+        return c.turn.speed;
+    }
+
+    private void applyAlong(float impulse) {
+        c.velocity[0] += -normal[1] * impulse;
+        c.velocity[1] += normal[0] * impulse;
+    }
+
+    @Override
+    void applyFriction(float impulse) {
+        applyAlong(impulse);
+        c.turn.speed += inverseInertia * -impulse;
+    }
+
+    @Override
+    void applyRolling(float impulse) {
+        c.turn.speed += inverseInertia * impulse;
+    }
+
+    // ---- the move
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Where a piece stops a circle on its move. */
+    private record Stop(PieceContact contact, float share, float[] place) {}
+
+    /** Ends the move of a circle in a sub-step, so that no piece is passed, or entered; and measures the contacts there. */
+    static void move(Circle c, float[] from, int subStep) {
+        stop(c, from, subStep);
+        measure(c.pieceContacts, subStep + 1);
+        for (int round = 0; round < ROUNDS; round++) {
+            float[] out = new float[2];
+            for (PieceContact contact : c.pieceContacts) {
+                float missing = contact.allowed - (contact.separation + dot(contact.normal, out));
+                if (missing > 0f && contact.acts()) {
+                    out[0] += contact.normal[0] * missing;
+                    out[1] += contact.normal[1] * missing;
+                }
+            }
+            if (out[0] == 0f && out[1] == 0f) {
+                return;
+            }
+            c.displacement[0] += out[0];
+            c.displacement[1] += out[1];
+            measure(c.pieceContacts, subStep + 1);
+        }
+    }
+
+    /** Where the circle would pass a piece, its move ends; one that moves takes it along. */
+    private static void stop(Circle c, float[] from, int subStep) {
+        Stop first = firstStop(c, from, subStep, true);
+        if (first != null && first.contact.piece.body.motion != null) {
+            first.contact.takeAlong(first.place, subStep + 1);
+            first = firstStop(c, from, subStep, false);
+        }
+        if (first != null) {
+            for (int a = 0; a < 2; a++) {
+                c.displacement[a] = from[a] + first.share * (c.displacement[a] - from[a]);
+            }
+        }
+    }
+
+    private static Stop firstStop(Circle c, float[] from, int subStep, boolean alsoMoving) {
+        Stop first = null;
+        for (PieceContact contact : c.pieceContacts) {
+            boolean looks = alsoMoving || contact.piece.body.motion == null;
+            if (contact.side == 0f || contact.sensed || !looks) {
+                continue;
+            }
+            float[] start = contact.local(from, subStep);
+            boolean rests = contact.piece.body.motion == null;
+            float[] u = rests ? minus(c.displacement, from) : minus(contact.local(c.displacement, subStep + 1), start);
+            float most = Circle.CAP * c.radius;
+            if (dot(u, u) > most * most) {
+                float time = contact.piece.timeOfTouch(start, u, c.radius, contact.side);
+                if (time < (first == null ? 1f : first.share)) {
+                    first = new Stop(contact, time, new float[] {start[0] + time * u[0], start[1] + time * u[1]});
+                }
+            }
+        }
+        return first;
+    }
+
+    /** Brings the circle to a place in the piece's frame, as the piece stands at a boundary. */
+    private void takeAlong(float[] to, int boundary) {
+        Body.Motion motion = piece.body.motion;
+        float[] pivot = piece.pivot;
+        float[] at = minus(to, pivot);
+        float[] from = minus(offset(c, piece), pivot);
+        float cos = motion.cosines()[boundary];
+        float sin = motion.sines()[boundary];
+        float[] way = motion.ways()[boundary];
+        c.displacement[0] = ((cos * at[0] - sin * at[1]) - from[0]) + way[0];
+        c.displacement[1] = ((sin * at[0] + cos * at[1]) - from[1]) + way[1];
+    }
+}
