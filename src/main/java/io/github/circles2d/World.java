@@ -1605,8 +1605,8 @@ public final class World implements AutoCloseable {
     // ------------------------------------------------------------------------------------------------------
 
     /**
-     * Sets the types of events that {@link #events} reports of all circles, from the next step on, in place of all earlier calls. By
-     * default a world reports nothing, which costs nothing. The reported types change no step, and are in no snapshot and no log: call
+     * Sets the types of events that {@link #events} reports of all circles, and of circles and pieces of {@link Terrain}, from the next step on,
+     * in place of all earlier calls. By default a world reports nothing, which costs nothing. The reported types change no step, and are in no snapshot and no log: call
      * this again in a world that restores or replays. ({@link Rollback} brings them back.) If a pair touches already, its begin comes
      * with the first step that reports it.
      *
@@ -1621,8 +1621,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Sets the types of events that {@link #events} reports of the circles of two kinds, from the next step on, in place of those that
-     * {@link #report(int)} has set for all circles. A later call of {@link #report(int)} replaces them. Pairs that only sense each
+     * Sets the types of events that {@link #events} reports of two kinds, of circles or of a circle and a piece of {@link Terrain}, from the next
+     * step on, in place of those that {@link #report(int)} has set for all. A later call of {@link #report(int)} replaces them. Pairs that only sense each
      * other report {@link Events#BEGIN} and {@link Events#END}, and never {@link Events#HIT}. While no circle is of a kind that is
      * reported, a step takes no longer.
      *
@@ -1660,6 +1660,21 @@ public final class World implements AutoCloseable {
      */
     public int touching(int kindA, int kindB, long[] handles) {
         return simulation.reports().touching(kindA, kindB, handles);
+    }
+
+    /**
+     * Lists the pairs of a circle of a kind and a piece of {@link Terrain} of a kind that touch, as {@link #touching} does of circles: so it
+     * says who is in a gate that senses.
+     *
+     * @param kind the number of the kind of the circles
+     * @param kindOfPieces the number of the kind of the pieces
+     * @param handles takes two handles a pair, first that of the circle, then that of the piece. Pairs are in the order of the circles' ids, then
+     *     of the pieces'. If it is too short, it takes the first of them
+     * @return how many pairs there are, which may be more than the array takes
+     * @throws IllegalArgumentException if there is no such kind
+     */
+    public int touchingPieces(int kind, int kindOfPieces, long[] handles) {
+        return simulation.reports().touchingPieces(kind, kindOfPieces, handles);
     }
 
     /**

@@ -47,21 +47,37 @@ class WorldEventsGrowTest {
     @MethodSource("openClBackends")
     void soHaveWorldsInWhichAnythingHappens(Backend backend) {
         for (int seed = 0; seed < TestScale.of(3, SEEDS); seed++) {
-            try (World oracle = world(Backend.JVM);
-                    World world = world(backend)) {
-                Changes ofOracle = new Changes(oracle, seed);
-                Changes ofWorld = new Changes(world, seed);
-                for (int step = 0; step < STEPS; step++) {
-                    String what = "seed " + seed + ", step " + step + ", after " + ofOracle.change(step);
-                    ofWorld.change(step);
-                    List<Event> expected = ofOracle.events(step);
-                    assertThat(ofWorld.events(step)).as(what).isEqualTo(expected);
-                    assertThat(world.hash()).as(what).isEqualTo(oracle.hash());
-                    if (step % 3 == 0) {
-                        assertThat(snapshotOf(world)).as(what).isEqualTo(snapshotOf(oracle));
-                    }
+            compare(backend, seed, false);
+        }
+    }
+
+    /** The same with terrain, which grows, too, moves, and goes. */
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void soHaveWorldsWithTerrain(Backend backend) {
+        for (int seed = 0; seed < TestScale.of(2, SEEDS); seed++) {
+            compare(backend, 100 + seed, true);
+        }
+    }
+
+    private static void compare(Backend backend, int seed, boolean withTerrain) {
+        try (World oracle = world(Backend.JVM);
+                World world = world(backend)) {
+            Changes ofOracle = new Changes(oracle, seed, withTerrain);
+            Changes ofWorld = new Changes(world, seed, withTerrain);
+            int ofPieces = 0;
+            for (int step = 0; step < STEPS; step++) {
+                String what = "seed " + seed + ", step " + step + ", after " + ofOracle.change(step);
+                ofWorld.change(step);
+                List<Event> expected = ofOracle.events(step);
+                ofPieces += (int) expected.stream().filter(e -> e.piece() != 0).count();
+                assertThat(ofWorld.events(step)).as(what).isEqualTo(expected);
+                assertThat(world.hash()).as(what).isEqualTo(oracle.hash());
+                if (step % 3 == 0) {
+                    assertThat(snapshotOf(world)).as(what).isEqualTo(snapshotOf(oracle));
                 }
             }
+            assertThat(ofPieces).isBetween(withTerrain ? 20 : 0, withTerrain ? Integer.MAX_VALUE : 0);
         }
     }
 
@@ -96,9 +112,11 @@ class WorldEventsGrowTest {
         private ByteBuffer saved;
         private List<Long> savedHandles;
         private boolean requested;
+        private final boolean withTerrain;
 
-        Changes(World world, long seed) {
+        Changes(World world, long seed, boolean withTerrain) {
             this.world = world;
+            this.withTerrain = withTerrain;
             random = new Random(seed);
             world.report(ALL);
         }
@@ -168,8 +186,41 @@ class WorldEventsGrowTest {
                     break;
                 default:
             }
+            for (int k = withTerrain ? random.nextInt(3) : 0; k > 0; k--) {
+                changeTerrain();
+            }
             world.step(1 / 60f, 1 + random.nextInt(3));
             return what;
+        }
+
+        private void changeTerrain() {
+            Terrain terrain = world.terrain();
+            float x = 5 + 40 * random.nextFloat();
+            float y = 2 + 30 * random.nextFloat();
+            float dx = 8 * random.nextFloat() - 4;
+            int kind = random.nextInt(4);
+            long piece = terrain.idLimit() == 0 ? 0 : terrain.handle(random.nextInt(terrain.idLimit()));
+            switch (random.nextInt(7)) {
+                case 0 -> terrain.addSegment(x, y, x + dx, y + 1, 0, kind);
+                case 1 -> terrain.addArc(x, y, 3, dx, dx + 3, dx > 0 ? ArcSide.OUTER : ArcSide.INNER, kind);
+                case 2 -> terrain.addChain(Chain.of(x + 4, y, x, y - 1, x - 4, y + dx), kind, null);
+                case 3 -> {
+                    TerrainBody body = terrain.addBody(x, y, dx);
+                    body.addSegment(-3, 0, 3, 0, 0.2f, kind);
+                    body.setAngularVelocity(dx);
+                    body.setVelocity(0.3f * dx, 0);
+                }
+                case 4, 5 -> {
+                    if (piece != 0) {
+                        terrain.remove(piece);
+                    }
+                }
+                default -> {
+                    if (piece != 0) {
+                        terrain.setKind(piece, kind);
+                    }
+                }
+            }
         }
 
         /** Events are taken at once, not at all, or by a request in the step before. */

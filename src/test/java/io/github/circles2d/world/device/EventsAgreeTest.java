@@ -137,19 +137,19 @@ class EventsAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4), Scenes.gas(300, 4)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(9);
-                float length = 0.1f * (scene.maxX() - scene.minX());
-                twins.report(0, 200, ContactEvents.OF_PAIR_TYPES);
-                twins.report(0, 201, ContactEvents.BEGIN | ContactEvents.END);
-                twins.giveSensors(201, 20);
-                twins.setOneWay(202, true);
+                twins.report(0, 0, ContactEvents.OF_PAIR_TYPES);
+                twins.report(0, 1, ContactEvents.BEGIN | ContactEvents.END);
+                twins.sense(0, 1);
                 int events = 0;
                 for (int k = 0; k < TestScale.of(24, 60); k++) {
                     if (k == 10) {
-                        twins.report(k % 3 == 0 ? ContactEvents.ALL : ContactEvents.OF_PAIR_TYPES);
-                        twins.setOneWay(200, true);
+                        twins.report(ContactEvents.ALL);
                     }
-                    for (int changes = k == 0 ? 8 : k % 3; changes > 0; changes--) {
-                        twins.changeTerrain(length, 200, random);
+                    for (int changes = k == 0 ? 30 : 4 * (k % 3); changes > 0; changes--) {
+                        twins.changeTerrain(random);
+                    }
+                    if (k == 15) {
+                        twins.changeSurfaces(random);
                     }
                     if (k % 5 == 1) {
                         twins.change(scene, random);

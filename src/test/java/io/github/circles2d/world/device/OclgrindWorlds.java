@@ -305,9 +305,12 @@ final class OclgrindWorlds {
                 for (int changes = 0; changes < 20; changes++) {
                     twins.changeTerrain(random);
                 }
+                if (k == 1) {
+                    twins.sense(0, 1);
+                    twins.report(ContactEvents.ALL);
+                }
                 if (turns && k == 1) {
                     twins.changeSurfaces(random);
-                    twins.report(ContactEvents.ALL);
                 }
                 twins.set(Commands.RADIUS, k, 1.1f * scene.radius(k), 0);
                 twins.step(5 * scene.timeStep(), 2);
