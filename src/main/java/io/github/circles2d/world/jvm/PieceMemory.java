@@ -38,8 +38,7 @@ final class PieceMemory {
     }
 
     /** Gives the pieces to a finder, if they are known for all of a box. */
-    boolean recall(
-            int id, float minX, float minY, float maxX, float maxY, int version, PieceSearch.Finder finder) {
+    boolean recall(int id, float minX, float minY, float maxX, float maxY, int version, PieceSearch.Finder finder) {
         int b = BOX * id;
         int k = NUMBERS * id;
         if (numbers[k + VERSION] != version
@@ -54,8 +53,7 @@ final class PieceMemory {
     }
 
     /** Keeps pieces, unless they are too many. */
-    void keep(
-            int id, float minX, float minY, float maxX, float maxY, int version, int[] pieces, int count) {
+    void keep(int id, float minX, float minY, float maxX, float maxY, int version, int[] pieces, int count) {
         int b = BOX * id;
         int k = NUMBERS * id;
         if (count > MOST) {

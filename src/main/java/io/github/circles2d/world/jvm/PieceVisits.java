@@ -416,7 +416,16 @@ final class PieceVisits {
         if (Constraints.staysClear(gap, impulse, vn, before, k.h, k.inverseH) != 0) {
             return;
         }
-        visit.solve(gap, r, rows[row + PieceContactRow.RESTITUTION], k.thresholdRate, state.load[s + LOADED], before, vn, impulse, k);
+        visit.solve(
+                gap,
+                r,
+                rows[row + PieceContactRow.RESTITUTION],
+                k.thresholdRate,
+                state.load[s + LOADED],
+                before,
+                vn,
+                impulse,
+                k);
         if (touches != null) {
             float way = nx * (state.load[s + BEFORE_Y] - surfaceY) - ny * (state.load[s + BEFORE_X] - surfaceX);
             float spin = k.turning ? state.turning.before(slot) : 0f;
@@ -467,7 +476,16 @@ final class PieceVisits {
         float uy = m[s + VY] - surfaceY;
         float along = nx * uy - ny * ux;
         float vn = nx * ux + ny * uy;
-        visit.relax(gap, r, rows[row + PieceContactRow.RESTITUTION], k.thresholdRate, state.load[s + LOADED], bounce, vn, impulse, k);
+        visit.relax(
+                gap,
+                r,
+                rows[row + PieceContactRow.RESTITUTION],
+                k.thresholdRate,
+                state.load[s + LOADED],
+                bounce,
+                vn,
+                impulse,
+                k);
         if (touches != null) {
             float spin = k.turning ? state.turning.spin[s + SURFACE_SPEED] : 0f;
             tell(slot, c, vn, visit.impulse, slip(c, along, spin, k));
