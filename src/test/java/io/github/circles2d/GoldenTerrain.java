@@ -32,7 +32,8 @@ interface GoldenTerrain {
         world.addSegment(GROUND, x1, y1, x2, y2, 0f, 0);
     }
 
-    private static void chain(WorldCalls world, long body, boolean closed, int kind, float x, float y, float[]... ways) {
+    private static void chain(
+            WorldCalls world, long body, boolean closed, int kind, float x, float y, float[]... ways) {
         world.addChain(body, new ChainShape(x, y, ways, closed), kind, new long[ways.length + 1]);
     }
 
@@ -130,7 +131,8 @@ interface GoldenTerrain {
             world.addSegment(lift, 0.12f, 0.03f, 0.12f, 0f, 0.004f, 0);
         }
         for (int k = 0; k < 4; k++) {
-            world.addSegment(GROUND, 0.3f + 0.25f * k, 0.15f + 0.2f * k, 0.05f + 0.25f * k, 0.2f * k + 0.2f, 0f, ONE_WAY);
+            world.addSegment(
+                    GROUND, 0.3f + 0.25f * k, 0.15f + 0.2f * k, 0.05f + 0.25f * k, 0.2f * k + 0.2f, 0f, ONE_WAY);
         }
         chain(world, GROUND, false, ONE_WAY, 0.95f, 0.3f, to(0.8f, 0.25f), to(0.7f, 0.3f, -1f), to(0.5f, 0.2f));
     }
@@ -161,16 +163,17 @@ interface GoldenTerrain {
                 case 1 -> world.addSegment(GROUND, x, y, x + dx, y + dy, 0.2f * size, 0);
                 case 2 -> world.addArc(GROUND, x, y, size, a, a + 0.1f * (k + 1), ArcSide.OUTER, 0);
                 case 3 -> world.addArc(GROUND, x, y, size, a, a + 0.1f * (k + 1), ArcSide.INNER, 0);
-                default -> chain(
-                        world,
-                        GROUND,
-                        true,
-                        0,
-                        x + dx,
-                        y + dy,
-                        to(x - dy, y + dx),
-                        to(x - dx, y - dy, 1.5f),
-                        to(x + dy, y - dx));
+                default ->
+                    chain(
+                            world,
+                            GROUND,
+                            true,
+                            0,
+                            x + dx,
+                            y + dy,
+                            to(x - dy, y + dx),
+                            to(x - dx, y - dy, 1.5f),
+                            to(x + dy, y - dx));
             }
         }
     }

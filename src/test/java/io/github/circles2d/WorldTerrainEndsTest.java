@@ -32,7 +32,9 @@ class WorldTerrainEndsTest {
             for (int step = 0; step < 400; step++) {
                 ball.step(1);
                 below |= ball.y() < -0.5;
-                assertThat(below && ball.y() > last + 1e-4).as("pulled up at %s", ball.y()).isFalse();
+                assertThat(below && ball.y() > last + 1e-4)
+                        .as("pulled up at %s", ball.y())
+                        .isFalse();
                 last = ball.y();
             }
             assertThat(below).isTrue();
@@ -116,7 +118,9 @@ class WorldTerrainEndsTest {
                 long ball = world.add(x, y, r, 1, vx, vy);
                 for (int step = 0; step < 20; step++) {
                     world.step(STEP);
-                    assertThat(inNeedle(world.x(ball), world.y(ball))).as("shot %d", k).isFalse();
+                    assertThat(inNeedle(world.x(ball), world.y(ball)))
+                            .as("shot %d", k)
+                            .isFalse();
                 }
                 double speedNow = Math.hypot(world.vx(ball), world.vy(ball));
                 assertThat(speedNow).as("shot %d", k).isLessThan(speed * 1.001);
