@@ -20,10 +20,16 @@ public final class CircleFields {
 
     /** Makes room for ids up to this number, so that {@link #set} cannot fail. If there is none, no value has changed. */
     public void ensure(CircleField field, int ids) {
+        int held = words[field.ordinal()].length / field.words();
+        if (ids > held) {
+            grow(field, (int) Math.min(Math.max(ids, held * 3L / 2), (Integer.MAX_VALUE - 8) / field.words()));
+        }
+    }
+
+    private void grow(CircleField field, int circles) {
         int[] old = words[field.ordinal()];
         int each = field.words();
-        if ((long) each * ids > old.length) {
-            int circles = (int) Math.min(Math.max(ids, (old.length / each) * 3L / 2), (Integer.MAX_VALUE - 8) / each);
+        if (circles > old.length / each) {
             int[] longer = Arrays.copyOf(old, each * circles);
             for (int id = old.length / each; id < circles; id++) {
                 put(longer, each, id, field.initial());
@@ -32,10 +38,13 @@ public final class CircleFields {
         }
     }
 
-    /** Makes room for the values of another object, so that {@link #copy} does not run out of memory. */
+    /**
+     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. No more than that one has: two that copy
+     * each other in turns would grow for ever.
+     */
     public void makeRoom(CircleFields from) {
         for (CircleField field : fields) {
-            ensure(field, from.words[field.ordinal()].length / field.words());
+            grow(field, from.words[field.ordinal()].length / field.words());
         }
     }
 
