@@ -81,6 +81,9 @@ import java.util.Arrays;
  * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth:
  * let {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
  *
+ * <p><b>Terrain:</b> segments, smooth chains and arcs make slopes, caves, loops and drums, at rest or on bodies that move; see {@link
+ * Terrain}.
+ *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
  *
@@ -1567,7 +1570,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, and of the kinds. Equal states
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, and of terrain. Equal states
      * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
      * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
@@ -1732,7 +1735,7 @@ public final class World implements AutoCloseable {
     /**
      * The number of bytes that {@link #snapshot} would write now.
      *
-     * @return about 50 a circle, if few circles were removed
+     * @return about 50 a circle, if few circles were removed, and about 25 a piece of terrain
      * @throws IllegalStateException if it is more than one buffer holds
      */
     public int snapshotBytes() {
@@ -1740,7 +1743,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds, gravity,
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, bounds, gravity,
      * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
      * equal bytes, on every back end.
      *

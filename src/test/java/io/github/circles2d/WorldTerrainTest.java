@@ -124,10 +124,15 @@ class WorldTerrainTest {
             assertThatThrownBy(() -> terrain.addSegment(80, 0, 131, 0)).hasMessageContaining("wraps");
             assertThatThrownBy(() -> terrain.addChain(Chain.of(0, 0, 10, 0, 70, 0)))
                     .hasMessageContaining("piece 1");
+            assertThatThrownBy(() -> terrain.addArc(0, 0, 26, 0, 3, ArcSide.INNER))
+                    .hasMessageContaining("wraps");
+            assertThatThrownBy(() -> terrain.addChain(Chain.from(26, 0).arcTo(0, 0, 3)))
+                    .hasMessageContaining("wraps");
             float[] piece = new float[Terrain.PIECE_STRIDE];
             terrain.readPieces(piece, null);
             assertThat(piece[2]).isEqualTo(-20);
             assertThat(piece[4]).isEqualTo(30);
+            terrain.addArc(0, 0, 1000, 1, 1.04f, ArcSide.INNER); // a slight bend, 40 long
             TerrainBody body = terrain.addBody(199, 0, 0);
             assertThat(body.x()).isEqualTo(99);
             body.setVelocity(2, 0);
@@ -167,6 +172,19 @@ class WorldTerrainTest {
             world.step(1 / 60f, 90);
             float x = world.x(ball) - pivot;
             return new float[] {x > 20 ? x - 40 : x < -20 ? x + 40 : x, world.y(ball)};
+        }
+    }
+
+    @Test
+    void anArcOfAWholeTurnButForRoundingIsACircle() {
+        try (World world = world()) {
+            float[] piece = new float[Terrain.PIECE_STRIDE];
+            for (float from : new float[] {0, -3, 100, -1000}) {
+                long circle = world.terrain().addArc(50, 50, 5, from, from + 2 * PI, ArcSide.INNER);
+                world.terrain().readPieces(piece, null);
+                assertThat(piece[6] - piece[5]).isCloseTo(2 * PI, within(1e-6f));
+                world.terrain().remove(circle);
+            }
         }
     }
 }

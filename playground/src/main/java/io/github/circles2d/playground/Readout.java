@@ -52,7 +52,7 @@ final class Readout {
         } else {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
-        readPieces(frame, world);
+        readPieces(frame, sandbox);
         measure(world, ids);
         frame.energy = energy;
     }
@@ -81,10 +81,11 @@ final class Readout {
         frame.movable = movable;
     }
 
-    private static void readPieces(Frame frame, World world) {
+    private static void readPieces(Frame frame, Sandbox sandbox) {
+        World world = sandbox.world();
         Terrain terrain = world.terrain();
         frame.ensurePieces(terrain.size(), Terrain.PIECE_STRIDE);
-        frame.pieces = terrain.readPieces(frame.piece, null);
+        frame.pieces = sandbox.loop().pieces(frame.piece, null);
         for (int k = 0; k < frame.pieces; k++) {
             Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + 1]);
             frame.pieceColour[k] = kind.beltSpeed() != 0 ? Theme.BELT : kind.isOneWay() ? Theme.ONE_WAY : Theme.STATIC;

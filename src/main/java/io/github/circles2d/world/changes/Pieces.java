@@ -139,10 +139,10 @@ public final class Pieces {
         try {
             int of = Bodies.find(terrain, body);
             KindTable.check(kind);
-            TerrainLimits.arc(x, y, radius, settings.bounds());
             Limits.within("from", from, -Limits.ANGLE, Limits.ANGLE);
             Limits.within("to", to, -Limits.ANGLE, Limits.ANGLE);
             long opening = TerrainLimits.opening(from, to);
+            TerrainLimits.arc(x, y, radius, (int) (opening >>> 1), settings.bounds());
             begin(1);
             log.arc(of, kind, x, y, radius, from, to, inside);
             guard.changing = true;

@@ -6,7 +6,7 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
 
 /**
- * Which circles there are. A handle is ((generation + 1) &lt;&lt; 32 | id). The next circle gets the lowest free id; the generation
+ * Which circles there are, under a {@link Handle} each. The next circle gets the lowest free id; the generation
  * tells it from circles that had the id before. The table also knows what only calls change, the radius, the restitution and
  * the fields of {@link CircleField}, so that nobody has to ask a pipeline.
  */
@@ -15,15 +15,6 @@ public final class HandleTable {
     private static final int WORD_SHIFT = 6;
 
     private static final int IDS_IN_WORD = 1 << WORD_SHIFT;
-
-    /** In a handle: by how many bits the generation, plus one, is shifted. */
-    private static final int GENERATION_SHIFT = 32;
-
-    /** In a handle: the bits of the id. */
-    private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
-
-    /** The generation that would make a handle 0 is left out. */
-    static final int LAST_GENERATION = -2;
 
     /** A bit for each id: id k is bit k % 64 of element k / 64. */
     private long[] live = new long[1];
@@ -101,13 +92,13 @@ public final class HandleTable {
     }
 
     public long handle(int id) {
-        return (long) (generation[id] + 1) << GENERATION_SHIFT | id;
+        return Handle.of(generation[id], id);
     }
 
     /** -1 if no living circle has the handle. */
     public int find(long handle) {
-        long id = handle & ID_MASK;
-        if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> GENERATION_SHIFT)) {
+        long id = Handle.id(handle);
+        if (id >= end || !lives((int) id) || !Handle.hasGeneration(handle, generation[(int) id])) {
             return -1;
         }
         return (int) id;
@@ -171,7 +162,7 @@ public final class HandleTable {
         live[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
         survivors.remove(id);
-        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
+        generation[id] = Handle.next(generation[id]);
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
         statics -= isStatic(id) ? 1 : 0;

@@ -430,7 +430,7 @@ public final class SnapshotCodec {
             return 0;
         }
         int generation = Varint.get(in);
-        require(generation != 0 && generation != HandleTable.LAST_GENERATION + 1, "a generation is out of range");
+        require(generation != 0 && generation != Handle.LAST_GENERATION + 1, "a generation is out of range");
         return generation;
     }
 

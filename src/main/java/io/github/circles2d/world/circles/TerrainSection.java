@@ -259,7 +259,7 @@ final class TerrainSection {
         }
         int generation = Varint.get(in);
         SnapshotCodec.require(
-                generation != 0 && generation != HandleTable.LAST_GENERATION + 1, "a generation is out of range");
+                generation != 0 && generation != Handle.LAST_GENERATION + 1, "a generation is out of range");
         return generation;
     }
 
@@ -366,10 +366,10 @@ final class TerrainSection {
     }
 
     private static void checkArc(float[] form, int at, int half, Bounds bounds) {
-        TerrainLimits.arc(form[at], form[at + 1], form[at + 4], bounds);
         float square = form[at + 2] * form[at + 2] + form[at + 3] * form[at + 3];
         SnapshotCodec.require(Math.abs(square - 1f) <= UNIT_SLACK, "the direction of an arc is none");
         SnapshotCodec.require(half > 0 || half == Integer.MIN_VALUE, "the opening of an arc is out of range");
+        TerrainLimits.arc(form[at], form[at + 1], form[at + 4], half, bounds);
     }
 
     /** Each piece follows one at most, of the same body, and both are of chains. */

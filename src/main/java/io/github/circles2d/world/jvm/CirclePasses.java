@@ -198,10 +198,10 @@ final class CirclePasses {
                 turning.move(slot);
             }
             float r = circle[s + RADIUS];
-            // nearly all circles: what follows would change nothing
+            boolean near = pieces != null && pieces.any(slot);
+            // nearly all circles: walls would change nothing
             if (still
                     && w != 0f
-                    && (pieces == null || !pieces.any(slot))
                     && dx * dx + dy * dy <= allowance * Math.abs(allowance)
                     && isClear(circle[s + X], dx, r, minX, maxX)
                     && isClear(circle[s + Y], dy, r, minY, maxY)
@@ -210,8 +210,13 @@ final class CirclePasses {
                     && bounce[CircleRow.vector(slot) + X] == 0f
                     && bounce[CircleRow.vector(slot) + Y] == 0f
                     && !(turning != null && walls.grips.hold(slot))) {
+                float fromX = m[s + DX];
+                float fromY = m[s + DY];
                 m[s + DX] = dx;
                 m[s + DY] = dy;
+                if (near) {
+                    moveBesidePieces(slot, fromX, fromY, k, sub);
+                }
                 continue;
             }
             float fromX = m[s + DX];
@@ -235,16 +240,33 @@ final class CirclePasses {
                 }
                 m[s + VX] = Walls.stopAtFarWall(m[s + VX], dx, m[s + DX], Walls.wallSide(circle[s + X], minX, maxX));
                 m[s + VY] = Walls.stopAtFarWall(m[s + VY], dy, m[s + DY], Walls.wallSide(circle[s + Y], minY, maxY));
-                if (pieces != null && pieces.any(slot)) {
+                if (near) {
                     pieces.move(slot, fromX, fromY, sub);
                 }
                 walls.relax(slot, X, minX, maxX, k, sub);
                 walls.relax(slot, Y, minY, maxY, k, sub);
-                if (pieces != null && pieces.any(slot)) {
+                if (near) {
                     pieces.relax(slot, k, sub);
                 }
             }
         }
+    }
+
+    /** The move and the relaxing pass of a circle that is clear of walls until pieces move it. */
+    private void moveBesidePieces(int slot, float fromX, float fromY, StepConstants k, int sub) {
+        pieces.move(slot, fromX, fromY, sub);
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + RADIUS];
+        float minX = k.bounds.minX();
+        float minY = k.bounds.minY();
+        float maxX = k.bounds.maxX();
+        float maxY = k.bounds.maxY();
+        if (!isClear(state.circle[s + X], state.motion[s + DX], r, minX, maxX)
+                || !isClear(state.circle[s + Y], state.motion[s + DY], r, minY, maxY)) {
+            walls.relax(slot, X, minX, maxX, k, sub);
+            walls.relax(slot, Y, minY, maxY, k, sub);
+        }
+        pieces.relax(slot, k, sub);
     }
 
     /** Whether a circle has a gap to both walls of an axis, neither of which cuts its displacement. */

@@ -156,6 +156,9 @@ public final class JvmPipeline implements Pipeline {
         grid.ensure();
         contacts.ensure();
         sweep.ensure();
+        if (constants.terrain) {
+            pieces.ensure();
+        }
         if (recorder != null) {
             recorder.ensure(reports);
         }
@@ -169,7 +172,7 @@ public final class JvmPipeline implements Pipeline {
         }
         sweep.sweep(worker, constants);
         if (constants.terrain) {
-            pieces.find(worker, terrain);
+            pieces.find(worker, terrain, constants.turning);
         }
         end(worker, SWEEP);
         boolean crowded = contacts.wereCrowded();

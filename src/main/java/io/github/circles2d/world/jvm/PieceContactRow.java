@@ -2,7 +2,7 @@ package io.github.circles2d.world.jvm;
 
 /** The numbers of a piece contact, of a circle and a piece of terrain near it. */
 final class PieceContactRow {
-    static final int STRIDE = 12;
+    static final int STRIDE = 16;
 
     /** 1 or -1: where the circle is; 0: it is behind a piece that has a front. */
     static final int SIDE = 0;
@@ -30,6 +30,14 @@ final class PieceContactRow {
     /** Within a sub-step: the gap at its start, if the circle is deep in the piece, else 0. */
     static final int ALLOWED = 11;
 
+    /** Within a step: the base of the circle against (X, Y) of the piece. */
+    static final int BASE_X = 12;
+
+    static final int BASE_Y = 13;
+
+    /** Within a step: of the circle and the piece. */
+    static final int RESTITUTION = 14;
+
     // the whole numbers
     static final int NUMBERS = 4;
     static final int PIECE = 0;
@@ -41,6 +49,13 @@ final class PieceContactRow {
     /** Within a step: {@code PieceGap.feature}, or none if the piece is no constraint. */
     static final int FEATURE = 3;
 
+    // the surfaces, within a step in which circles turn: as OneBodyGrip has them, and the belts
+    static final int SURFACES = 4;
+    static final int MU = 0;
+    static final int RESISTANCE = 1;
+    static final int INERTIA = 2;
+    static final int BELT = 3;
+
     private PieceContactRow() {}
 
     static int of(int contact) {
@@ -49,5 +64,9 @@ final class PieceContactRow {
 
     static int numbers(int contact) {
         return NUMBERS * contact;
+    }
+
+    static int surfaces(int contact) {
+        return SURFACES * contact;
     }
 }

@@ -4,6 +4,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
 
 import io.github.circles2d.world.circles.SavedPieceContacts;
+import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**
@@ -22,6 +23,12 @@ final class PieceContacts {
 
     int[] numbers = new int[0];
 
+    /** By contact, within a step in which circles turn. */
+    float[] surfaces = new float[0];
+
+    /** By slot, within a step: the displacement x, y at which the contacts were measured last. */
+    float[] measured = new float[0];
+
     private int[] firstSpare = new int[0];
     private int[] countSpare = new int[0];
     private float[] rowsSpare = new float[0];
@@ -29,7 +36,7 @@ final class PieceContacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * (2 * first.length + 2 * count.length)
+        return 4L * (2 * first.length + 2 * count.length + measured.length + surfaces.length)
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
     }
 
@@ -39,6 +46,7 @@ final class PieceContacts {
             first = Arrays.copyOf(first, circles);
             firstSpare = new int[circles];
             countSpare = new int[circles];
+            measured = new float[CircleRow.vector(circles)];
             count = Arrays.copyOf(count, circles);
         }
     }
@@ -56,6 +64,13 @@ final class PieceContacts {
     void copyNext(float[] fromRows, int[] fromNumbers, int found, int to) {
         System.arraycopy(fromRows, 0, rowsSpare, PieceContactRow.of(to), PieceContactRow.of(found));
         System.arraycopy(fromNumbers, 0, numbersSpare, PieceContactRow.numbers(to), PieceContactRow.numbers(found));
+    }
+
+    /** Makes room for the surfaces of the contacts that there are. */
+    void ensureSurfaces() {
+        if (surfaces.length < PieceContactRow.surfaces(rows.length / PieceContactRow.STRIDE)) {
+            surfaces = new float[PieceContactRow.surfaces(rows.length / PieceContactRow.STRIDE)];
+        }
     }
 
     /** The contacts that a step has found take the place of those before. */

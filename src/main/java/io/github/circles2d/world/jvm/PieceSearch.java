@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
@@ -26,6 +27,7 @@ final class PieceSearch {
     private final State state;
     private final Team team;
     private final PieceContacts contacts;
+    private final PieceMemory memory = new PieceMemory();
     private final Finder[] finders;
 
     /** What is told of contacts; null if they are not recorded. */
@@ -43,15 +45,20 @@ final class PieceSearch {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 0;
+        long sum = memory.bytes();
         for (Finder each : finders) {
             sum += 4L * (each.rows.length + each.numbers.length + each.near.length);
         }
         return sum;
     }
 
+    /** Makes room for a step. */
+    void ensure() {
+        memory.ensure(state.slotOf.length);
+    }
+
     /** Finds the contacts of all circles, each worker those of its part. */
-    void find(int worker, TerrainStep terrain) {
+    void find(int worker, TerrainStep terrain, boolean turning) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         finders[worker].find(from, to, terrain);
@@ -68,6 +75,9 @@ final class PieceSearch {
         team.sync(worker);
         if (worker == 0) {
             contacts.take();
+            if (turning) {
+                contacts.ensureSurfaces();
+            }
             if (touches != null) {
                 touches.ensure(found());
             }
@@ -86,7 +96,7 @@ final class PieceSearch {
     }
 
     /** What a worker looks with. */
-    private final class Finder {
+    final class Finder {
         private final PieceGap gap = new PieceGap();
 
         /** Contacts found, as in {@link PieceContacts}. */
@@ -123,10 +133,32 @@ final class PieceSearch {
             float sight = Paths.sight(r, path);
             float x = state.circle[s + X];
             float y = state.circle[s + Y];
-            count = 0;
             float m = SLACK * sight;
+            int id = state.id[slot];
+            count = 0;
+            if (!memory.recall(id, x - m, y - m, x + m, y + m, terrain.groundVersion, this)) {
+                // circles that hardly move find the same pieces for many steps
+                float far = m + (r + path);
+                walkAll(x, y, far, 0, terrain.groundNodes, terrain);
+                memory.keep(id, x - far, y - far, x + far, y + far, terrain.groundVersion, near, count);
+            }
+            if (terrain.groundNodes < terrain.nodes) {
+                walkAll(x, y, m, terrain.groundNodes, terrain.nodes, terrain);
+            }
+            int seen = count;
+            count = 0;
+            for (int k = 0; k < seen; k++) {
+                int piece = near[k];
+                if (isNear(slot, piece, sight, terrain)) {
+                    near[count++] = piece;
+                }
+            }
+        }
+
+        /** Finds the pieces whose boxes meet a box around a place or one of its images. */
+        private void walkAll(float x, float y, float m, int from, int to, TerrainStep terrain) {
             if (!state.wraps) {
-                walk(slot, sight, x - m, y - m, x + m, y + m, terrain);
+                walk(x - m, y - m, x + m, y + m, from, to, terrain);
                 return;
             }
             int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
@@ -138,20 +170,20 @@ final class PieceSearch {
                     // an image is off by a rounding
                     float mx = u == 0 ? m : m + Math.abs(ax) * 0x1p-22f + state.periodX * 0x1p-22f;
                     float my = v == 0 ? m : m + Math.abs(ay) * 0x1p-22f + state.periodY * 0x1p-22f;
-                    walk(slot, sight, ax - mx, ay - my, ax + mx, ay + my, terrain);
+                    walk(ax - mx, ay - my, ax + mx, ay + my, from, to, terrain);
                 }
             }
         }
 
-        private void walk(int slot, float sight, float minX, float minY, float maxX, float maxY, TerrainStep terrain) {
+        private void walk(float minX, float minY, float maxX, float maxY, int from, int to, TerrainStep terrain) {
             float[] boxes = terrain.boxes;
             int[] links = terrain.links;
-            int node = 0;
-            while (node < terrain.nodes) {
+            int node = from;
+            while (node < to) {
                 int b = 4 * node;
                 if (boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY) {
                     int piece = links[2 * node + 1];
-                    if (piece >= 0 && isNear(slot, piece, sight, terrain)) {
+                    if (piece >= 0) {
                         insert(piece);
                     }
                     node++;
@@ -169,7 +201,7 @@ final class PieceSearch {
             return PieceGap.distance(terrain.rows, row, shape, ox, oy) < sight + terrain.rows[row + PieceRow.MOST];
         }
 
-        private void insert(int piece) {
+        void insert(int piece) {
             if (count == near.length) {
                 near = Arrays.copyOf(near, 2 * count);
             }
@@ -201,15 +233,17 @@ final class PieceSearch {
                 int row = PieceContactRow.of(found);
                 int number = PieceContactRow.numbers(found);
                 int serial = terrain.traits[PieceRow.traits(piece) + PieceRow.SERIAL];
-                Arrays.fill(rows, row, row + PieceContactRow.STRIDE, 0f);
-                if (old < end && contacts.piece(old) == piece && contacts.serial(old) == serial) {
-                    System.arraycopy(
-                            contacts.rows,
-                            PieceContactRow.of(old) + PieceContactRow.SIDE,
-                            rows,
-                            row + PieceContactRow.SIDE,
-                            PieceContactRow.ROLLING + 1);
+                boolean kept = old < end && contacts.piece(old) == piece && contacts.serial(old) == serial;
+                int before = PieceContactRow.of(old);
+                for (int i = PieceContactRow.SIDE; i <= PieceContactRow.ROLLING; i++) {
+                    rows[row + i] = kept ? contacts.rows[before + i] : 0f;
                 }
+                float ofKind = terrain.kinds.rows[KindTerrain.of(kind(piece, terrain)) + KindTerrain.RESTITUTION];
+                rows[row + PieceContactRow.BOUNCE] = 0f;
+                rows[row + PieceContactRow.BASE_X] = PieceVisits.offsetX(state, slot, terrain.rows, PieceRow.of(piece));
+                rows[row + PieceContactRow.BASE_Y] = PieceVisits.offsetY(state, slot, terrain.rows, PieceRow.of(piece));
+                rows[row + PieceContactRow.RESTITUTION] =
+                        CircleMath.max(state.traits[CircleRow.of(slot) + RESTITUTION], ofKind);
                 if (rows[row + PieceContactRow.SIDE] == 0f) {
                     rows[row + PieceContactRow.SIDE] = side(slot, piece, terrain);
                 }
@@ -226,7 +260,11 @@ final class PieceSearch {
                 return PairTable.SOLID;
             }
             int kind = state.fields.getInt(CircleField.KIND, state.id[slot]);
-            return PairTable.get(state.responses, kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND]);
+            return PairTable.get(state.responses, kind, kind(piece, terrain));
+        }
+
+        private int kind(int piece, TerrainStep terrain) {
+            return terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
         }
 
         /** Where a circle is as it comes near. */
@@ -234,7 +272,7 @@ final class PieceSearch {
             float[] p = terrain.rows;
             int row = PieceRow.of(piece);
             int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-            int kind = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+            int kind = kind(piece, terrain);
             float ox = PieceVisits.offsetX(state, slot, p, row);
             float oy = PieceVisits.offsetY(state, slot, p, row);
             boolean front = PieceGap.isInFront(p, row, shape, ox, oy);

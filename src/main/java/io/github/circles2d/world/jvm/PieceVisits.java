@@ -1,6 +1,8 @@
 package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.jvm.PieceContactRow.ALLOWED;
+import static io.github.circles2d.world.jvm.PieceContactRow.BASE_X;
+import static io.github.circles2d.world.jvm.PieceContactRow.BASE_Y;
 import static io.github.circles2d.world.jvm.PieceContactRow.BOUNCE;
 import static io.github.circles2d.world.jvm.PieceContactRow.CURVE;
 import static io.github.circles2d.world.jvm.PieceContactRow.FEATURE;
@@ -23,7 +25,6 @@ import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
-import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
@@ -168,6 +169,8 @@ final class PieceVisits {
         float r = state.circle[s + RADIUS];
         int from = contacts.first[slot];
         int to = from + contacts.count[slot];
+        contacts.measured[CircleRow.vector(slot)] = dx;
+        contacts.measured[CircleRow.vector(slot) + 1] = dy;
         boolean vertices = false;
         for (int c = from; c < to; c++) {
             vertices |= measure(slot, c, boundary, dx, dy, r);
@@ -177,6 +180,14 @@ final class PieceVisits {
                 cover(c, from, to, r);
             }
         }
+    }
+
+    /** Whether a circle is where its contacts were measured last, to the bit; between sub-steps, pieces stay where they are. */
+    private boolean isMeasured(int slot) {
+        int s = CircleRow.of(slot);
+        int v = CircleRow.vector(slot);
+        return Float.floatToRawIntBits(contacts.measured[v]) == Float.floatToRawIntBits(state.motion[s + DX])
+                && Float.floatToRawIntBits(contacts.measured[v + 1]) == Float.floatToRawIntBits(state.motion[s + DY]);
     }
 
     /** The piece is no constraint of the circle now. */
@@ -199,14 +210,7 @@ final class PieceVisits {
         int shape = shape(piece);
         int motion = motion(piece);
         float side = rows[k + SIDE];
-        toFrame(
-                row,
-                motion,
-                offsetX(state, slot, terrain.rows, row),
-                offsetY(state, slot, terrain.rows, row),
-                dx,
-                dy,
-                boundary);
+        toFrame(row, motion, rows[k + BASE_X], rows[k + BASE_Y], dx, dy, boundary);
         rows[k + OX] = localX;
         rows[k + OY] = localY;
         if (side == 0f) {
@@ -245,7 +249,11 @@ final class PieceVisits {
         }
         boolean vertex = found.feature > PieceGap.FACE;
         if (vertex && isTwoSided(terrain, piece, shape) && found.height != 0f) {
-            rows[k + SIDE] = found.height > 0f ? 1f : -1f;
+            float now = found.height > 0f ? 1f : -1f;
+            if (now != side) {
+                rows[k + SIDE] = now;
+                contacts.measured[CircleRow.vector(slot)] = Float.NaN; // the next measure may differ
+            }
         }
         return vertex;
     }
@@ -295,10 +303,13 @@ final class PieceVisits {
 
     /** How fast the surface of a piece moves where a circle is nearest to it. */
     private void findSurface(int slot, int c, int boundary) {
-        int piece = contacts.piece(c);
-        int motion = motion(piece);
         surfaceX = 0f;
         surfaceY = 0f;
+        if (terrain.bodies <= 1) {
+            return;
+        }
+        int piece = contacts.piece(c);
+        int motion = motion(piece);
         if (motion == 0) {
             return;
         }
@@ -313,8 +324,8 @@ final class PieceVisits {
         float py = terrain.rows[row + PieceRow.PIVOT_Y];
         float dx = state.motion[s + DX] - bodies[pose + BodyRow.DX];
         float dy = state.motion[s + DY] - bodies[pose + BodyRow.DY];
-        float x = ((offsetX(state, slot, terrain.rows, row) - px) + dx) - contacts.rows[k + NX] * reach;
-        float y = ((offsetY(state, slot, terrain.rows, row) - py) + dy) - contacts.rows[k + NY] * reach;
+        float x = ((contacts.rows[k + BASE_X] - px) + dx) - contacts.rows[k + NX] * reach;
+        float y = ((contacts.rows[k + BASE_Y] - py) + dy) - contacts.rows[k + NY] * reach;
         float omega = bodies[body + BodyRow.OMEGA];
         surfaceX = bodies[body + BodyRow.VX] - omega * y;
         surfaceY = bodies[body + BodyRow.VY] + omega * x;
@@ -331,18 +342,24 @@ final class PieceVisits {
 
     /** The biased pass over the pieces of a circle: warm start, then a visit of each. */
     void solve(int slot, StepConstants k, int sub) {
-        measure(slot, sub);
-        if (touches != null && sub == 0) {
-            touches.begin(slot);
+        if (sub == 0 || !isMeasured(slot)) {
+            measure(slot, sub);
+        }
+        if (sub == 0) {
+            begin(slot, k);
         }
         int from = contacts.first[slot];
         int to = from + contacts.count[slot];
         int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] rows = contacts.rows;
+        float r = state.circle[s + RADIUS];
         for (int c = from; c < to; c++) {
             int row = PieceContactRow.of(c);
             rows[row + ALLOWED] = isConstraint(c) ? CircleMath.min(rows[row + GAP], 0f) : 0f;
+            if (rows[row + ALLOWED] < -Tuning.JAMMED * r) {
+                rows[row + IMPULSE] = 0f;
+            }
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
@@ -359,6 +376,19 @@ final class PieceVisits {
         for (int c = from; c < to; c++) {
             if (isConstraint(c)) {
                 solve(slot, c, k, sub);
+            }
+        }
+    }
+
+    /** Begins a step. */
+    private void begin(int slot, StepConstants k) {
+        if (touches != null) {
+            touches.begin(slot);
+        }
+        if (k.turning) {
+            int s = CircleRow.of(slot);
+            for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+                findSurfaces(s, c);
             }
         }
     }
@@ -386,11 +416,20 @@ final class PieceVisits {
         if (Constraints.staysClear(gap, impulse, vn, before, k.h, k.inverseH) != 0) {
             return;
         }
-        visit.solve(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], before, vn, impulse, k);
+        visit.solve(
+                gap,
+                r,
+                rows[row + PieceContactRow.RESTITUTION],
+                k.thresholdRate,
+                state.load[s + LOADED],
+                before,
+                vn,
+                impulse,
+                k);
         if (touches != null) {
             float way = nx * (state.load[s + BEFORE_Y] - surfaceY) - ny * (state.load[s + BEFORE_X] - surfaceX);
             float spin = k.turning ? state.turning.before(slot) : 0f;
-            tell(slot, c, before, impulse + visit.impulse, slip(s, c, way, spin, k));
+            tell(slot, c, before, impulse + visit.impulse, slip(c, way, spin, k));
         }
         if (visit.bounced) {
             float behind = Bounce.leftBehind(gap, vn, visit.impulse, k.dt, r);
@@ -437,10 +476,19 @@ final class PieceVisits {
         float uy = m[s + VY] - surfaceY;
         float along = nx * uy - ny * ux;
         float vn = nx * ux + ny * uy;
-        visit.relax(gap, r, restitution(s, c), k.thresholdRate, state.load[s + LOADED], bounce, vn, impulse, k);
+        visit.relax(
+                gap,
+                r,
+                rows[row + PieceContactRow.RESTITUTION],
+                k.thresholdRate,
+                state.load[s + LOADED],
+                bounce,
+                vn,
+                impulse,
+                k);
         if (touches != null) {
             float spin = k.turning ? state.turning.spin[s + SURFACE_SPEED] : 0f;
-            tell(slot, c, vn, visit.impulse, slip(s, c, along, spin, k));
+            tell(slot, c, vn, visit.impulse, slip(c, along, spin, k));
         }
         if (!visit.leaves) {
             m[s + VX] += nx * visit.impulse;
@@ -460,47 +508,55 @@ final class PieceVisits {
         touches.visited(slot, c, vn, impulse, slip, surface);
     }
 
-    private float restitution(int s, int c) {
-        int kind = terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND];
-        return CircleMath.max(
-                state.traits[s + RESTITUTION], terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.RESTITUTION]);
-    }
-
     // ---- grips
     // ----------------------------------------------------------------------------------------------------------
 
     private void grip(int s, int c, float normalImpulse, float along, boolean keep) {
         takeGrip(s, c);
         if (grip.acts()) {
-            int kind = terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND];
-            float belt = state.turning.kinds[KindSurface.of(kind) + KindSurface.BELT] + state.turning.skin[s + BELT];
+            float belt = contacts.surfaces[PieceContactRow.surfaces(c) + PieceContactRow.BELT];
             grip.visit(normalImpulse, along, belt, keep);
             giveGrip(s, c);
         }
     }
 
     /** How fast surfaces slide, if they grip; along: against the surface, spin: surface speed of the circle. */
-    private float slip(int s, int c, float along, float spin, StepConstants k) {
-        if (!k.turning) {
-            return 0f;
-        }
-        Turning t = state.turning;
-        int kind = KindSurface.of(terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
-        float friction = Surface.friction(t.skin[s + CircleRow.FRICTION], t.kinds[kind + KindSurface.FRICTION]);
-        return Surface.hitSlip(friction, along, 0f, spin, t.kinds[kind + KindSurface.BELT] + t.skin[s + BELT]);
+    private float slip(int c, float along, float spin, StepConstants k) {
+        int surfaces = PieceContactRow.surfaces(c);
+        return k.turning
+                ? Surface.hitSlip(
+                        contacts.surfaces[surfaces + PieceContactRow.MU],
+                        along,
+                        0f,
+                        spin,
+                        contacts.surfaces[surfaces + PieceContactRow.BELT])
+                : 0f;
     }
 
-    private void takeGrip(int s, int c) {
+    /** What the surfaces of a contact are in this step. */
+    private void findSurfaces(int s, int c) {
         Turning t = state.turning;
         int kind = KindSurface.of(terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
-        int row = PieceContactRow.of(c);
         grip.between(
                 t.skin[s + CircleRow.FRICTION],
                 t.kinds[kind + KindSurface.FRICTION],
                 t.skin[s + CircleRow.ROLLING_RESISTANCE],
                 t.kinds[kind + KindSurface.ROLLING_RESISTANCE],
                 t.spin[s + INVERSE_INERTIA] / state.traits[s + INVERSE_MASS]);
-        grip.surfaceSpeed = t.spin[s + SURFACE_SPEED];
+        int surfaces = PieceContactRow.surfaces(c);
+        contacts.surfaces[surfaces + PieceContactRow.MU] = grip.mu;
+        contacts.surfaces[surfaces + PieceContactRow.RESISTANCE] = grip.resistance;
+        contacts.surfaces[surfaces + PieceContactRow.INERTIA] = grip.inertia;
+        contacts.surfaces[surfaces + PieceContactRow.BELT] = t.kinds[kind + KindSurface.BELT] + t.skin[s + BELT];
+    }
+
+    private void takeGrip(int s, int c) {
+        int row = PieceContactRow.of(c);
+        int surfaces = PieceContactRow.surfaces(c);
+        grip.mu = contacts.surfaces[surfaces + PieceContactRow.MU];
+        grip.resistance = contacts.surfaces[surfaces + PieceContactRow.RESISTANCE];
+        grip.inertia = contacts.surfaces[surfaces + PieceContactRow.INERTIA];
+        grip.surfaceSpeed = state.turning.spin[s + SURFACE_SPEED];
         grip.friction = contacts.rows[row + PieceContactRow.FRICTION];
         grip.rolling = contacts.rows[row + ROLLING];
     }
@@ -519,11 +575,102 @@ final class PieceVisits {
 
     /** Ends a circle's move in a sub-step, from a displacement, so that no piece is passed, or entered; and measures the contacts there. */
     void move(int slot, float fromX, float fromY, int sub) {
-        stop(slot, fromX, fromY, sub);
+        if (contacts.count[slot] == 1 && moveOverFace(slot, contacts.first[slot], fromX, fromY)) {
+            return;
+        }
+        boolean stopped = stop(slot, fromX, fromY, sub);
         measure(slot, sub + 1);
         for (int round = 0; round < ROUNDS && keepOut(slot); round++) {
             measure(slot, sub + 1);
         }
+        if (stopped) {
+            touch(slot);
+        }
+    }
+
+    /** The circle touches what has stopped it, also where rounding leaves a gap: else it would stand there for ever. */
+    private void touch(int slot) {
+        float graze = Tuning.GRAZE * state.circle[CircleRow.of(slot) + RADIUS];
+        for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+            int gap = PieceContactRow.of(c) + GAP;
+            if (contacts.rows[gap] <= graze) {
+                contacts.rows[gap] = CircleMath.min(contacts.rows[gap], 0f);
+            }
+        }
+        contacts.measured[CircleRow.vector(slot)] = Float.NaN; // the next pass measures all again
+    }
+
+    /**
+     * The same of nearly all circles near a piece: those that move a short way over the face of a line at rest, and see no other piece. Returns
+     * false, and changes nothing, if the circle is another.
+     */
+    private boolean moveOverFace(int slot, int c, float fromX, float fromY) {
+        int s = CircleRow.of(slot);
+        int k = PieceContactRow.of(c);
+        int number = PieceContactRow.numbers(c);
+        float[] rows = contacts.rows;
+        float[] m = state.motion;
+        int piece = contacts.numbers[number + PIECE];
+        int shape = shape(piece);
+        float side = rows[k + SIDE];
+        float r = state.circle[s + RADIUS];
+        float dx = m[s + DX];
+        float dy = m[s + DY];
+        if (PieceRow.form(shape) == PieceRow.ARC
+                || motion(piece) != 0
+                || side == 0f
+                || contacts.numbers[number + FEATURE] != PieceGap.FACE
+                || contacts.numbers[number + RESPONSE] != PairTable.SOLID
+                || CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r)) {
+            return false;
+        }
+        float[] pieces = terrain.rows;
+        int row = PieceRow.of(piece);
+        float tx = pieces[row + PieceRow.TX];
+        float ty = pieces[row + PieceRow.TY];
+        float length = pieces[row + PieceRow.LENGTH];
+        float reach = r + pieces[row + PieceRow.THICKNESS];
+        float nx = side * ty;
+        float ny = side * -tx;
+        float baseX = rows[k + BASE_X];
+        float baseY = rows[k + BASE_Y];
+        float allowed = rows[k + ALLOWED];
+        float x = baseX + dx;
+        float y = baseY + dy;
+        float gap = 0f;
+        for (int round = 0; ; round++) {
+            float t = PieceGap.along(tx, ty, x, y);
+            if (!(t >= 0f && t <= length)) {
+                return false; // it is at a joint, or beyond
+            }
+            gap = PieceGap.faceGap(side, PieceGap.height(tx, ty, x, y), reach);
+            float out = allowed - gap;
+            if (round == ROUNDS || !(out > 0f)) {
+                break;
+            }
+            float nextX = dx + (0f + nx * out);
+            float nextY = dy + (0f + ny * out);
+            boolean stays = nextX == dx && nextY == dy;
+            dx = nextX;
+            dy = nextY;
+            x = baseX + dx;
+            y = baseY + dy;
+            if (stays) {
+                break; // too little to move it
+            }
+        }
+        m[s + DX] = dx;
+        m[s + DY] = dy;
+        contacts.measured[CircleRow.vector(slot)] = dx;
+        contacts.measured[CircleRow.vector(slot) + 1] = dy;
+        contacts.numbers[number + FEATURE] = PieceGap.FACE;
+        rows[k + OX] = x;
+        rows[k + OY] = y;
+        rows[k + NX] = nx;
+        rows[k + NY] = ny;
+        rows[k + GAP] = gap;
+        rows[k + CURVE] = 0f;
+        return true;
     }
 
     /** Moves a circle out of the pieces that it is deeper in than before the sub-step; returns whether there were some. */
@@ -547,23 +694,24 @@ final class PieceVisits {
         }
         state.motion[s + DX] += outX;
         state.motion[s + DY] += outY;
-        return true;
+        return !isMeasured(slot); // it may be too little to move it
     }
 
-    /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. */
-    private void stop(int slot, float fromX, float fromY, int sub) {
+    /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. Returns whether there was one. */
+    private boolean stop(int slot, float fromX, float fromY, int sub) {
         int stopper = firstStop(slot, fromX, fromY, sub, true);
         if (stopper < 0) {
-            return;
+            return false;
         }
         if (motion(contacts.piece(stopper)) == 0) {
             stopAt(slot, fromX, fromY);
-            return;
+            return true;
         }
         takeAlong(slot, stopper, sub + 1);
         if (firstStop(slot, fromX, fromY, sub, false) >= 0) {
             stopAt(slot, fromX, fromY);
         }
+        return true;
     }
 
     private void stopAt(int slot, float fromX, float fromY) {
@@ -594,8 +742,8 @@ final class PieceVisits {
                 continue;
             }
             int row = PieceRow.of(piece);
-            float ox = offsetX(state, slot, terrain.rows, row);
-            float oy = offsetY(state, slot, terrain.rows, row);
+            float ox = contacts.rows[PieceContactRow.of(c) + BASE_X];
+            float oy = contacts.rows[PieceContactRow.of(c) + BASE_Y];
             toFrame(row, motion, ox, oy, fromX, fromY, sub);
             float x = localX;
             float y = localY;
@@ -629,8 +777,8 @@ final class PieceVisits {
         float cos = bodies[pose + BodyRow.COS];
         float sin = bodies[pose + BodyRow.SIN];
         int s = CircleRow.of(slot);
-        float ox = offsetX(state, slot, terrain.rows, row) - px;
-        float oy = offsetY(state, slot, terrain.rows, row) - py;
+        float ox = contacts.rows[PieceContactRow.of(c) + BASE_X] - px;
+        float oy = contacts.rows[PieceContactRow.of(c) + BASE_Y] - py;
         state.motion[s + DX] = ((cos * x - sin * y) - ox) + bodies[pose + BodyRow.DX];
         state.motion[s + DY] = ((sin * x + cos * y) - oy) + bodies[pose + BodyRow.DY];
     }

@@ -18,12 +18,12 @@ public final class OneBodyGrip {
     public float impulse;
 
     /** Of the pair. */
-    private float mu;
+    public float mu;
 
-    private float resistance;
+    public float resistance;
 
     /** {@link KindSurface#INERTIA} */
-    private float inertia;
+    public float inertia;
 
     public void between(
             float ofCircle, float other, float resistanceOfCircle, float otherResistance, float itsInertia) {

@@ -36,11 +36,26 @@ public final class PieceGap {
         }
     }
 
+    /** Of a line: how far a centre is along it. */
+    public static float along(float tx, float ty, float ox, float oy) {
+        return ox * tx + oy * ty;
+    }
+
+    /** Of a line: how far a centre is over its front. */
+    public static float height(float tx, float ty, float ox, float oy) {
+        return ox * ty - oy * tx;
+    }
+
+    /** Of a line, over its face; reach: the radius and its thickness. */
+    public static float faceGap(float side, float height, float reach) {
+        return side * height - reach;
+    }
+
     private void line(float[] rows, int row, int shape, float ox, float oy, float r, float side) {
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];
-        float t = ox * tx + oy * ty;
-        height = ox * ty - oy * tx;
+        float t = along(tx, ty, ox, oy);
+        height = height(tx, ty, ox, oy);
         float reach = r + rows[row + PieceRow.THICKNESS];
         boolean before = t < 0f;
         boolean behind = t > rows[row + PieceRow.LENGTH];
@@ -49,7 +64,7 @@ public final class PieceGap {
             feature = goesOn(t, rows[row + PieceRow.LENGTH], r) ? FACE : NONE;
             nx = side * ty;
             ny = side * -tx;
-            gap = side * height - reach;
+            gap = faceGap(side, height, reach);
             curve = 0f;
         } else {
             atVertex(rows, row, before, joint, ox, oy, reach, side * ty, side * -tx);

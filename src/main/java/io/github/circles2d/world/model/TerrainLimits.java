@@ -12,11 +12,16 @@ public final class TerrainLimits {
 
     private static final double LEAST_LENGTH = 0x1p-40;
 
-    /** Radians, of {@link #opening}: the float above a whole turn is one. */
-    private static final double TURN = 2 * Math.PI * (1 + 0x1p-23);
+    /** In units of an angle: an opening that differs from a turn by less is one, since angles in floats are no better. */
+    private static final int SLACK = 1 << 14;
 
     /** In units of an angle: half of it is one. */
     private static final int LEAST_OPENING = 2;
+
+    private static final int QUARTER = 1 << 30;
+
+    /** Radians. */
+    private static final double MORE_THAN_A_TURN = 7;
 
     private TerrainLimits() {}
 
@@ -37,14 +42,14 @@ public final class TerrainLimits {
 
     /** The units of an angle between the ends of an arc, at most a turn, which is a circle. */
     public static long opening(String what, double angle) {
-        if (!(Math.abs(angle) <= TURN)) {
+        long units = Rotation.units(angle);
+        if (!(Math.abs(angle) < MORE_THAN_A_TURN) || Math.abs(units) > Rotation.TURN + SLACK) {
             throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi");
         }
-        long units = Rotation.units(angle);
         if (Math.abs(units) < LEAST_OPENING) {
             throw new IllegalArgumentException(what + " is " + angle + ", which is 0, or too near to it");
         }
-        return Math.max(-Rotation.TURN, Math.min(Rotation.TURN, units));
+        return Math.abs(units) > Rotation.TURN - SLACK ? units < 0 ? -Rotation.TURN : Rotation.TURN : units;
     }
 
     public static void coordinate(String what, float value) {
@@ -79,16 +84,21 @@ public final class TerrainLimits {
         extent(distance(x1, y1, x2, y2) + 2.0 * thickness, bounds);
     }
 
-    public static void arc(float x, float y, float radius, Bounds bounds) {
+    /** half: of the opening, in units of an angle without sign. */
+    public static void arc(float x, float y, float radius, int half, Bounds bounds) {
         coordinate("x", x);
         coordinate("y", y);
         Limits.within("radius", radius, 0f, Limits.COORDINATE);
-        if (!(radius
-                >= leastLength(Math.max(Math.abs(x), Math.abs(y))))) { // a chain's radius may have been rounded to it
+        if (!(radius >= leastLength(Math.max(Math.abs(x), Math.abs(y))))) { // a chain's radius may be rounded to it
             throw new IllegalArgumentException(
                     "the radius is " + radius + ", but must be at least 2^-20 of the coordinates of the centre");
         }
-        extent(2.0 * radius, bounds);
+        extent(extentOfArc(radius, half), bounds);
+    }
+
+    /** Of the box around an arc, in any direction. */
+    public static double extentOfArc(float radius, int half) {
+        return 2.0 * radius * (half >= 0 && half < QUARTER ? Rotation.sin(half) : 1);
     }
 
     /** A piece is at most half as long as an axis that wraps, so there is one short way to it. */

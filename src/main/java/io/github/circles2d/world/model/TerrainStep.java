@@ -37,6 +37,12 @@ public final class TerrainStep {
     /** Of links; they stay the same while bodies move. */
     public int linksVersion;
 
+    /** Nodes of the ground, which come first. */
+    public int groundNodes;
+
+    /** Of boxes and links of the ground. */
+    public int groundVersion;
+
     /** The first node whose box differs from that of the tree's version before. */
     public int boxesFrom;
 

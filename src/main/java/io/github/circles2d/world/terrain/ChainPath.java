@@ -66,7 +66,8 @@ public final class ChainPath {
                 if (turns[k] == 0) {
                     TerrainLimits.extent(TerrainLimits.distance(x(k), y(k), x(k + 1), y(k + 1)), bounds);
                 } else {
-                    TerrainLimits.extent(2.0 * radius(k), bounds);
+                    TerrainLimits.extent(
+                            TerrainLimits.extentOfArc(radius(k), (int) (Math.abs(turns[k]) >>> 1)), bounds);
                 }
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException("piece " + k + " of the chain: " + e.getMessage(), e);

@@ -57,6 +57,11 @@ public final class PieceTable {
 
     private int names;
 
+    /** Of the names that it was computed with. */
+    private long hash;
+
+    private int hashedNames;
+
     PieceTable(BodyTable bodies) {
         this.bodies = bodies;
     }
@@ -264,8 +269,16 @@ public final class PieceTable {
         return shape & (PieceRow.FORM | PieceRow.SOLID_OUTSIDE);
     }
 
-    /** The part of the pieces in the hash of the state: one number for each. */
+    /** The part of the pieces in the hash of the state: one number for each. What is in it changes as seldom as the names. */
     long hash() {
+        if (hashedNames != names) {
+            hash = computeHash();
+            hashedNames = names;
+        }
+        return hash;
+    }
+
+    private long computeHash() {
         long sum = 0;
         for (int piece = 0; piece < ids.end(); piece++) {
             if (ids.lives(piece)) {

@@ -1,18 +1,10 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.Handle;
 import java.util.Arrays;
 
-/**
- * Which ids are in use, of pieces or of bodies. A handle is ((generation + 1) &lt;&lt; 32 | id), as that of a circle. The next one gets the
- * lowest free id.
- */
+/** Which ids are in use, of pieces or of bodies, under a {@link Handle} each. The next one gets the lowest free id. */
 public final class TerrainIds {
-    private static final int GENERATION_SHIFT = 32;
-    private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
-
-    /** The generation that would make a handle 0 is left out. */
-    private static final int LAST_GENERATION = -2;
-
     private boolean[] live = new boolean[0];
     private int[] generation = new int[0];
     private int size;
@@ -35,13 +27,13 @@ public final class TerrainIds {
     }
 
     public long handle(int id) {
-        return (long) (generation[id] + 1) << GENERATION_SHIFT | id;
+        return Handle.of(generation[id], id);
     }
 
     /** -1 if nothing that lives has the handle. */
     public int find(long handle) {
-        long id = handle & ID_MASK;
-        if (id >= end || !live[(int) id] || generation[(int) id] + 1 != (int) (handle >>> GENERATION_SHIFT)) {
+        long id = Handle.id(handle);
+        if (id >= end || !live[(int) id] || !Handle.hasGeneration(handle, generation[(int) id])) {
             return -1;
         }
         return (int) id;
@@ -97,7 +89,7 @@ public final class TerrainIds {
 
     void remove(int id) {
         live[id] = false;
-        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
+        generation[id] = Handle.next(generation[id]);
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
     }

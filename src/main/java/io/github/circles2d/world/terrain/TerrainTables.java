@@ -322,6 +322,8 @@ public final class TerrainTables {
             tree.buildGround(pieces);
             tree.buildBodies(pieces);
             step.boxesFrom = 0;
+            step.groundNodes = tree.groundNodes();
+            step.groundVersion++;
             step.linksVersion++;
             step.treeVersion++;
         } else if (bodiesChanged) {

@@ -164,6 +164,32 @@ class TerrainAgreeTest {
         }
     }
 
+    /** Masses, speeds, radii, frictions and torques of any magnitude, also in crowds, beside pieces at rest and such as move. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void extremeCirclesHaveTheSameBits(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.onePoint(200, 6)}) {
+            TerrainTwins terrain = terrain(scene);
+            SplittableRandom random = new SplittableRandom(8);
+            try (Twins twins = Twins.load(scene, terrain.on(pipelines(device)))) {
+                for (int k = 0; k < TestScale.of(8, 20); k++) {
+                    terrain.make(20, k % 2 == 1, random);
+                    twins.changeSurfaces(random);
+                    for (int changes = 0; changes < 60; changes++) {
+                        PipelinesAgreeTest.makeExtreme(twins, random.nextInt(scene.size()), random);
+                        twins.turnExtremely(random.nextInt(scene.size()), random);
+                    }
+                    for (int step = 0; step < 3; step++) {
+                        twins.step(scene.timeStep(), 1);
+                        String when = scene.name() + " behind change " + k + ", step " + step;
+                        twins.assertEqual(when);
+                        terrain.assertSameContacts(when);
+                    }
+                }
+            }
+        }
+    }
+
     /** Worlds that report have kernels of their own. */
     @ParameterizedTest
     @MethodSource("devices")
