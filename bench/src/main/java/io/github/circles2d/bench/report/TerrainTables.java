@@ -16,7 +16,8 @@ final class TerrainTables {
 
     /** Steps with terrain by those of what it is compared with; misses of what is asked are bold. Empty if the folder has no such file. */
     static String cost(Path folder) {
-        StringBuilder text = new StringBuilder("| machine | case | circles | pieces | contacts | of the other | ms | of the other |")
+        StringBuilder text = new StringBuilder(
+                        "| machine | case | circles | pieces | contacts | of the other | ms | of the other |")
                 .append(" times as long | of the shortest steps | ms more | asked |\n")
                 .append("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n");
         List<Map<String, String>> rows = rows(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
@@ -40,7 +41,8 @@ final class TerrainTables {
 
     /** World beside Box2D v3 on the same levels; misses are bold. Empty if the folder has no such file. */
     static String engines(Path folder) {
-        StringBuilder text = new StringBuilder("| level | circles | Box2D v3, ms | World on the JVM, ms | World is faster by |\n")
+        StringBuilder text = new StringBuilder(
+                        "| level | circles | Box2D v3, ms | World on the JVM, ms | World is faster by |\n")
                 .append("|---|--:|--:|--:|--:|\n");
         List<Map<String, String>> rows = rows(folder.resolve("engines.csv"), List.of("level", "n"));
         for (Map<String, String> row : rows) {

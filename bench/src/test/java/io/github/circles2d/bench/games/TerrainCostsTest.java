@@ -19,8 +19,7 @@ class TerrainCostsTest {
     void linesHaveTheColumnsOfTheHeader() {
         for (String each : TerrainCosts.CASES) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-            TerrainCosts.compare(
-                    each, Backend.JVM, N, 0, 1, new PrintStream(bytes, true, StandardCharsets.UTF_8));
+            TerrainCosts.compare(each, Backend.JVM, N, 0, 1, new PrintStream(bytes, true, StandardCharsets.UTF_8));
             String line = bytes.toString(StandardCharsets.UTF_8).replaceAll("\"[^\"]*\"", "machine");
             assertThat(line).startsWith(each + ",machine,");
             assertThat(line.strip().split(",", -1)).hasSameSizeAs(TerrainCosts.HEADER.split(","));
