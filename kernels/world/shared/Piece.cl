@@ -243,8 +243,7 @@ float timeOfPiece(global const float *row, int shape, float ox, float oy, float 
     int end = endJoint(shape);
 #pragma unroll 1
     for (int vertex = 0; vertex < 2; vertex++) {
-        bool looks = vertex == 0 ? start == JOINT_FREE : end == JOINT_FREE || end == JOINT_CONVEX;
-        if (!looks) continue;
+        if ((vertex == 0 ? start : end) == JOINT_CONCAVE) continue;
         float dx = row[vertex == 0 ? PIECE_START_X : PIECE_END_X] - ox;
         float dy = row[vertex == 0 ? PIECE_START_Y : PIECE_END_Y] - oy;
         t = minf(timeOfImpact(dx, dy, ux, uy, reach), t);

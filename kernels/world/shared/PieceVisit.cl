@@ -194,10 +194,15 @@ void gripPiece(const World *w, int k, int kind, float4 g, float along, float nor
 #endif
 
 // The warm start of a contact.
-void startPiece(const World *w, int k, float4 *m AND_TURNING(Turning *turning)) {
+void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *turning)) {
     int4 touched = w->piece[k];
     float4 push = w->push[k];
-    w->standing[k].STANDING_ALLOWED = isConstraint(touched) ? minf(w->measured[k].MEASURED_GAP, 0.0f) : 0.0f;
+    float allowed = isConstraint(touched) ? minf(w->measured[k].MEASURED_GAP, 0.0f) : 0.0f;
+    w->standing[k].STANDING_ALLOWED = allowed;
+    if (allowed < -JAMMED * r) {
+        push.PUSH_NORMAL = 0.0f;
+        w->push[k].PUSH_NORMAL = 0.0f;
+    }
     if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
         w->push[k].PUSH_FRICTION = 0.0f;
         w->push[k].PUSH_ROLLING = 0.0f;
@@ -300,7 +305,7 @@ void solvePieces(const World *w, int slot, float4 c, float restitution, float2 b
 #endif
 #endif
 #pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, m AND_TURNING(turning));
+    for (int k = own.PIECES_FIRST; k < end; k++) startPiece(w, k, c.RADIUS, m AND_TURNING(turning));
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < end; k++) {
         solvePiece(w, k, c, restitution, before, loaded, m AND_TURNING(turning) AND_TURNING(spin));
@@ -412,13 +417,15 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
 }
 
-// Where a circle would pass a piece, its move ends; a piece that moves takes it along.
-float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to) {
+// Where a circle would pass a piece, its move ends; a piece that moves takes it along. stopped: whether there was one.
+float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to, bool *stopped) {
+    *stopped = false;
     // A loop, so that what looks for them is there once: first at all, then, if one takes it along, at those at rest.
 #pragma unroll 1
     for (int moving = 1; moving >= 0; moving--) {
         Stop stop = firstStop(w, own, c, from, to, moving != 0);
         if (stop.contact == NONE) break;
+        *stopped = true;
         int piece = w->piece[stop.contact].TOUCHED_PIECE;
         if (moving == 0 || pieceTraits(w, piece).TRAIT_MOTION == 0) {
             return (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
@@ -450,11 +457,20 @@ bool keepOut(const World *w, int2 own, float2 *d) {
 // Ends a circle's move in a sub-step, from a displacement to another, so that no piece is passed, or entered; and measures the contacts there.
 float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
     int2 own = w->pieces[slot];
-    to = stopAtPieces(w, own, c, from, to);
+    bool stopped;
+    to = stopAtPieces(w, own, c, from, to, &stopped);
 #pragma unroll 1
     for (int round = 0;; round++) {
         measurePieces(w, own, c, to, w->subStep + 1);
         if (round == KEEP_OUT_ROUNDS || !keepOut(w, own, &to)) break;
+    }
+    if (stopped) {
+        // The circle touches what has stopped it, also where rounding leaves a gap: else it would stand there for ever.
+#pragma unroll 1
+        for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
+            float gap = w->measured[k].MEASURED_GAP;
+            if (gap <= GRAZE * c.RADIUS) w->measured[k].MEASURED_GAP = minf(gap, 0.0f);
+        }
     }
     return to;
 }

@@ -54,12 +54,12 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
                  bool carried AND_TURNING(float s) AND_TURNING(float spinSum) AND_TERRAIN(bool atPieces)) {
     float2 walls = t.WALLS;
-#ifndef TERRAIN
-    const bool atPieces = false;
-#endif
     // A wall that does not press holds nothing.
-    if (walls.x == 0.0f && walls.y == 0.0f && !atPieces &&
-        startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
+    bool pressed = walls.x != 0.0f || walls.y != 0.0f;
+#ifdef TERRAIN
+    pressed = pressed || atPieces;
+#endif
+    if (!pressed && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
@@ -92,7 +92,10 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #ifdef TURNING
     if (isHeld(&turning, 0) || isHeld(&turning, 1)) return true;
 #endif
-    return atPieces || bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
+#ifdef TERRAIN
+    if (atPieces) return true;
+#endif
+    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
 // started: motion as the start has left it. Returns as startCircle.

@@ -44,8 +44,8 @@ public final class Terrain {
 
     Terrain(Simulation simulation) {
         this.simulation = simulation;
-        bodies[0] = new TerrainBody(
-                simulation, simulation.bodies().ground()); // here, since memory may end in the first call of a body
+        bodies[0] = new TerrainBody(simulation)
+                .of(simulation.bodies().ground()); // memory may end in the first call of a body
     }
 
     // ---- bodies
@@ -71,7 +71,10 @@ public final class Terrain {
      */
     public TerrainBody addBody(float x, float y, float angle) {
         makeRoom(simulation.bodies().idLimit());
-        return object(simulation.bodies().add(x, y, angle));
+        TerrainBody body = new TerrainBody(simulation);
+        long handle = simulation.bodies().add(x, y, angle);
+        bodies[(int) handle] = body.of(handle);
+        return body;
     }
 
     /**
@@ -109,7 +112,7 @@ public final class Terrain {
         int id = (int) handle;
         makeRoom(id);
         if (bodies[id] == null || bodies[id].handle() != handle) {
-            bodies[id] = new TerrainBody(simulation, handle);
+            bodies[id] = new TerrainBody(simulation).of(handle);
         }
         return bodies[id];
     }

@@ -18,11 +18,16 @@ import io.github.circles2d.world.model.Limits;
  */
 public final class TerrainBody {
     private final Simulation simulation;
-    private final long handle;
+    private long handle;
 
-    TerrainBody(Simulation simulation, long handle) {
+    TerrainBody(Simulation simulation) {
         this.simulation = simulation;
-        this.handle = handle;
+    }
+
+    /** This is the body that has the handle. The object is made first, since memory may end. */
+    TerrainBody of(long itsHandle) {
+        handle = itsHandle;
+        return this;
     }
 
     /**

@@ -81,6 +81,9 @@ import java.util.Arrays;
  * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth:
  * let {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
  *
+ * <p><b>Terrain:</b> segments, smooth chains and arcs make slopes, caves, loops and drums, at rest or on bodies that move; see {@link
+ * Terrain}.
+ *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
  *
@@ -1567,7 +1570,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, and of the kinds. Equal states
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, and of terrain. Equal states
      * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
      * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
@@ -1602,8 +1605,8 @@ public final class World implements AutoCloseable {
     // ------------------------------------------------------------------------------------------------------
 
     /**
-     * Sets the types of events that {@link #events} reports of all circles, from the next step on, in place of all earlier calls. By
-     * default a world reports nothing, which costs nothing. The reported types change no step, and are in no snapshot and no log: call
+     * Sets the types of events that {@link #events} reports of all circles, and of circles and pieces of {@link Terrain}, from the next step on,
+     * in place of all earlier calls. By default a world reports nothing, which costs nothing. The reported types change no step, and are in no snapshot and no log: call
      * this again in a world that restores or replays. ({@link Rollback} brings them back.) If a pair touches already, its begin comes
      * with the first step that reports it.
      *
@@ -1618,8 +1621,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Sets the types of events that {@link #events} reports of the circles of two kinds, from the next step on, in place of those that
-     * {@link #report(int)} has set for all circles. A later call of {@link #report(int)} replaces them. Pairs that only sense each
+     * Sets the types of events that {@link #events} reports of two kinds, of circles or of a circle and a piece of {@link Terrain}, from the next
+     * step on, in place of those that {@link #report(int)} has set for all. A later call of {@link #report(int)} replaces them. Pairs that only sense each
      * other report {@link Events#BEGIN} and {@link Events#END}, and never {@link Events#HIT}. While no circle is of a kind that is
      * reported, a step takes no longer.
      *
@@ -1657,6 +1660,21 @@ public final class World implements AutoCloseable {
      */
     public int touching(int kindA, int kindB, long[] handles) {
         return simulation.reports().touching(kindA, kindB, handles);
+    }
+
+    /**
+     * Lists the pairs of a circle of a kind and a piece of {@link Terrain} of a kind that touch, as {@link #touching} does of circles: so it
+     * says who is in a gate that senses.
+     *
+     * @param kind the number of the kind of the circles
+     * @param kindOfPieces the number of the kind of the pieces
+     * @param handles takes two handles a pair, first that of the circle, then that of the piece. Pairs are in the order of the circles' ids, then
+     *     of the pieces'. If it is too short, it takes the first of them
+     * @return how many pairs there are, which may be more than the array takes
+     * @throws IllegalArgumentException if there is no such kind
+     */
+    public int touchingPieces(int kind, int kindOfPieces, long[] handles) {
+        return simulation.reports().touchingPieces(kind, kindOfPieces, handles);
     }
 
     /**
@@ -1717,7 +1735,7 @@ public final class World implements AutoCloseable {
     /**
      * The number of bytes that {@link #snapshot} would write now.
      *
-     * @return about 50 a circle, if few circles were removed
+     * @return about 50 a circle, if few circles were removed, and about 25 a piece of terrain
      * @throws IllegalStateException if it is more than one buffer holds
      */
     public int snapshotBytes() {
@@ -1725,7 +1743,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds, gravity,
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, bounds, gravity,
      * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
      * equal bytes, on every back end.
      *

@@ -17,8 +17,26 @@ import java.util.SplittableRandom;
  * @param edgeX what there is at the left and the right edge
  * @param edgeY what there is at the lower and the upper edge
  * @param surfaces what circles and walls touch each other with
+ * @param terrain what there is besides circles
  */
-record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
+record GoldenScene(
+        String name,
+        Scene scene,
+        GoldenChange change,
+        Edge edgeX,
+        Edge edgeY,
+        Surfaces surfaces,
+        GoldenTerrain terrain) {
+    /** A scene without terrain. */
+    GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
+        this(name, scene, change, edgeX, edgeY, surfaces, GoldenTerrain.NONE);
+    }
+
+    /** A scene with walls all around, and terrain. */
+    GoldenScene(String name, Scene scene, GoldenChange change, Surfaces surfaces, GoldenTerrain terrain) {
+        this(name, scene, change, Edge.WALL, Edge.WALL, surfaces, terrain);
+    }
+
     /** A scene with walls all around. */
     GoldenScene(String name, Scene scene, GoldenChange change) {
         this(name, scene, change, Surfaces.NONE);
@@ -106,18 +124,76 @@ record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Ed
                         GoldenChange::spin,
                         Edge.WRAP,
                         Edge.WALL,
-                        Surfaces.of(0.3f, 0f)));
+                        Surfaces.of(0.3f, 0f)),
+                new GoldenScene(
+                        "hourglass",
+                        HardScenes.pile(40, 30, Scenes.SEED),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.2f, 0f),
+                        GoldenTerrain::hourglass),
+                new GoldenScene(
+                        "drum",
+                        HardScenes.core(1_000, 0.2f, Scenes.SEED),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.6f, 0f),
+                        GoldenTerrain::drum),
+                new GoldenScene(
+                        "pinball",
+                        HardScenes.core(60, 0.12f, Scenes.SEED),
+                        GoldenTerrain::flip,
+                        Surfaces.of(0.2f, 0f),
+                        GoldenTerrain::pinball),
+                new GoldenScene(
+                        "half-pipes",
+                        HardScenes.heap(1_000, Scenes.SEED),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.6f, 0.02f),
+                        GoldenTerrain::halfPipes),
+                new GoldenScene(
+                        "one-way-lifts",
+                        HardScenes.pile(40, 20, Scenes.SEED),
+                        GoldenTerrain::lift,
+                        Surfaces.of(0.5f, 0f),
+                        GoldenTerrain::lifts),
+                new GoldenScene(
+                        "mixed-rubble-churned",
+                        Scenes.mixed(4_000, 10, Scenes.SEED),
+                        GoldenChange::churn,
+                        Surfaces.NONE,
+                        GoldenTerrain::rubble),
+                new GoldenScene(
+                        "slopes",
+                        HardScenes.pile(50, 25, Scenes.SEED),
+                        GoldenChange::timeStep,
+                        Surfaces.of(0.6f, 0.05f),
+                        GoldenTerrain::slopes),
+                new GoldenScene(
+                        "floor-rebuilt",
+                        HardScenes.pile(40, 30, Scenes.SEED),
+                        GoldenTerrain::rebuild,
+                        Surfaces.of(0.4f, 0f),
+                        GoldenTerrain::floor),
+                new GoldenScene(
+                        "wrapped-seams",
+                        Scenes.gas(2_500, Scenes.SEED),
+                        GoldenChange.NONE,
+                        Edge.WRAP,
+                        Edge.WRAP,
+                        Surfaces.NONE,
+                        GoldenTerrain::seams));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
     Run start(World empty) {
         World world = WorldScenes.load(scene, empty);
+        terrain.build(WorldCalls.of(world));
         return new Run(world, WorldCalls.of(world));
     }
 
     /** A run of the scene in a world that has its gravity, restitution and bounds, and no circles; there is no World then. */
     Run start(WorldCalls empty) {
         SceneLoader.circles(scene, empty::add, empty::setRestitution);
+        terrain.build(empty);
         return new Run(null, empty);
     }
 

@@ -56,6 +56,7 @@ class NullArgumentsTest {
                         "x", () -> World.builder().edges(null, Edge.WALL),
                         "y", () -> World.builder().edges(Edge.WALL, null)));
         calls.put("World.touching", Map.of("handles", () -> world.touching(0, 0, null)));
+        calls.put("World.touchingPieces", Map.of("handles", () -> world.touchingPieces(0, 0, null)));
         calls.put("World.readLoadsById", Map.of("loads", () -> world.readLoadsById(null, null)));
         calls.put("World.addAll", Map.of("circles", () -> world.addAll(null, values, new int[0], handles)));
         calls.put(

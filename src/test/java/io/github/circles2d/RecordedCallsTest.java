@@ -294,6 +294,7 @@ class RecordedCallsTest {
             "TerrainBody.y",
             "torque",
             "touching",
+            "touchingPieces",
             "vx",
             "vy",
             "wallBeltSpeed",

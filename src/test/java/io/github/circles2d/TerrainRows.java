@@ -167,7 +167,7 @@ final class TerrainRows {
             double gained = G * (height - ball.y());
             String scene = "convex corner of 20 degrees, " + (chain ? "a chain" : "segments") + ", v 1: ";
             return List.of(
-                    RowFigure.between("B5", scene + "greatest gap, m", box2dGap, Double.NEGATIVE_INFINITY, 0.002, gap),
+                    RowFigure.between("B5", scene + "greatest gap, m", box2dGap, 0, 0.002, gap),
                     RowFigure.within(
                             "B5",
                             scene + "change of energy behind it, % of the gain",
@@ -232,7 +232,7 @@ final class TerrainRows {
                     "B8b",
                     scene + "height after 4 s, m",
                     box2dEnd,
-                    lands ? R - 0.001 : Double.NEGATIVE_INFINITY,
+                    lands ? R - 0.001 : -100,
                     lands ? R + 0.001 : -R,
                     ball.y());
             return List.of(rise, end);

@@ -163,6 +163,8 @@ class WorldFuzzTest {
     private static final class Program {
         private final long seed;
         private final Random random;
+        private final boolean hasTerrain;
+        private final List<Long> bodies = new ArrayList<>(List.of(0L, -1L, 77L));
         private List<Long> stale = new ArrayList<>(List.of(0L, -1L, 77L));
 
         /** Most circles of a program have radii of about the arena over 10 to the power of this. */
@@ -215,6 +217,7 @@ class WorldFuzzTest {
             this.traced = traced;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
+            hasTerrain = traced == null && new Random(~seed).nextInt(3) == 0;
         }
 
         void run() {
@@ -335,6 +338,9 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
+            if (hasTerrain && random.nextInt(3) == 0) {
+                changeTerrain();
+            }
             switch (random.nextInt(38)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
@@ -366,6 +372,71 @@ class WorldFuzzTest {
                 case 36 -> setKindSurface();
                 case 37 -> setWallSurface();
                 default -> step();
+            }
+        }
+
+        // ---- terrain
+        // -----------------------------------------------------------------------------------------------
+
+        private void changeTerrain() {
+            Terrain terrain = world.terrain();
+            int kind = kind();
+            float[] v = new float[6];
+            for (int k = 0; k < v.length; k++) {
+                v[k] = k % 2 == 0 ? value(model.minX, model.maxX) : value(model.minY, model.maxY);
+            }
+            float size = value(0, model.maxX - model.minX);
+            float angle = value(-7, 7);
+            ArcSide side = ArcSide.values()[random.nextInt(2)];
+            long piece = random.nextInt(8) == 0 || terrain.idLimit() == 0
+                    ? random.nextLong()
+                    : terrain.handle(random.nextInt(terrain.idLimit()));
+            long body = bodies.get(random.nextInt(bodies.size()));
+            last = "terrain " + Arrays.toString(v) + " " + size + " " + angle + " " + kind + " " + body;
+            refuseOrTake(() -> {
+                switch (random.nextInt(14)) {
+                    case 0 -> terrain.addSegment(v[0], v[1], v[2], v[3], random.nextBoolean() ? 0 : size, kind);
+                    case 1 -> terrain.addArc(v[0], v[1], size, angle, value(-7, 7), side, kind);
+                    case 2 -> terrain.addChain(chain(v, angle), kind, null);
+                    case 3 -> terrain.addSegments(v.clone(), kind, new long[random.nextInt(3)]);
+                    case 4 -> bodies.add(terrain.addBody(v[0], v[1], angle).handle());
+                    case 5 -> terrain.remove(piece);
+                    case 6 -> terrain.setKind(piece, kind);
+                    case 7 -> terrain.body(body).addSegment(-size, 0, size, 0, 0, kind);
+                    case 8 -> terrain.body(body).addArc(0, 0, size, 0, angle, side, kind);
+                    case 9 -> terrain.body(body).setVelocity(value(-speed(), speed()), value(-speed(), speed()));
+                    case 10 -> terrain.body(body).setAngularVelocity(value(-speed(), speed()));
+                    case 11 -> terrain.body(body).moveTo(v[0], v[1], angle);
+                    case 12 -> terrain.body(body).teleport(v[0], v[1], angle);
+                    default -> removeTerrain(terrain, body);
+                }
+            });
+            last = "one-way " + kind;
+            ask(!isKind(kind), () -> world.kind(kind).setOneWay(random.nextBoolean()));
+        }
+
+        private Chain chain(float[] v, float angle) {
+            Chain chain = Chain.from(v[0], v[1]).lineTo(v[2], v[3]);
+            chain = random.nextBoolean() ? chain.lineTo(v[4], v[5]) : chain.arcTo(v[4], v[5], angle);
+            return random.nextBoolean() ? chain.close() : chain;
+        }
+
+        private void removeTerrain(Terrain terrain, long body) {
+            if (random.nextInt(4) == 0) {
+                terrain.clear();
+            } else {
+                terrain.body(body).remove();
+            }
+        }
+
+        /** What is refused changes nothing. */
+        private void refuseOrTake(Runnable call) {
+            long before = world.hash();
+            try {
+                call.run();
+            } catch (IllegalArgumentException | IllegalStateException e) {
+                assertThat(e.getMessage()).isNotEmpty();
+                assertThat(world.hash()).as("after: " + e.getMessage()).isEqualTo(before);
             }
         }
 

@@ -307,6 +307,29 @@ class WorldTerrainEventsTest {
     }
 
     @Test
+    void whoIsInAGateIsListed() {
+        makeGates();
+        long[] pairs = new long[4];
+        long gate = terrain.addSegment(-5, 0, 5, 0, 0, GATE);
+        long second = terrain.addSegment(-5, 0.5f, 5, 0.5f, 0, GATE);
+        terrain.addSegment(-5, 5, 5, 5);
+        long a = world.add(0, 0.2f, 1, 1);
+        long b = world.add(3, 1.2f, 1, 1);
+        world.add(3, 4.2f, 1, 1);
+        world.step(DT);
+        assertThat(world.touchingPieces(0, GATE, pairs)).isEqualTo(3);
+        assertThat(pairs).containsExactly(a, gate, a, second);
+        assertThat(world.touchingPieces(0, 0, pairs)).isEqualTo(1);
+        terrain.remove(gate);
+        assertThat(world.touchingPieces(0, GATE, pairs)).isEqualTo(2);
+        assertThat(pairs).containsExactly(a, second, b, second);
+        world.setPosition(a, 20, 20);
+        world.step(DT);
+        assertThat(world.touchingPieces(0, GATE, new long[0])).isEqualTo(1);
+        assertThat(world.touching(0, 0, pairs)).isZero();
+    }
+
+    @Test
     void aHitSaysHowFastTheSurfacesSlid() {
         world.kind(0).setFriction(0.4f);
         world.report(ALL);

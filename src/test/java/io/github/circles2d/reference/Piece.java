@@ -146,11 +146,11 @@ abstract class Piece {
     /** After which share of its motion u a circle touches the face; 2 if it does not. */
     abstract float timeOfFace(float[] o, float[] u, float r, float side);
 
-    /** The same of the face and of the ends that are free or convex. */
+    /** The same of the face and of the ends that are not concave. */
     final float timeOfTouch(float[] o, float[] u, float r, float side) {
         float time = timeOfFace(o, u, r, side);
         float reach = r + thickness();
-        if (startJoint == Joint.FREE) {
+        if (startJoint != Joint.CONCAVE) {
             time = Numbers.min(ContinuousCollision.timeOfImpact(minus(start, o), u, reach), time);
         }
         if (endJoint != Joint.CONCAVE) {

@@ -13,6 +13,7 @@ import java.util.function.Function;
 final class PieceContact extends Constraint {
     private static final float WALL_STIFFNESS = 2f;
     private static final float COVER = 0.02f;
+    private static final float JAMMED = 0.01f;
     private static final int ROUNDS = 2;
 
     final Circle c;
@@ -243,6 +244,7 @@ final class PieceContact extends Constraint {
 
     void warmStart() {
         allowed = acts() ? Numbers.min(separation, 0f) : 0f;
+        normalImpulse = allowed < -JAMMED * c.radius ? 0f : normalImpulse;
         if (!acts() || !(normalImpulse > 0f)) {
             friction = 0f;
             rolling = 0f;
@@ -460,8 +462,15 @@ final class PieceContact extends Constraint {
 
     /** Ends the move of a circle in a sub-step, so that no piece is passed, or entered; and measures the contacts there. */
     static void move(Circle c, float[] from, int subStep) {
-        stop(c, from, subStep);
+        boolean stopped = stop(c, from, subStep);
         measure(c.pieceContacts, subStep + 1);
+        keepOut(c, subStep);
+        c.pieceContacts.stream()
+                .filter(contact -> stopped && contact.separation <= Piece.GRAZE * c.radius)
+                .forEach(contact -> contact.separation = Numbers.min(contact.separation, 0f));
+    }
+
+    private static void keepOut(Circle c, int subStep) {
         for (int round = 0; round < ROUNDS; round++) {
             float[] out = new float[2];
             for (PieceContact contact : c.pieceContacts) {
@@ -480,18 +489,18 @@ final class PieceContact extends Constraint {
         }
     }
 
-    /** Where the circle would pass a piece, its move ends; one that moves takes it along. */
-    private static void stop(Circle c, float[] from, int subStep) {
+    /** Where the circle would pass a piece, its move ends; one that moves takes it along. Returns whether there was one. */
+    private static boolean stop(Circle c, float[] from, int subStep) {
         Stop first = firstStop(c, from, subStep, true);
-        if (first != null && first.contact.piece.body.motion != null) {
+        boolean stopped = first != null;
+        if (stopped && first.contact.piece.body.motion != null) {
             first.contact.takeAlong(first.place, subStep + 1);
             first = firstStop(c, from, subStep, false);
         }
-        if (first != null) {
-            for (int a = 0; a < 2; a++) {
-                c.displacement[a] = from[a] + first.share * (c.displacement[a] - from[a]);
-            }
+        for (int a = 0; a < 2 && first != null; a++) {
+            c.displacement[a] = from[a] + first.share * (c.displacement[a] - from[a]);
         }
+        return stopped;
     }
 
     private static Stop firstStop(Circle c, float[] from, int subStep, boolean alsoMoving) {

@@ -16,6 +16,7 @@ final class ReferenceTerrain {
     private static final double LEAST_LENGTH = 0x1p-20;
 
     private static final long TURN = 1L << 32;
+    private static final long SLACK = 1 << 14;
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
 
     private final List<Piece> pieces = new ArrayList<>();
@@ -111,7 +112,8 @@ final class ReferenceTerrain {
     }
 
     private static long opening(double angle) {
-        return Math.max(-TURN, Math.min(TURN, Angles.units(angle)));
+        long units = Angles.units(angle);
+        return Math.abs(units) > TURN - SLACK ? Long.signum(units) * TURN : units;
     }
 
     /** Adds the pieces of a chain, and returns their handles. */

@@ -172,6 +172,22 @@ public final class HardScenes {
         return b.restitution(0.5f).build();
     }
 
+    /** A core: circles at random places within a radius about the middle, masses by area; gravity (0, -1), restitution 0.3. */
+    public static Scene core(int n, float within, long seed) {
+        Scene.Builder b = new Scene.Builder("core", n).gravity(0, -1).restitution(0.3f);
+        Random random = new Random(seed);
+        float pitch = within * (float) Math.sqrt(Math.PI / n);
+        for (int i = 0; i < n; i++) {
+            double far = within * Math.sqrt((i + 0.5) / n);
+            double angle = i * 2.399963;
+            float r = 0.4f * pitch * (0.7f + 0.3f * random.nextFloat());
+            float x = 0.5f + (float) (far * StrictMath.cos(angle));
+            float y = 0.5f + (float) (far * StrictMath.sin(angle));
+            b.circle(i, x, y, r, 1e4f * r * r);
+        }
+        return b.build();
+    }
+
     /** Puts balls into the unit arena, one into each of side by side squares, not quite in its middle. */
     private static void lattice(Scene.Builder b, int side, int balls, float r, Random random) {
         float room = 1f / side - 2 * r;

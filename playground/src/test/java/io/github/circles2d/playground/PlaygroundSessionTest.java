@@ -215,6 +215,37 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    void anHourglassThatIsTurnedOverRunsEmptyAgainAndLosesNoGrain() {
+        session.load(Stages.named("hourglass"));
+        frames(400);
+        int grains = frame.circles;
+        assertThat(grains).isGreaterThan(400);
+        session.setTool(ToolKind.GRAB);
+        for (int turn = 0; turn < 2; turn++) {
+            session.press(50, 85);
+            session.scaleBrush(12); // notches of 15 degrees
+            frames(120);
+            assertThat(grainsAbove(50)).as("those that the turn has taken up").isGreaterThan(grains / 2);
+            session.release();
+            frames(500);
+            assertThat(grainsAbove(50)).isZero();
+            assertThat(frame.circles).isEqualTo(grains);
+            for (int k = 0; k < grains; k++) {
+                assertThat(frame.x[k]).isBetween(50f, 110f);
+                assertThat(frame.y[k]).isBetween(12f, 50f);
+            }
+        }
+    }
+
+    private int grainsAbove(float height) {
+        int count = 0;
+        for (int k = 0; k < frame.circles; k++) {
+            count += frame.y[k] > height ? 1 : 0;
+        }
+        return count;
+    }
+
+    @Test
     void theMarkIsOnTheSideToWhichTheCircleHasTurned() {
         Frame one = new Frame();
         one.arena = new Arena(0, 0, 100, 100);

@@ -128,13 +128,11 @@ public final class Main extends ApplicationAdapter {
         shapes.begin(ShapeRenderer.ShapeType.Filled);
         paint("1a1040", 1);
         shapes.rect(0, -1, 2 * Pinball.MIDDLE, Pinball.TOP + 1);
-        disc(Pinball.MIDDLE, Pinball.TOP, Pinball.MIDDLE);
+        disc("1a1040", 1, Pinball.MIDDLE, Pinball.TOP, Pinball.MIDDLE);
         for (int k = 0; k < 10; k++) { // light behind the bumpers
-            paint("ff4d8d", 0.025f);
-            disc(Pinball.MIDDLE, 11.4f, 4.3f - 0.4f * k);
+            disc("ff4d8d", 0.025f, Pinball.MIDDLE, 11.4f, 4.3f - 0.4f * k);
         }
-        paint("0b0719", 1);
-        disc(-0.6f, 8.4f, 1.52f); // the bulge of the outline
+        disc("0b0719", 1, -0.6f, 8.4f, 1.52f); // the bulge of the outline
         paint("ff4d8d", 0.3f);
         shapes.triangle(2, 6, 2, 4.5f, 3.2f, 3.75f);
         shapes.triangle(8, 6, 8, 4.5f, 6.8f, 3.75f);
@@ -150,8 +148,8 @@ public final class Main extends ApplicationAdapter {
         }
         shapes.end();
         batch.begin();
-        font.draw(
-                batch, game.score + (game.isOver() ? "\nspace: play" : "\nball " + (4 - game.balls)), 16, HEIGHT - 16);
+        String state = game.isOver() ? "\nspace: play again" : "\nball " + (4 - game.balls);
+        font.draw(batch, game.score + state, 16, HEIGHT - 16);
         batch.end();
     }
 
@@ -168,8 +166,8 @@ public final class Main extends ApplicationAdapter {
             capsule(COLORS[kind], 1, x + left, y + up, x2 + left, y2 + up, 0.06f);
         } else if (kind == Pinball.BUMPER) {
             for (int k = 0; k < 5; k++) {
-                paint(k % 2 == 0 ? COLORS[kind] : "ffffff", k == 0 ? 0.4f * glow : k == 3 ? 0.3f + 0.7f * glow : 1);
-                disc(x, y, x2 * (1.3f - 0.3f * k + (k > 0 ? 0.05f : 0)));
+                float alpha = k == 0 ? 0.4f * glow : k == 3 ? 0.3f + 0.7f * glow : 1;
+                disc(k % 2 == 0 ? COLORS[kind] : "ffffff", alpha, x, y, x2 * (k == 0 ? 1.3f : 1.35f - 0.3f * k));
             }
         } else {
             float radius = x2 + (pieces[i + 7] == 1 ? 0.06f : -0.06f), part = (pieces[i + 6] - y2) / 48;
@@ -184,28 +182,25 @@ public final class Main extends ApplicationAdapter {
     }
 
     private void ball(long ball, float x, float y) {
-        for (int k = 12; k > 0; k--) {
-            paint("4dd2ff", 0.06f);
-            float back = 0.004f * k;
-            disc(x - back * game.world.vx(ball), y - back * game.world.vy(ball), Pinball.RADIUS * (1 - 0.05f * k));
+        float r = Pinball.RADIUS, vx = game.world.vx(ball), vy = game.world.vy(ball);
+        for (int k = 12; k > 0; k--) { // where it has been
+            disc("4dd2ff", 0.06f, x - 0.004f * k * vx, y - 0.004f * k * vy, r * (1 - 0.05f * k));
         }
-        paint("8f9ccf", 1);
-        disc(x, y, Pinball.RADIUS);
-        paint("d7def7", 1);
-        disc(x - 0.03f, y + 0.03f, 0.8f * Pinball.RADIUS);
-        paint("ffffff", 1);
-        disc(x - 0.08f, y + 0.08f, 0.35f * Pinball.RADIUS);
+        disc("8f9ccf", 1, x, y, r);
+        disc("d7def7", 1, x - 0.03f, y + 0.03f, 0.8f * r);
+        disc("ffffff", 1, x - 0.08f, y + 0.08f, 0.35f * r);
     }
 
     private void capsule(String color, float alpha, float x1, float y1, float x2, float y2, float thickness) {
         paint(color, alpha);
         shapes.rectLine(x1, y1, x2, y2, 2 * thickness);
-        disc(x1, y1, thickness);
-        disc(x2, y2, thickness);
+        shapes.circle(x1, y1, thickness, 24);
+        shapes.circle(x2, y2, thickness, 24);
     }
 
-    private void disc(float x, float y, float radius) {
-        shapes.circle(x, y, radius, radius < 0.5f ? 24 : 96);
+    private void disc(String color, float alpha, float x, float y, float radius) {
+        paint(color, alpha);
+        shapes.circle(x, y, radius, 96);
     }
 
     private void paint(String color, float alpha) {

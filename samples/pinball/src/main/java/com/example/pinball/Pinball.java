@@ -64,9 +64,9 @@ final class Pinball implements Runnable {
             terrain.addSegment(x + side * 1.2f, 4.8f, x + side * 1.75f, 4.8f, 0.08f, LIGHT);
         }
         left = terrain.addBody(3, 2.5f, DOWN);
-        right = terrain.addBody(7, 2.5f, PI - DOWN);
+        right = terrain.addBody(7, 2.5f, -DOWN);
         left.addSegment(0, 0, 1.6f, 0, 0.2f, FLIPPER);
-        right.addSegment(0, 0, 1.6f, 0, 0.2f, FLIPPER);
+        right.addSegment(0, 0, -1.6f, 0, 0.2f, FLIPPER);
         plunger = terrain.addBody(10.55f, PLUNGER, 0);
         plunger.addSegment(-0.25f, 0, 0.25f, 0, 0.1f, FLIPPER);
         TerrainBody spinner = terrain.addBody(MIDDLE, 7.4f, 0);
@@ -130,14 +130,13 @@ final class Pinball implements Runnable {
             waiting--;
         }
         turn(left, isLeftUp ? UP : DOWN);
-        turn(right, PI - (isRightUp ? UP : DOWN));
+        turn(right, isRightUp ? -UP : -DOWN);
         pull(isPulled || autoPull-- > 0);
     }
 
     /** Lets a flipper turn towards an angle, where it stops. */
     private static void turn(TerrainBody flipper, float angle) {
-        float now = flipper.angle() < -2 ? flipper.angle() + 2 * PI : flipper.angle(); // angles go from -pi to pi
-        float most = 18 * STEP;
+        float most = 18 * STEP, now = flipper.angle();
         flipper.moveTo(flipper.x(), flipper.y(), Math.max(now - most, Math.min(now + most, angle)));
     }
 

@@ -68,7 +68,7 @@ public final class ContactEvents {
     ContactEvents(int stamp) {
         tracker = new TouchTracker(reported, circles, pieces, pairs, step, stamp);
         place = new PairPlace(tracker);
-        touching = new TouchingList(tracker, pairs, circles);
+        touching = new TouchingList(tracker, pairs, circles, pieces);
     }
 
     // ---- what is reported
@@ -416,6 +416,12 @@ public final class ContactEvents {
     public int list(int kindA, int kindB, long[] handles) {
         place.bringHere();
         return touching.list(kindA, kindB, handles);
+    }
+
+    /** The same of circles of a kind and pieces of terrain of a kind. */
+    public int listPieces(int kind, int kindOfPieces, long[] handles) {
+        place.bringHere();
+        return touching.listPieces(kind, kindOfPieces, handles);
     }
 
     /** Memory of the arrays. */

@@ -356,9 +356,13 @@ final class PieceVisits {
         int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] rows = contacts.rows;
+        float r = state.circle[s + RADIUS];
         for (int c = from; c < to; c++) {
             int row = PieceContactRow.of(c);
             rows[row + ALLOWED] = isConstraint(c) ? CircleMath.min(rows[row + GAP], 0f) : 0f;
+            if (rows[row + ALLOWED] < -Tuning.JAMMED * r) {
+                rows[row + IMPULSE] = 0f;
+            }
             if (isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
@@ -577,11 +581,26 @@ final class PieceVisits {
         if (contacts.count[slot] == 1 && moveOverFace(slot, contacts.first[slot], fromX, fromY)) {
             return;
         }
-        stop(slot, fromX, fromY, sub);
+        boolean stopped = stop(slot, fromX, fromY, sub);
         measure(slot, sub + 1);
         for (int round = 0; round < ROUNDS && keepOut(slot); round++) {
             measure(slot, sub + 1);
         }
+        if (stopped) {
+            touch(slot);
+        }
+    }
+
+    /** The circle touches what has stopped it, also where rounding leaves a gap: else it would stand there for ever. */
+    private void touch(int slot) {
+        float graze = Tuning.GRAZE * state.circle[CircleRow.of(slot) + RADIUS];
+        for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
+            int gap = PieceContactRow.of(c) + GAP;
+            if (contacts.rows[gap] <= graze) {
+                contacts.rows[gap] = CircleMath.min(contacts.rows[gap], 0f);
+            }
+        }
+        contacts.measured[CircleRow.vector(slot)] = Float.NaN; // the next pass measures all again
     }
 
     /**
@@ -680,20 +699,21 @@ final class PieceVisits {
         return !isMeasured(slot); // it may be too little to move it
     }
 
-    /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. */
-    private void stop(int slot, float fromX, float fromY, int sub) {
+    /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. Returns whether there was one. */
+    private boolean stop(int slot, float fromX, float fromY, int sub) {
         int stopper = firstStop(slot, fromX, fromY, sub, true);
         if (stopper < 0) {
-            return;
+            return false;
         }
         if (motion(stopper) == 0) {
             stopAt(slot, fromX, fromY);
-            return;
+            return true;
         }
         takeAlong(slot, stopper, sub + 1);
         if (firstStop(slot, fromX, fromY, sub, false) >= 0) {
             stopAt(slot, fromX, fromY);
         }
+        return true;
     }
 
     private void stopAt(int slot, float fromX, float fromY) {

@@ -15,15 +15,14 @@ public final class PieceSweep {
         float face = PieceRow.form(shape) == PieceRow.ARC
                 ? timeOfArc(rows, row, shape, ox, oy, ux, uy, r)
                 : timeOfLine(rows, row, shape, ox, oy, ux, uy, r, reach, side);
-        int start = PieceRow.startJoint(shape);
-        int end = PieceRow.endJoint(shape);
         float t = face;
-        if (start == PieceRow.FREE) {
+        // of a tip, who comes from behind the piece that ends there is in front of the one that starts
+        if (PieceRow.startJoint(shape) != PieceRow.CONCAVE) {
             float dx = rows[row + PieceRow.START_X] - ox;
             float dy = rows[row + PieceRow.START_Y] - oy;
             t = CircleMath.min(TimeOfImpact.timeOfImpact(dx, dy, ux, uy, reach), t);
         }
-        if (end == PieceRow.FREE || end == PieceRow.CONVEX) {
+        if (PieceRow.endJoint(shape) != PieceRow.CONCAVE) {
             float dx = rows[row + PieceRow.END_X] - ox;
             float dy = rows[row + PieceRow.END_Y] - oy;
             t = CircleMath.min(TimeOfImpact.timeOfImpact(dx, dy, ux, uy, reach), t);

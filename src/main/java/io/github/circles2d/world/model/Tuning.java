@@ -31,6 +31,9 @@ public final class Tuning {
     /** A vertex of terrain no higher over the face of another piece is no constraint, in radii. */
     public static final float COVER = 0.02f;
 
+    /** A circle so deep in a piece of terrain keeps no impulse of it, in radii: between pieces that jam it impulses would grow for ever. */
+    public static final float JAMMED = 0.01f;
+
     /** How far a line of terrain goes on beyond a concave joint, in radii. */
     public static final float CORNER = 0.5f;
 

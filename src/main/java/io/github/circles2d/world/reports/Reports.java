@@ -15,6 +15,8 @@ public final class Reports {
     // The functions of the calls. They are linked before memory, or the stack, may end in a call.
     private static final Guard.Numbers<Reports, long[]> TOUCHING =
             (reports, array, a, b) -> reports.list((int) a, (int) b, array);
+    private static final Guard.Numbers<Reports, long[]> TOUCHING_PIECES =
+            (reports, array, a, b) -> reports.listPieces((int) a, (int) b, array);
     private static final Guard.Change<Reports> REQUEST = Reports::requestAll;
     private static final Guard.Read<Reports, EventRows> TAKE_REQUESTED = Reports::requested;
     private static final Guard.CircleChange<Reports> SET_HIT_SPEED =
@@ -128,6 +130,18 @@ public final class Reports {
         KindTable.check(kindB);
         pending.settle();
         return events.list(kindA, kindB, Limits.notNull("handles", to));
+    }
+
+    /** The same of the pairs of a circle of a kind and a piece of terrain of a kind. */
+    public int touchingPieces(int kind, int kindOfPieces, long[] to) {
+        return (int) guard.read(this, to, kind, kindOfPieces, TOUCHING_PIECES);
+    }
+
+    private long listPieces(int kind, int kindOfPieces, long[] to) {
+        KindTable.check(kind);
+        KindTable.check(kindOfPieces);
+        pending.settle();
+        return events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
     }
 
     /** Asks for the events of all steps so far, without waiting for them. */

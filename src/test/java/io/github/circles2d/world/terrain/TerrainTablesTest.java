@@ -11,6 +11,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.model.TerrainStep;
 import java.util.Random;
 import java.util.TreeSet;
@@ -434,6 +435,74 @@ class TerrainTablesTest {
                 && step.boxes[4 * node + 1] <= y + size
                 && step.boxes[4 * node + 2] >= x - size
                 && step.boxes[4 * node + 3] >= y - size;
+    }
+
+    /** The greatest and least values that calls take. */
+    @Test
+    void everyNumberOfAStepIsFinite() {
+        float[] values = {0, 1, -1, 1e9f, -1e9f, 1e-6f, 123456.79f};
+        for (Bounds bounds : new Bounds[] {BOUNDS, BOUNDS.with(AxisEdge.WRAP, AxisEdge.WRAP)}) {
+            Random random = new Random(5);
+            tables = new TerrainTables(step, bounds);
+            tables.bodies.ensure(40);
+            for (int k = 0; k < 40; k++) {
+                int body = tables.addBody(one(values, random), one(values, random), random.nextInt());
+                tables.bodies.setVelocity(body, one(values, random), one(values, random));
+                tables.bodies.setOmega(body, one(values, random));
+                if (random.nextBoolean()) {
+                    tables.travel(body, one(values, random), one(values, random), random.nextInt());
+                }
+            }
+            tables.pieces.ensure(2000);
+            for (int k = 0; k < 1000; k++) {
+                addIfAllowed(random.nextInt(41), values, random, bounds);
+            }
+            for (int k = 0; k < 5; k++) {
+                begin();
+                for (int at = 0; at < PieceRow.of(step.pieces); at++) {
+                    assertThat(step.rows[at])
+                            .as("element %d of a row", at % PieceRow.STRIDE)
+                            .isFinite();
+                }
+                for (int at = 0; at < 4 * step.nodes; at++) {
+                    assertThat(step.boxes[at]).isFinite();
+                }
+                for (int at = 0; at < BodyRow.of(step.bodies, SUB_STEPS); at++) {
+                    assertThat(step.motion[at]).isFinite();
+                }
+                end();
+            }
+        }
+    }
+
+    private static float one(float[] values, Random random) {
+        return values[random.nextInt(values.length)];
+    }
+
+    private void addIfAllowed(int body, float[] values, Random random, Bounds bounds) {
+        float x = one(values, random);
+        float y = one(values, random);
+        float x2 = one(values, random);
+        float y2 = one(values, random);
+        try {
+            if (random.nextBoolean()) {
+                float thickness = Math.abs(one(values, random));
+                TerrainLimits.segment(x, y, x2, y2, thickness, bounds);
+                tables.addSegment(body, 0, x, y, x2, y2, thickness);
+            } else if (random.nextBoolean()) {
+                ChainPath path = new ChainPath(x, y);
+                path.arcTo(x2, y2, random.nextFloat() * 12 - 6);
+                path.lineTo(one(values, random), one(values, random));
+                path.check(path.pieces(), bounds);
+                tables.addChain(body, 0, path, path.pieces(), false, null);
+            } else {
+                long opening = TerrainLimits.opening(0, random.nextFloat() * 6.28f);
+                TerrainLimits.arc(x, y, Math.abs(x2), (int) (opening >>> 1), bounds);
+                tables.addArc(body, 0, x, y, Math.abs(x2), y2, opening, random.nextBoolean());
+            }
+        } catch (IllegalArgumentException e) {
+            // not allowed
+        }
     }
 
     @Test

@@ -26,7 +26,8 @@ final class PhysicsPage {
         return template()
                 .replace("{{summary}}\n", summary(table))
                 .replace("{{table}}\n", table(table))
-                .replace("{{surfaces}}\n", SurfaceTable.of(folder))
+                .replace("{{surfaces}}\n", FigureTable.of(folder, "surfaces.csv"))
+                .replace("{{terrain}}\n", FigureTable.of(folder, "terrain.csv"))
                 .replace("{{charts}}\n", charts(folder));
     }
 

@@ -52,6 +52,7 @@ public final class WorldSource {
                 .define("ASIDE", Tuning.ASIDE)
                 .define("GRAZE", Tuning.GRAZE)
                 .define("CORNER", Tuning.CORNER)
+                .define("JAMMED", Tuning.JAMMED)
                 .define("COVER", Tuning.COVER)
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)

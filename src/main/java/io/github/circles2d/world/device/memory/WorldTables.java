@@ -220,8 +220,8 @@ final class WorldTables {
         String constants = DeviceArray.CONSTANTS.kernelName();
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
         StringBuilder turning =
-                new StringBuilder("#ifdef TURNING\n#define IF_TURNING(text) text\n#define TURNING_ARRAYS");
-        StringBuilder terrain = new StringBuilder("#ifdef TERRAIN\n#define TERRAIN_ARRAYS");
+                new StringBuilder("#ifdef TURNING\n#define IF_TURNING(text) text\n#define TURNING_ARRAYS ");
+        StringBuilder terrain = new StringBuilder("#ifdef TERRAIN\n#define TERRAIN_ARRAYS ");
         for (DeviceArray array : DeviceArray.values()) {
             if (array != DeviceArray.CONSTANTS) {
                 (array.turns() ? turning : array.isOfTerrain() ? terrain : text)

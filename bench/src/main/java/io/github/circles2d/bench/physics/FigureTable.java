@@ -9,18 +9,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
-/** The table of scenes in which surfaces grip, from a CSV file that the library's tests write ({@code SurfaceFigures}). */
-final class SurfaceTable {
-    private static final String FILE = "surfaces.csv";
-
+/** A table of scenes with exact figures, from a CSV file that the library's tests write ({@code RowFigures}). */
+final class FigureTable {
     /** Smaller figures are rounding. */
     private static final double LEAST = 1e-6;
 
-    private SurfaceTable() {}
+    private FigureTable() {}
 
     /** The lines for the page; none if a folder has no such file. */
-    static String of(Path folder) throws IOException {
-        Path file = folder.resolve(FILE);
+    static String of(Path folder, String name) throws IOException {
+        Path file = folder.resolve(name);
         if (!Files.exists(file)) {
             return "";
         }
