@@ -20,33 +20,31 @@ public final class CircleFields {
 
     /** Makes room for ids up to this number, so that {@link #set} cannot fail. If there is none, no value has changed. */
     public void ensure(CircleField field, int ids) {
-        int each = field.words();
-        int room = words[field.ordinal()].length / each;
-        if (ids > room) {
-            grow(field, (int) Math.min(Math.max(ids, room * 3L / 2), (Integer.MAX_VALUE - 8) / each));
+        int held = words[field.ordinal()].length / field.words();
+        if (ids > held) {
+            grow(field, (int) Math.min(Math.max(ids, held * 3L / 2), (Integer.MAX_VALUE - 8) / field.words()));
         }
     }
 
     private void grow(CircleField field, int circles) {
         int[] old = words[field.ordinal()];
         int each = field.words();
-        int[] longer = Arrays.copyOf(old, each * circles);
-        for (int id = old.length / each; id < circles; id++) {
-            put(longer, each, id, field.initial());
+        if (circles > old.length / each) {
+            int[] longer = Arrays.copyOf(old, each * circles);
+            for (int id = old.length / each; id < circles; id++) {
+                put(longer, each, id, field.initial());
+            }
+            words[field.ordinal()] = longer;
         }
-        words[field.ordinal()] = longer;
     }
 
     /**
-     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. No more than that has: two that take over
-     * each other's values by turns would grow for ever.
+     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. No more than that one has: two that copy
+     * each other in turns would grow for ever.
      */
     public void makeRoom(CircleFields from) {
         for (CircleField field : fields) {
-            int circles = from.words[field.ordinal()].length / field.words();
-            if (circles > words[field.ordinal()].length / field.words()) {
-                grow(field, circles);
-            }
+            grow(field, from.words[field.ordinal()].length / field.words());
         }
     }
 

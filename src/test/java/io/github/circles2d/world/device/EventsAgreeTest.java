@@ -11,6 +11,7 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
@@ -165,6 +166,29 @@ class EventsAgreeTest {
                 }
                 assertThat(events).as(scene.name()).isGreaterThan(100);
             }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void piecesAcrossSeamsHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.gas(300, 5);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            twins.restoreWithEdges(AxisEdge.WRAP, AxisEdge.WRAP);
+            twins.report(ContactEvents.OF_PAIR_TYPES);
+            twins.sense(0, 1);
+            float width = scene.maxX() - scene.minX();
+            for (int k = 0; k < 10; k++) {
+                float x = k % 2 == 0 ? scene.minX() : scene.minX() + 0.1f * k * width;
+                twins.addSpinner(x, scene.minY() + 0.11f * k * width, 0.3f * width, k % 3 - 1, k % 2);
+            }
+            int events = 0;
+            for (int k = 0; k < TestScale.of(12, 30); k++) {
+                twins.step(scene.timeStep(), 1 + k % 3);
+                twins.assertEqual("after call " + k);
+                events += twins.assertSameEvents("after call " + k);
+            }
+            assertThat(events).isGreaterThan(100);
         }
     }
 

@@ -196,6 +196,15 @@ final class Twins implements AutoCloseable {
         return expected.size();
     }
 
+    /** Adds a body that turns, with a segment of a kind whose middle is its pivot; its angular velocity may be 0. */
+    void addSpinner(float x, float y, float length, float angularVelocity, int kind) {
+        for (Simulation simulation : simulations) {
+            long body = simulation.bodies().add(x, y, 0.3f);
+            simulation.pieces().addSegment(body, kind, -0.5f * length, 0, 0.5f * length, 0, 0);
+            simulation.bodies().setAngularVelocity(body, angularVelocity);
+        }
+    }
+
     /** Compares which pairs of two kinds touch. */
     void assertSameTouching(int kindA, int kindB) {
         long[] expected = new long[1000];
