@@ -59,7 +59,7 @@ bool isTwoSided(const World *w, int4 traits) {
 }
 
 // In a corner, one piece moves a circle into the other.
-#define KEEP_OUT_ROUNDS 2
+#define KEEP_OUT_ROUNDS 6
 
 // The piece is no constraint of the circle now.
 void leavePiece(const World *w, int k) {

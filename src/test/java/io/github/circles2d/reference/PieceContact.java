@@ -14,7 +14,7 @@ final class PieceContact extends Constraint {
     private static final float WALL_STIFFNESS = 2f;
     private static final float COVER = 0.02f;
     private static final float JAMMED = 0.01f;
-    private static final int ROUNDS = 2;
+    private static final int ROUNDS = 6;
 
     final Circle c;
     final Piece piece;

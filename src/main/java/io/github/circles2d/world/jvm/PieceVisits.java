@@ -55,7 +55,7 @@ import io.github.circles2d.world.model.Wrapping;
 /** The visits of pieces of terrain, by the circles that are near them. {@link OneBody} has the visit. Each worker has its own. */
 final class PieceVisits {
     /** In a corner, one piece moves a circle into the other. */
-    private static final int ROUNDS = 2;
+    private static final int ROUNDS = 6;
 
     private final State state;
     private final PieceContacts contacts;
