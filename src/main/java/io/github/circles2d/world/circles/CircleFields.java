@@ -23,19 +23,30 @@ public final class CircleFields {
         int[] old = words[field.ordinal()];
         int each = field.words();
         if ((long) each * ids > old.length) {
-            int circles = (int) Math.min(Math.max(ids, (old.length / each) * 3L / 2), (Integer.MAX_VALUE - 8) / each);
-            int[] longer = Arrays.copyOf(old, each * circles);
-            for (int id = old.length / each; id < circles; id++) {
-                put(longer, each, id, field.initial());
-            }
-            words[field.ordinal()] = longer;
+            grow(field, (int) Math.min(Math.max(ids, (old.length / each) * 3L / 2), (Integer.MAX_VALUE - 8) / each));
         }
     }
 
-    /** Makes room for the values of another object, so that {@link #copy} does not run out of memory. */
+    private void grow(CircleField field, int circles) {
+        int[] old = words[field.ordinal()];
+        int each = field.words();
+        int[] longer = Arrays.copyOf(old, Math.multiplyExact(each, circles));
+        for (int id = old.length / each; id < circles; id++) {
+            put(longer, each, id, field.initial());
+        }
+        words[field.ordinal()] = longer;
+    }
+
+    /**
+     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. It is exactly as much: with more, two
+     * objects that copy from each other would grow without end.
+     */
     public void makeRoom(CircleFields from) {
         for (CircleField field : fields) {
-            ensure(field, from.words[field.ordinal()].length / field.words());
+            int theirs = from.words[field.ordinal()].length;
+            if (theirs > words[field.ordinal()].length) {
+                grow(field, theirs / field.words());
+            }
         }
     }
 
