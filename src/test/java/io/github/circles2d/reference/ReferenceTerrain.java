@@ -12,11 +12,16 @@ final class ReferenceTerrain {
     /** The sine of the least angle by which a chain turns to its right; by less it is straight. */
     private static final double STRAIGHT = 0x1p-13;
 
-    /** A share of the coordinates. */
-    private static final double LEAST_LENGTH = 0x1p-20;
+    /** Of a piece: a share of the coordinates. */
+    private static final double LEAST_SHARE = 0x1p-20;
+
+    private static final double LEAST_LENGTH = 0x1p-40;
 
     private static final long TURN = 1L << 32;
+
+    /** Openings that differ so little from a turn are one. */
     private static final long SLACK = 1 << 14;
+
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
 
     private final List<Piece> pieces = new ArrayList<>();
@@ -166,7 +171,7 @@ final class ReferenceTerrain {
         for (float coordinate : new float[] {a[0], a[1], b[0], b[1]}) {
             most = Math.max(most, Math.abs(coordinate));
         }
-        return !(dx * dx + dy * dy > LEAST_LENGTH * most * (LEAST_LENGTH * most));
+        return !(Math.sqrt(dx * dx + dy * dy) > Math.max(LEAST_SHARE * most, LEAST_LENGTH));
     }
 
     /** Joins the end of a piece to the start of another. */

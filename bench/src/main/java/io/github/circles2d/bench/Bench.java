@@ -2,6 +2,8 @@ package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.GameCosts;
+import io.github.circles2d.bench.games.TerrainCosts;
+import io.github.circles2d.bench.games.TerrainLevels;
 import io.github.circles2d.bench.measure.Measurements;
 import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
@@ -77,6 +79,12 @@ public final class Bench {
                     break;
                 case "games":
                     GameCosts.run(rest, System.out);
+                    break;
+                case "terrain":
+                    TerrainCosts.run(rest, System.out);
+                    break;
+                case "levels":
+                    TerrainLevels.run(rest, System.out);
                     break;
                 case "web":
                     WebBench.run(rest, System.out);

@@ -20,33 +20,31 @@ public final class CircleFields {
 
     /** Makes room for ids up to this number, so that {@link #set} cannot fail. If there is none, no value has changed. */
     public void ensure(CircleField field, int ids) {
-        int[] old = words[field.ordinal()];
-        int each = field.words();
-        if ((long) each * ids > old.length) {
-            grow(field, (int) Math.min(Math.max(ids, (old.length / each) * 3L / 2), (Integer.MAX_VALUE - 8) / each));
+        int held = words[field.ordinal()].length / field.words();
+        if (ids > held) {
+            grow(field, (int) Math.min(Math.max(ids, held * 3L / 2), (Integer.MAX_VALUE - 8) / field.words()));
         }
     }
 
     private void grow(CircleField field, int circles) {
         int[] old = words[field.ordinal()];
         int each = field.words();
-        int[] longer = Arrays.copyOf(old, Math.multiplyExact(each, circles));
-        for (int id = old.length / each; id < circles; id++) {
-            put(longer, each, id, field.initial());
+        if (circles > old.length / each) {
+            int[] longer = Arrays.copyOf(old, each * circles);
+            for (int id = old.length / each; id < circles; id++) {
+                put(longer, each, id, field.initial());
+            }
+            words[field.ordinal()] = longer;
         }
-        words[field.ordinal()] = longer;
     }
 
     /**
-     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. It is exactly as much: with more, two
-     * objects that copy from each other would grow without end.
+     * Makes room for the values of another object, so that {@link #copy} does not run out of memory. No more than that one has: two that copy
+     * each other in turns would grow for ever.
      */
     public void makeRoom(CircleFields from) {
         for (CircleField field : fields) {
-            int theirs = from.words[field.ordinal()].length;
-            if (theirs > words[field.ordinal()].length) {
-                grow(field, theirs / field.words());
-            }
+            grow(field, from.words[field.ordinal()].length / field.words());
         }
     }
 

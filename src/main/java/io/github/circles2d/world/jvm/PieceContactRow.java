@@ -39,7 +39,7 @@ final class PieceContactRow {
     static final int RESTITUTION = 14;
 
     // the whole numbers
-    static final int NUMBERS = 4;
+    static final int NUMBERS = 6;
     static final int PIECE = 0;
     static final int SERIAL = 1;
 
@@ -48,6 +48,11 @@ final class PieceContactRow {
 
     /** Within a step: {@code PieceGap.feature}, or none if the piece is no constraint. */
     static final int FEATURE = 3;
+
+    /** Within a step: as the piece has them. */
+    static final int SHAPE = 4;
+
+    static final int MOTION = 5;
 
     // the surfaces, within a step in which circles turn: as OneBodyGrip has them, and the belts
     static final int SURFACES = 4;

@@ -5,6 +5,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
 
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.PieceRow;
 import java.util.Arrays;
 
 /**
@@ -23,6 +24,9 @@ final class PieceContacts {
 
     int[] numbers = new int[0];
 
+    /** By contact, within a step: the row of the piece. The pieces themselves lie in another order than circles. */
+    float[] pieces = new float[0];
+
     /** By contact, within a step in which circles turn. */
     float[] surfaces = new float[0];
 
@@ -36,7 +40,7 @@ final class PieceContacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * (2 * first.length + 2 * count.length + measured.length + surfaces.length)
+        return 4L * (2 * first.length + 2 * count.length + measured.length + surfaces.length + pieces.length)
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
     }
 
@@ -58,12 +62,19 @@ final class PieceContacts {
             numbersSpare = new int[PieceContactRow.numbers(room)];
             rowsSpare = new float[PieceContactRow.of(room)];
         }
+        if (PieceRow.of(contacts) > pieces.length) {
+            pieces = new float[PieceRow.of(contacts + (contacts >> 1) + 16)];
+        }
     }
 
-    /** Copies contacts that a step has found to where they will be. */
-    void copyNext(float[] fromRows, int[] fromNumbers, int found, int to) {
+    /** Copies contacts that a step has found to where they will be, and the rows of their pieces. */
+    void copyNext(float[] fromRows, int[] fromNumbers, int found, int to, float[] pieceRows) {
         System.arraycopy(fromRows, 0, rowsSpare, PieceContactRow.of(to), PieceContactRow.of(found));
         System.arraycopy(fromNumbers, 0, numbersSpare, PieceContactRow.numbers(to), PieceContactRow.numbers(found));
+        for (int k = 0; k < found; k++) {
+            int piece = fromNumbers[PieceContactRow.numbers(k) + PIECE];
+            System.arraycopy(pieceRows, PieceRow.of(piece), pieces, PieceRow.of(to + k), PieceRow.STRIDE);
+        }
     }
 
     /** Makes room for the surfaces of the contacts that there are. */

@@ -68,7 +68,7 @@ final class PieceSearch {
         }
         team.sync(worker);
         Finder mine = finders[worker];
-        contacts.copyNext(mine.rows, mine.numbers, mine.found, mine.place);
+        contacts.copyNext(mine.rows, mine.numbers, mine.found, mine.place, terrain.rows);
         for (int slot = from; slot < to; slot++) {
             contacts.first[slot] += mine.place;
         }
@@ -250,6 +250,8 @@ final class PieceSearch {
                 numbers[number + PieceContactRow.PIECE] = piece;
                 numbers[number + PieceContactRow.SERIAL] = serial;
                 numbers[number + PieceContactRow.RESPONSE] = response;
+                numbers[number + PieceContactRow.SHAPE] = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+                numbers[number + PieceContactRow.MOTION] = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
                 numbers[number + PieceContactRow.FEATURE] = PieceGap.FACE;
                 found++;
             }

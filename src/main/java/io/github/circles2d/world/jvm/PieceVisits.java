@@ -8,6 +8,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.CURVE;
 import static io.github.circles2d.world.jvm.PieceContactRow.FEATURE;
 import static io.github.circles2d.world.jvm.PieceContactRow.GAP;
 import static io.github.circles2d.world.jvm.PieceContactRow.IMPULSE;
+import static io.github.circles2d.world.jvm.PieceContactRow.MOTION;
 import static io.github.circles2d.world.jvm.PieceContactRow.NX;
 import static io.github.circles2d.world.jvm.PieceContactRow.NY;
 import static io.github.circles2d.world.jvm.PieceContactRow.OX;
@@ -15,6 +16,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.OY;
 import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.RESPONSE;
 import static io.github.circles2d.world.jvm.PieceContactRow.ROLLING;
+import static io.github.circles2d.world.jvm.PieceContactRow.SHAPE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SIDE;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
@@ -143,8 +145,8 @@ final class PieceVisits {
         float[] bodies = terrain.motion;
         int body = BodyRow.of(motion, subSteps);
         int pose = body + BodyRow.pose(boundary);
-        float px = terrain.rows[row + PieceRow.PIVOT_X];
-        float py = terrain.rows[row + PieceRow.PIVOT_Y];
+        float px = contacts.pieces[row + PieceRow.PIVOT_X];
+        float py = contacts.pieces[row + PieceRow.PIVOT_Y];
         float x = (ox - px) + (dx - bodies[pose + BodyRow.DX]);
         float y = (oy - py) + (dy - bodies[pose + BodyRow.DY]);
         float cos = bodies[pose + BodyRow.COS];
@@ -153,12 +155,12 @@ final class PieceVisits {
         localY = (cos * y - sin * x) + py;
     }
 
-    private int motion(int piece) {
-        return terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
+    private int motion(int c) {
+        return contacts.numbers[PieceContactRow.numbers(c) + MOTION];
     }
 
-    private int shape(int piece) {
-        return terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+    private int shape(int c) {
+        return contacts.numbers[PieceContactRow.numbers(c) + SHAPE];
     }
 
     /** Measures all contacts of a circle at a boundary of sub-steps, and forgets the impulses of those that are none there. */
@@ -205,10 +207,9 @@ final class PieceVisits {
         float[] rows = contacts.rows;
         int k = PieceContactRow.of(c);
         int number = PieceContactRow.numbers(c);
-        int piece = contacts.numbers[number + PIECE];
-        int row = PieceRow.of(piece);
-        int shape = shape(piece);
-        int motion = motion(piece);
+        int row = PieceRow.of(c);
+        int shape = shape(c);
+        int motion = motion(c);
         float side = rows[k + SIDE];
         toFrame(row, motion, rows[k + BASE_X], rows[k + BASE_Y], dx, dy, boundary);
         rows[k + OX] = localX;
@@ -217,15 +218,15 @@ final class PieceVisits {
             leave(c);
             return false;
         }
-        found.measure(terrain.rows, row, shape, localX, localY, r, side);
+        found.measure(contacts.pieces, row, shape, localX, localY, r, side);
         if (found.isAround(contacts.numbers[number + FEATURE], side)) {
-            side = isTwoSided(terrain, piece, shape) ? -side : 0f;
+            side = isTwoSided(c, shape) ? -side : 0f;
             rows[k + SIDE] = side;
             if (side == 0f) {
                 leave(c);
                 return false;
             }
-            found.measure(terrain.rows, row, shape, localX, localY, r, side);
+            found.measure(contacts.pieces, row, shape, localX, localY, r, side);
         }
         float nx = found.nx;
         float ny = found.ny;
@@ -248,7 +249,7 @@ final class PieceVisits {
             leave(c);
         }
         boolean vertex = found.feature > PieceGap.FACE;
-        if (vertex && isTwoSided(terrain, piece, shape) && found.height != 0f) {
+        if (vertex && isTwoSided(c, shape) && found.height != 0f) {
             float now = found.height > 0f ? 1f : -1f;
             if (now != side) {
                 rows[k + SIDE] = now;
@@ -256,6 +257,11 @@ final class PieceVisits {
             }
         }
         return vertex;
+    }
+
+    private boolean isTwoSided(int c, int shape) {
+        return PieceRow.form(shape) == PieceRow.SEGMENT
+                && isTwoSided(terrain, contacts.numbers[PieceContactRow.numbers(c) + PIECE], shape);
     }
 
     static boolean isTwoSided(TerrainStep terrain, int piece, int shape) {
@@ -271,29 +277,27 @@ final class PieceVisits {
         if (feature <= PieceGap.FACE || contacts.numbers[number + RESPONSE] != PairTable.SOLID) {
             return;
         }
-        int piece = contacts.numbers[number + PIECE];
-        int shape = shape(piece);
+        int shape = shape(c);
         boolean start = feature == PieceGap.AT_START;
         if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) != PieceRow.FREE) {
             return;
         }
-        int row = PieceRow.of(piece);
+        int row = PieceRow.of(c);
         int k = PieceContactRow.of(c);
-        float ex = terrain.rows[row + (start ? PieceRow.START_X : PieceRow.END_X)];
-        float ey = terrain.rows[row + (start ? PieceRow.START_Y : PieceRow.END_Y)];
+        float ex = contacts.pieces[row + (start ? PieceRow.START_X : PieceRow.END_X)];
+        float ey = contacts.pieces[row + (start ? PieceRow.START_Y : PieceRow.END_Y)];
         for (int other = from; other < to; other++) {
             int o = PieceContactRow.numbers(other);
-            int under = contacts.numbers[o + PIECE];
             if (contacts.numbers[o + FEATURE] == PieceGap.FACE
                     && contacts.numbers[o + RESPONSE] == PairTable.SOLID
-                    && motion(under) == motion(piece)) {
+                    && motion(other) == motion(c)) {
                 int j = PieceContactRow.of(other);
                 float x = (contacts.rows[j + OX] - contacts.rows[k + OX]) + ex;
                 float y = (contacts.rows[j + OY] - contacts.rows[k + OY]) + ey;
-                float thickness = terrain.rows[row + PieceRow.THICKNESS];
+                float thickness = contacts.pieces[row + PieceRow.THICKNESS];
                 float side = contacts.rows[j + SIDE];
                 if (PieceGap.covers(
-                        terrain.rows, PieceRow.of(under), shape(under), side, x, y, thickness, Tuning.COVER * r)) {
+                        contacts.pieces, PieceRow.of(other), shape(other), side, x, y, thickness, Tuning.COVER * r)) {
                     leave(c);
                     return;
                 }
@@ -308,20 +312,19 @@ final class PieceVisits {
         if (terrain.bodies <= 1) {
             return;
         }
-        int piece = contacts.piece(c);
-        int motion = motion(piece);
+        int motion = motion(c);
         if (motion == 0) {
             return;
         }
         float[] bodies = terrain.motion;
         int body = BodyRow.of(motion, subSteps);
         int pose = body + BodyRow.pose(boundary);
-        int row = PieceRow.of(piece);
+        int row = PieceRow.of(c);
         int s = CircleRow.of(slot);
         int k = PieceContactRow.of(c);
         float reach = state.circle[s + RADIUS] + contacts.rows[k + GAP];
-        float px = terrain.rows[row + PieceRow.PIVOT_X];
-        float py = terrain.rows[row + PieceRow.PIVOT_Y];
+        float px = contacts.pieces[row + PieceRow.PIVOT_X];
+        float py = contacts.pieces[row + PieceRow.PIVOT_Y];
         float dx = state.motion[s + DX] - bodies[pose + BodyRow.DX];
         float dy = state.motion[s + DY] - bodies[pose + BodyRow.DY];
         float x = ((contacts.rows[k + BASE_X] - px) + dx) - contacts.rows[k + NX] * reach;
@@ -610,22 +613,21 @@ final class PieceVisits {
         int number = PieceContactRow.numbers(c);
         float[] rows = contacts.rows;
         float[] m = state.motion;
-        int piece = contacts.numbers[number + PIECE];
-        int shape = shape(piece);
+        int shape = shape(c);
         float side = rows[k + SIDE];
         float r = state.circle[s + RADIUS];
         float dx = m[s + DX];
         float dy = m[s + DY];
         if (PieceRow.form(shape) == PieceRow.ARC
-                || motion(piece) != 0
+                || motion(c) != 0
                 || side == 0f
                 || contacts.numbers[number + FEATURE] != PieceGap.FACE
                 || contacts.numbers[number + RESPONSE] != PairTable.SOLID
                 || CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r)) {
             return false;
         }
-        float[] pieces = terrain.rows;
-        int row = PieceRow.of(piece);
+        float[] pieces = contacts.pieces;
+        int row = PieceRow.of(c);
         float tx = pieces[row + PieceRow.TX];
         float ty = pieces[row + PieceRow.TY];
         float length = pieces[row + PieceRow.LENGTH];
@@ -703,7 +705,7 @@ final class PieceVisits {
         if (stopper < 0) {
             return false;
         }
-        if (motion(contacts.piece(stopper)) == 0) {
+        if (motion(stopper) == 0) {
             stopAt(slot, fromX, fromY);
             return true;
         }
@@ -733,15 +735,14 @@ final class PieceVisits {
             return stopper;
         }
         for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
-            int piece = contacts.piece(c);
-            int motion = motion(piece);
+            int motion = motion(c);
             float side = contacts.rows[PieceContactRow.of(c) + SIDE];
             if (side == 0f
                     || contacts.numbers[PieceContactRow.numbers(c) + RESPONSE] != PairTable.SOLID
                     || (motion == 0 ? !fast : !moving)) {
                 continue;
             }
-            int row = PieceRow.of(piece);
+            int row = PieceRow.of(c);
             float ox = contacts.rows[PieceContactRow.of(c) + BASE_X];
             float oy = contacts.rows[PieceContactRow.of(c) + BASE_Y];
             toFrame(row, motion, ox, oy, fromX, fromY, sub);
@@ -751,7 +752,7 @@ final class PieceVisits {
             float ux = motion == 0 ? dx - fromX : localX - x;
             float uy = motion == 0 ? dy - fromY : localY - y;
             if (motion == 0 || CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
-                float t = PieceSweep.time(terrain.rows, row, shape(piece), x, y, ux, uy, r, side);
+                float t = PieceSweep.time(contacts.pieces, row, shape(c), x, y, ux, uy, r, side);
                 if (t < share) {
                     share = t;
                     stopper = c;
@@ -765,13 +766,12 @@ final class PieceVisits {
 
     /** Sets a circle's displacement to the place where a piece that moves has met it, as the piece has it at a boundary. */
     private void takeAlong(int slot, int c, int boundary) {
-        int piece = contacts.piece(c);
-        int row = PieceRow.of(piece);
-        int body = BodyRow.of(motion(piece), subSteps);
+        int row = PieceRow.of(c);
+        int body = BodyRow.of(motion(c), subSteps);
         int pose = body + BodyRow.pose(boundary);
         float[] bodies = terrain.motion;
-        float px = terrain.rows[row + PieceRow.PIVOT_X];
-        float py = terrain.rows[row + PieceRow.PIVOT_Y];
+        float px = contacts.pieces[row + PieceRow.PIVOT_X];
+        float py = contacts.pieces[row + PieceRow.PIVOT_Y];
         float x = stopX - px;
         float y = stopY - py;
         float cos = bodies[pose + BodyRow.COS];

@@ -21,8 +21,9 @@ public final class TerrainCosts {
     /** What is compared. */
     public static final List<String> CASES = List.of("lie", "cave", "moving", "floor");
 
-    static final String HEADER = "case,machine,n,pieces,contacts,other_contacts,ms,other_ms,ratio,ratio_of_minima,more_ms,"
-            + "asked_ratio,asked_more_ms";
+    static final String HEADER =
+            "case,machine,n,pieces,contacts,other_contacts,ms,other_ms,ratio,ratio_of_minima,more_ms,"
+                    + "asked_ratio,asked_more_ms";
 
     private static final float TIME_STEP = 1 / 60f;
     private static final float RADIUS = 0.49f;

@@ -52,7 +52,14 @@ public final class TerrainLevels {
         }
     }
 
-    static void run(List<String> arguments, PrintStream out) throws IOException {
+    /**
+     * Writes levels, or makes the steps of one and prints the median and the least ms a step.
+     *
+     * @param arguments as of {@link #main}
+     * @param out takes the figures
+     * @throws IllegalArgumentException where the arguments are others
+     */
+    public static void run(List<String> arguments, PrintStream out) throws IOException {
         if (arguments.size() > 2 && arguments.get(0).equals("write")) {
             Path folder = Files.createDirectories(Path.of(arguments.get(1)));
             for (String n : arguments.subList(2, arguments.size())) {

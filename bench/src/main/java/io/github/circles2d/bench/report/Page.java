@@ -60,8 +60,10 @@ public final class Page {
         parts.put(
                 "series charts",
                 () -> Stream.of(Series.values()).map(this::seriesChart).collect(Collectors.joining()));
-        part("surfaces cost", () -> surfaces(SurfaceTables::cost));
-        part("surfaces engines", () -> surfaces(SurfaceTables::engines));
+        part("surfaces cost", () -> beside("surfaces", SurfaceTables::cost));
+        part("surfaces engines", () -> beside("surfaces", SurfaceTables::engines));
+        part("terrain cost", () -> beside("terrain", TerrainTables::cost));
+        part("terrain engines", () -> beside("terrain", TerrainTables::engines));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
         parts.put("series outside", () -> SeriesTables.outside(folders));
         parts.put("world chart", () -> chart(folders.get(0).name() + "/", WorldCharts.FILE));
@@ -159,8 +161,9 @@ public final class Page {
     }
 
     /** A table from the folder beside those of the machines. */
-    private String surfaces(Function<Path, String> table) {
-        return folders.isEmpty() ? "" : table.apply(folders.get(0).path().resolveSibling("surfaces"));
+    /** A table of a folder beside those of the machines. */
+    private String beside(String folder, Function<Path, String> table) {
+        return folders.isEmpty() ? "" : table.apply(folders.get(0).path().resolveSibling(folder));
     }
 
     private static String engines() {
