@@ -126,6 +126,24 @@ class WorldTerrainStatesTest {
     }
 
     @Test
+    void aSurfaceThatGripsNoMoreLetsGoInARestoredWorldToo() {
+        try (World world = builder(Edge.WALL).build();
+                World other = builder(Edge.WALL).build()) {
+            world.kind(0).setFriction(0.9f).setInertia(Inertia.NONE);
+            world.terrain().addSegment(0, 5, 20, 10);
+            world.add(10, 8.2f, 0.5f, 1);
+            world.step(STEP, 60);
+            world.kind(0).setFriction(Float.NaN);
+            ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(bytes);
+            other.restore(bytes.flip());
+            world.step(STEP);
+            other.step(STEP);
+            assertThat(other.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
     void rollingBackTenFramesInEachFrameGivesTheBitsOfRunningStraight() {
         try (World straight = world(Edge.OPEN);
                 World rolling = world(Edge.OPEN)) {

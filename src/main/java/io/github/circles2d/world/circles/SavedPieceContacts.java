@@ -80,6 +80,16 @@ public final class SavedPieceContacts {
         rolling[to] = rolling[from];
     }
 
+    /** Whether a piece holds a circle. */
+    public boolean grip() {
+        for (int k = 0; k < count; k++) {
+            if (friction[k] != 0f || rolling[k] != 0f) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** The part of the contacts in the hash of the state. */
     public long hash() {
         long sum = 0;

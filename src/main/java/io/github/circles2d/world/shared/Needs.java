@@ -77,7 +77,8 @@ public final class Needs {
                 || s.fields.used(CircleField.FRICTION) > 0
                 || s.fields.used(CircleField.ROLLING_RESISTANCE) > 0
                 || s.fields.used(CircleField.TORQUE) > 0
-                || s.fields.used(CircleField.APPLIED_TORQUE) > 0;
+                || s.fields.used(CircleField.APPLIED_TORQUE) > 0
+                || s.pieceContacts.grip();
     }
 
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */
