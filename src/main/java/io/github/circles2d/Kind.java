@@ -105,7 +105,8 @@ public final class Kind {
     /**
      * Makes the kind a sensor, or solid. Circles of a sensor push no circle and are pushed by none, except by kinds to which the matrix
      * makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
-     * sensors ignore each other, and so do two static circles; the matrix can make sensors {@link Response#SENSE} each other.
+     * sensors ignore each other, and so do two static circles; the matrix can make sensors {@link Response#SENSE} each other. A piece of
+     * {@link Terrain} senses from both sides if it is a segment.
      *
      * @param sensor true for a sensor
      * @return this
@@ -125,7 +126,8 @@ public final class Kind {
 
     /**
      * Sets the restitution that circles get with the kind: when they are added with it, or {@link World#setKind} gives it to them. A
-     * circle keeps it, whatever becomes of the kind, until {@link World#setRestitution} or another kind gives it another.
+     * circle keeps it, whatever becomes of the kind, until {@link World#setRestitution} or another kind gives it another. Pieces of
+     * {@link Terrain} of the kind have it from the next step on; of a piece and a circle the greater one counts.
      *
      * @param restitution 0 (inelastic) to 1 (elastic), or {@link Float#NaN} for none: then new circles get the world's, and others
      *     keep theirs
