@@ -42,6 +42,11 @@ public final class Rotation {
 
     /** Of an angle in radians; whole turns count. */
     public static long units(double radians) {
-        return Math.round(radians / RADIANS_PER_UNIT);
+        return nearest(radians / RADIANS_PER_UNIT);
+    }
+
+    /** The nearest whole number, of two the greater one. Math.round gives another one of two on some platforms. */
+    public static long nearest(double x) {
+        return (long) Math.floor(x + 0.5);
     }
 }

@@ -93,7 +93,7 @@ public final class Surface {
 
     /** The angle in the unit of the state, of which a turn has 2^32, of an angle in radians. */
     public static int units(float radians) {
-        return (int) Math.round(radians / RADIANS_PER_UNIT);
+        return (int) Rotation.nearest(radians / RADIANS_PER_UNIT);
     }
 
     /** In [-pi, pi). */

@@ -230,7 +230,7 @@ public final class BodyTable {
         for (int boundary = 0; boundary <= subSteps; boundary++) {
             int pose = at + BodyRow.pose(boundary);
             double share = (double) boundary / subSteps;
-            int turned = (int) Math.round(turn * share);
+            int turned = (int) Rotation.nearest(turn * share);
             motion[pose + BodyRow.DX] = (float) (travelX * share);
             motion[pose + BodyRow.DY] = (float) (travelY * share);
             motion[pose + BodyRow.COS] = (float) Rotation.cos(turned);
