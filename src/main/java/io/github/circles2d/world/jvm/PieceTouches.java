@@ -121,8 +121,8 @@ final class PieceTouches {
         float r = state.circle[s + RADIUS];
         rows[t + NORMAL_X] = nx;
         rows[t + NORMAL_Y] = ny;
-        rows[t + POINT_X] = TouchRule.point(state.circle[s + X], dx, -nx, r, gap);
-        rows[t + POINT_Y] = TouchRule.point(state.circle[s + Y], dy, -ny, r, gap);
+        rows[t + POINT_X] = TouchRule.point(state.circle[s + X], dx, -1f * nx, r, gap);
+        rows[t + POINT_Y] = TouchRule.point(state.circle[s + Y], dy, -1f * ny, r, gap);
     }
 
     void endStep(TouchRecords records, PieceGap found, int from, int to, TerrainStep terrain, StepConstants k) {

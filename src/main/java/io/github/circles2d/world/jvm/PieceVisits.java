@@ -569,7 +569,7 @@ final class PieceVisits {
         state.turning.spin[s + SURFACE_SPEED] = grip.surfaceSpeed;
         contacts.rows[row + PieceContactRow.FRICTION] = grip.friction;
         contacts.rows[row + ROLLING] = grip.rolling;
-        state.motion[s + VX] += -contacts.rows[row + NY] * grip.impulse;
+        state.motion[s + VX] += -1f * contacts.rows[row + NY] * grip.impulse;
         state.motion[s + VY] += contacts.rows[row + NX] * grip.impulse;
     }
 
@@ -633,7 +633,7 @@ final class PieceVisits {
         float length = pieces[row + PieceRow.LENGTH];
         float reach = r + pieces[row + PieceRow.THICKNESS];
         float nx = side * ty;
-        float ny = side * -tx;
+        float ny = side * (-1f * tx);
         float baseX = rows[k + BASE_X];
         float baseY = rows[k + BASE_Y];
         float allowed = rows[k + ALLOWED];

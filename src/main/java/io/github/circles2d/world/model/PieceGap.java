@@ -1,7 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * Where a circle stands to a piece of terrain; it leaves its results in the fields. o is the circle's centre against (X, Y) of the {@link PieceRow},
+ * Where a circle stands to a piece of terrain; it leaves its results in the fields. Code of terrain writes -1 * x for -x, which loses the sign of a
+ * zero in WebAssembly. o is the circle's centre against (X, Y) of the {@link PieceRow},
  * in the frame of the start of the step. The side is 1 or -1 for a segment, and 1 for a piece that has a front.
  */
 public final class PieceGap {
@@ -63,11 +64,11 @@ public final class PieceGap {
         if (!before && !behind || joint == PieceRow.CONCAVE) {
             feature = goesOn(t, rows[row + PieceRow.LENGTH], r) ? FACE : NONE;
             nx = side * ty;
-            ny = side * -tx;
+            ny = side * (-1f * tx);
             gap = faceGap(side, height, reach);
             curve = 0f;
         } else {
-            atVertex(rows, row, before, joint, ox, oy, reach, side * ty, side * -tx);
+            atVertex(rows, row, before, joint, ox, oy, reach, side * ty, side * (-1f * tx));
         }
     }
 
@@ -127,7 +128,7 @@ public final class PieceGap {
     /** How fast a way that curves turns away from a straight one on average, in a time h, at a speed along it; never faster than that. */
     public static float turned(float curve, float along, float h) {
         float most = Math.abs(along);
-        return CircleMath.clamp(0.5f * curve * along * along * h, -most, most);
+        return CircleMath.clamp(0.5f * curve * along * along * h, -1f * most, most);
     }
 
     /**

@@ -19,7 +19,7 @@ public final class Rotation {
         int quarter = units + EIGHTH >>> QUARTER_LOG;
         double x = (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
         double value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
-        return (quarter & 2) == 0 ? value : -value;
+        return (quarter & 2) == 0 ? value : -1 * value; // -value loses the sign of a zero on some platforms
     }
 
     public static double cos(int units) {

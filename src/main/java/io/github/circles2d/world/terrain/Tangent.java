@@ -32,7 +32,7 @@ final class Tangent {
         double sin = way * end * Rotation.sin(pieces.half[piece]);
         double middleX = form[at + PieceTable.MIDDLE_X];
         double middleY = form[at + PieceTable.MIDDLE_Y];
-        x = way * -(middleY * cos + middleX * sin);
+        x = way * (-1 * (middleY * cos + middleX * sin));
         y = way * (middleX * cos - middleY * sin);
     }
 }

@@ -129,7 +129,7 @@ public final class TerrainTables {
         double radius = Math.sqrt(dx * dx + dy * dy);
         int half = (int) (Math.abs(turn) >>> 1);
         double cos = Rotation.cos(half);
-        double sin = turn < 0 ? -Rotation.sin(half) : Rotation.sin(half);
+        double sin = turn < 0 ? -1 * Rotation.sin(half) : Rotation.sin(half);
         return pieces.addArc(
                 body,
                 kind,
