@@ -30,7 +30,8 @@ public final class Bodies {
     private static final Guard.ChangeWith<Bodies, BodyPoses> KEEP = (bodies, poses) -> poses.keep(bodies.table);
     private static final Guard.Numbers<Bodies, Void> FIND = (bodies, none, handle, n) -> bodies.table.ids.find(handle);
     private static final Guard.Numbers<Bodies, Void> REQUIRE = (bodies, none, handle, n) -> bodies.find(handle);
-    private static final Guard.Numbers<Bodies, Void> HANDLE = (bodies, none, id, n) -> bodies.handleOf((int) id);
+    private static final Guard.Numbers<Bodies, Void> HANDLE =
+            (bodies, none, id, n) -> bodies.table.ids.handleOrNone((int) id);
 
     private final Guard guard;
     private final TerrainTables terrain;
@@ -198,14 +199,6 @@ public final class Bodies {
     /** The handle of the body that has an id; 0 if there is none. */
     public long handle(int id) {
         return guard.read(this, null, id, 0, HANDLE);
-    }
-
-    private long handleOf(int id) {
-        if (id < 0 || id >= table.ids.end()) {
-            throw new IllegalArgumentException(
-                    "the id is " + id + ", but must be at least 0 and less than " + table.ids.end());
-        }
-        return table.ids.lives(id) ? table.ids.handle(id) : 0;
     }
 
     /** The id of a body that is there. */

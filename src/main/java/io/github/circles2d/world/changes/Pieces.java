@@ -23,7 +23,8 @@ public final class Pieces {
     private static final Guard.CircleChange<Pieces> SET_KIND = (pieces, handle, kind, a, b) -> pieces.set(handle, kind);
     private static final Guard.Change<Pieces> CLEAR = Pieces::removeAll;
     private static final Guard.Numbers<Pieces, Void> FIND = (pieces, none, handle, n) -> pieces.table.ids.find(handle);
-    private static final Guard.Numbers<Pieces, Void> HANDLE = (pieces, none, id, n) -> pieces.handleOf((int) id);
+    private static final Guard.Numbers<Pieces, Void> HANDLE =
+            (pieces, none, id, n) -> pieces.table.ids.handleOrNone((int) id);
     private static final Guard.Numbers<Pieces, Void> KIND =
             (pieces, none, handle, n) -> pieces.table.kindOf(pieces.find(handle));
     private static final Guard.Numbers<Pieces, Void> BODY =
@@ -255,14 +256,6 @@ public final class Pieces {
     /** The handle of the piece that has an id; 0 if there is none. */
     public long handle(int id) {
         return guard.read(this, null, id, 0, HANDLE);
-    }
-
-    private long handleOf(int id) {
-        if (id < 0 || id >= table.ids.end()) {
-            throw new IllegalArgumentException(
-                    "the id is " + id + ", but must be at least 0 and less than " + table.ids.end());
-        }
-        return table.ids.lives(id) ? table.ids.handle(id) : 0;
     }
 
     /** The number of pieces. */

@@ -30,6 +30,14 @@ public final class TerrainIds {
         return Handle.of(generation[id], id);
     }
 
+    /** The handle of what has an id, or 0; the id comes from a caller. */
+    public long handleOrNone(int id) {
+        if (id < 0 || id >= end) {
+            throw new IllegalArgumentException("the id is " + id + ", but must be at least 0 and less than " + end);
+        }
+        return live[id] ? handle(id) : 0;
+    }
+
     /** -1 if nothing that lives has the handle. */
     public int find(long handle) {
         long id = Handle.id(handle);

@@ -128,7 +128,7 @@ public final class StepParameters {
     private int surfacesVersion;
     private boolean turning;
     private boolean surfacesSent;
-    private final TerrainTables terrain = new TerrainTables();
+    private final TerrainUpload terrain = new TerrainUpload();
     private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);

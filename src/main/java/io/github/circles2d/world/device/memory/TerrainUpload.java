@@ -14,7 +14,7 @@ import java.util.Arrays;
  * Sends what has changed of the tables of terrain. They stay the host's, which may change them once steps have been enqueued: those that are
  * made once more find on the device what was sent with them.
  */
-final class TerrainTables {
+final class TerrainUpload {
     private static final int NEVER = -1;
 
     /** Of what was taken down last; meaningless unless there is terrain. */
