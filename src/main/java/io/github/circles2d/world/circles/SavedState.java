@@ -75,6 +75,8 @@ public final class SavedState {
     public final SavedTerrain terrain = new SavedTerrain();
 
     /** Of circles with pieces of terrain. */
+    public final SavedJointStates jointStates = new SavedJointStates();
+
     public final SavedPieceContacts pieceContacts = new SavedPieceContacts();
 
     public SavedState() {}

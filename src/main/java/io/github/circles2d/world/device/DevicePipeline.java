@@ -22,6 +22,7 @@ import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.queries.RemoteSearch;
@@ -184,7 +185,10 @@ public final class DevicePipeline implements Pipeline {
 
     /** Compiles the plans anew if contacts, the edges, circles that turn, or terrain, need what the kernels do not have, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts, boolean edges, boolean turning, boolean terrain) {
+    public void prepare(ContactSettings contacts, Features features) {
+        boolean edges = features.edges();
+        boolean turning = features.turning();
+        boolean terrain = features.terrain();
         boolean tunes = tuned || contacts.areTuned();
         boolean edged = isEdged || edges;
         boolean turns = turning && !arrays.turning();

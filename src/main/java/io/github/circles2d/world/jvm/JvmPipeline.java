@@ -3,9 +3,11 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.circles.BrokenJoints;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
@@ -13,7 +15,9 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
@@ -44,6 +48,11 @@ public final class JvmPipeline implements Pipeline {
     private PieceSearch pieces;
 
     private TerrainStep terrain;
+
+    /** Null as long as there has been no joint. */
+    private JointPasses joints;
+
+    private JointStep jointStep;
     private final StageTimes times;
     private final int leastShare;
     private final Team.Work work = this::makeSteps;
@@ -81,12 +90,15 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(ContactSettings settings, boolean edged, boolean turning, boolean terrain) {
-        if (turning) {
+    public void prepare(ContactSettings settings, Features features) {
+        if (features.turning()) {
             startTurning();
         }
-        if (terrain) {
+        if (features.terrain()) {
             startTerrain();
+        }
+        if (features.joints() && joints == null) {
+            joints = new JointPasses(state, team);
         }
     }
 
@@ -118,6 +130,11 @@ public final class JvmPipeline implements Pipeline {
         constants = input.constants;
         reports = input.reports;
         terrain = input.terrain;
+        jointStep = input.joints;
+        solver.join(constants.joints ? joints : null);
+        boolean parts = constants.joints && jointStep.parts;
+        state.parting = parts ? jointStep : null;
+        state.partingStates = parts ? joints.states : null;
         steps = count;
         state.wraps = constants.arena.wraps();
         state.periodX = constants.arena.periodX();
@@ -159,6 +176,9 @@ public final class JvmPipeline implements Pipeline {
         if (constants.terrain) {
             pieces.ensure();
         }
+        if (constants.joints) {
+            joints.ensure(jointStep, constants);
+        }
         if (recorder != null) {
             recorder.ensure(reports);
         }
@@ -169,6 +189,9 @@ public final class JvmPipeline implements Pipeline {
         end(worker, GRID);
         if (recorder != null) {
             recorder.begin(worker, reports);
+        }
+        if (constants.joints) {
+            joints.begin(worker);
         }
         sweep.sweep(worker, constants);
         if (constants.terrain) {
@@ -319,7 +342,28 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void saveJoints(SavedJointStates into) {
+        if (joints == null) {
+            into.begin(0);
+        } else {
+            joints.states.save(into);
+        }
+    }
+
+    @Override
+    public void takeBroken(BrokenJoints into) {
+        if (joints == null) {
+            into.begin(0);
+        } else {
+            joints.states.takeBroken(into);
+        }
+    }
+
+    @Override
     public void makeRoom(SavedState from) {
+        if (joints != null) {
+            joints.states.ensure(from.jointStates.joints);
+        }
         contacts.impulseCache().ensure(from.impulses);
         if (from.turns) {
             contacts.impulseCache().ensureGrips();
@@ -331,6 +375,9 @@ public final class JvmPipeline implements Pipeline {
     public void load(SavedState from) {
         state.load(from);
         contacts.load(from);
+        if (joints != null) {
+            joints.states.load(from.jointStates);
+        }
     }
 
     @Override
@@ -353,6 +400,7 @@ public final class JvmPipeline implements Pipeline {
         long recorded = recorder == null ? 0 : recorder.bytes();
         return state.bytes()
                 + (pieces == null ? 0 : pieces.bytes())
+                + (joints == null ? 0 : joints.bytes())
                 + grid.bytes()
                 + contacts.bytes()
                 + sweep.bytes()

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.PairTable;
 
 /**
@@ -15,8 +16,26 @@ final class PairFilter {
         if (state.isStatic(slot) && state.isStatic(other)) {
             return false;
         }
+        if (state.parting != null && areParted(state, state.id[slot], state.id[other])) {
+            return false;
+        }
         // Pairs that are only sensed end here, too: Sensing finds them.
         return !state.filtering || response(state, state.id[slot], state.id[other]) == PairTable.SOLID;
+    }
+
+    /** Whether a joint keeps two circles from colliding. */
+    private static boolean areParted(State state, int id, int otherId) {
+        JointStep joints = state.parting;
+        if (id >= joints.partnered || otherId >= joints.partnered) {
+            return false;
+        }
+        for (int k = joints.partnerStart[id]; k < joints.partnerStart[id + 1]; k++) {
+            if (joints.partners[2 * k] == otherId
+                    && !state.partingStates.hasBroken(joints.partners[2 * k + 1], joints)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether the circles of two slots may be noticed, if their kinds say so: not two static ones, nor two of one group. */

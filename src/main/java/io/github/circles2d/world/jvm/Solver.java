@@ -21,7 +21,7 @@ import io.github.circles2d.world.model.TerrainStep;
  * then still in the processor's cache, and workers wait for each other twice per sweep. At the edges of its band a sweep lacks rows of
  * the next band; a second sweep completes them, from the edge outwards.
  *
- * <p>If there are more levels, their cross contacts come between the passes. So all workers make pass after pass, each on its
+ * <p>If there are more levels, their cross contacts come between the passes; joints do too. So all workers make pass after pass, each on its
  * {@link Share} of all levels.
  */
 public final class Solver {
@@ -49,6 +49,9 @@ public final class Solver {
 
     private final HeavyCircles heavyCircles;
     private final Bands bands;
+
+    /** Null in steps without joints. */
+    private JointPasses joints;
 
     /** Records what contacts do; null if nobody is told. */
     private Touches touches;
@@ -88,11 +91,16 @@ public final class Solver {
         }
     }
 
+    /** Sets the joints of the steps to come, or null. */
+    void join(JointPasses passes) {
+        joints = passes;
+    }
+
     /** Fills the contacts, and measures them for the first sub-step. */
     void prepare(int worker, StepConstants k, TerrainStep terrain) {
         movers[worker].beginTerrain(terrain, k);
         if (worker == 0) {
-            boolean sweeps = levels.usedCount == 1;
+            boolean sweeps = levels.usedCount == 1 && joints == null;
             bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);
         }
         movers[worker].begin(team.part(state.n, worker), team.part(state.n, worker + 1), k);
@@ -123,6 +131,9 @@ public final class Solver {
             }
         }
         team.sync(worker);
+        if (joints != null) {
+            joints.prepare(worker);
+        }
         if (levels.usedCount > 1) {
             shares[worker].takeBands(bands, worker);
             prepareCross(worker, k);
@@ -152,7 +163,7 @@ public final class Solver {
     }
 
     void solve(int worker, StepConstants k) {
-        if (levels.usedCount == 1 && bands.narrowest() >= 2 * LAG) {
+        if (levels.usedCount == 1 && joints == null && bands.narrowest() >= 2 * LAG) {
             solveInSweeps(worker, k);
         } else {
             solveInPasses(worker, k);
@@ -264,6 +275,9 @@ public final class Solver {
             }
             team.sync(worker);
             passOverAll(worker, false, sub, k);
+            if (joints != null) {
+                joints.solve(worker, sub);
+            }
             if (crosses) {
                 solveCross(worker, k);
             }
@@ -272,6 +286,9 @@ public final class Solver {
             }
             team.sync(worker);
             passOverAll(worker, true, sub, k);
+            if (joints != null) {
+                joints.relax(worker, sub);
+            }
             if (crosses) {
                 relaxCross(worker, k, last);
             }

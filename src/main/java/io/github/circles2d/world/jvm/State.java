@@ -21,6 +21,7 @@ import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.StepConstants;
@@ -76,6 +77,11 @@ public final class State {
 
     /** By id: the fields that steps read. */
     final CircleFields fields = new CircleFields(CircleField.OF_STEPS);
+
+    /** Within a step: joints that keep circles from colliding, and which of them have broken; null if none does. */
+    JointStep parting;
+
+    JointStates partingStates;
 
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;

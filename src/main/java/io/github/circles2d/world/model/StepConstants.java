@@ -26,6 +26,9 @@ public final class StepConstants {
 
     public final Softness oneBodySoftness = new Softness();
 
+    /** Of rigid joints. */
+    public final Softness jointSoftness = new Softness();
+
     /** Gravity's part of the square of the restitution threshold. */
     public float thresholdRate;
 
@@ -72,6 +75,9 @@ public final class StepConstants {
     /** Whether the step reads {@link TerrainStep}: there are pieces. */
     public boolean terrain;
 
+    /** Whether the step reads {@link JointStep}: there are joints. */
+    public boolean joints;
+
     float gravityX;
     float gravityY;
 
@@ -108,6 +114,9 @@ public final class StepConstants {
         float damping = 2f * contacts.damping();
         contactSoftness.set(omega, damping, inverseH);
         oneBodySoftness.set(Tuning.WALL_STIFFNESS * omega, damping, inverseH);
+
+        float jointOmega = 2f * 3.14159265f * Math.min(Tuning.JOINT_FREQUENCY * h, Tuning.GREATEST_JOINT_FREQUENCY);
+        jointSoftness.set(jointOmega, 2f * Tuning.JOINT_DAMPING, inverseH);
 
         setThresholds(gravityX, gravityY, contacts.restitutionThreshold());
         pushRate = 0.5f * contacts.pushOutSpeed();

@@ -7,5 +7,6 @@ public final class StepInput {
     public final KindMotion motion = new KindMotion();
     public final KindSurface surfaces = new KindSurface();
     public final TerrainStep terrain = new TerrainStep();
+    public final JointStep joints = new JointStep();
     public final StepReports reports = new StepReports();
 }

@@ -17,7 +17,7 @@ public final class Surface {
     private static final double RADIANS_PER_UNIT = Math.PI / (1L << 31);
 
     /** In units of an angle: within a long, and more than a step turns. */
-    private static final float MOST_UNITS = 0x1p62f;
+    static final float MOST_UNITS = 0x1p62f;
 
     private Surface() {}
 

@@ -63,6 +63,15 @@ public final class Tuning {
     /** In frequencies of a contact. */
     static final float WALL_STIFFNESS = 2f;
 
+    /** Hertz, of rigid joints. */
+    static final float JOINT_FREQUENCY = 60f;
+
+    /** Times the length of a sub-step; of longer chains with heavy ends, stiffer joints burst. */
+    static final float GREATEST_JOINT_FREQUENCY = 0.25f;
+
+    /** A ratio. */
+    static final float JOINT_DAMPING = 2f;
+
     /** Greatest push-out speed up to {@link #DEEP}, in sums a second. */
     static final float PUSH = 0.4f;
 

@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
@@ -65,7 +66,7 @@ public final class Needs {
     }
 
     private void prepare(WorldParameters p, boolean turning, boolean withTerrain) {
-        pipeline.prepare(p.contacts(), !p.bounds().isWalled(), turning, withTerrain);
+        pipeline.prepare(p.contacts(), new Features(!p.bounds().isWalled(), turning, withTerrain, false));
         turns = turning;
         hasTerrain = withTerrain;
     }

@@ -1,14 +1,17 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.circles.BrokenJoints;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.queries.RemoteSearch;
@@ -27,10 +30,10 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
-     * Makes ready for steps with such contacts, with or without axes that have no walls, circles that turn, and terrain. Commands, steps
-     * and saved states of such worlds come after this. What a pipeline is ready for once, it stays ready for.
+     * Makes ready for steps with such contacts and features. Commands, steps and saved states of such worlds come after this. What a
+     * pipeline is ready for once, it stays ready for.
      */
-    default void prepare(ContactSettings contacts, boolean edged, boolean turning, boolean terrain) {}
+    default void prepare(ContactSettings contacts, Features features) {}
 
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);
@@ -99,6 +102,16 @@ public interface Pipeline extends AutoCloseable {
      */
     default void savePieceContacts(SavedPieceContacts into) {
         into.clear();
+    }
+
+    /** Saves what joints keep from step to step. The caller looks at those alone whose serials are of joints that there are. */
+    default void saveJoints(SavedJointStates into) {
+        into.begin(0);
+    }
+
+    /** Hands out the joints that have broken since the last time. All steps have been finished. */
+    default void takeBroken(BrokenJoints into) {
+        into.begin(0);
     }
 
     /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */

@@ -1,0 +1,91 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.BrokenJoints;
+import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointState;
+import io.github.circles2d.world.model.JointStep;
+import java.util.Arrays;
+
+/** What joints keep from step to step, by id. Worlds without joints have none. */
+final class JointStates {
+    /** {@link JointState} */
+    float[] rows = new float[0];
+
+    /** The serial of the joint that a row is of; its complement if that joint has broken. */
+    int[] serial = new int[0];
+
+    /** The joints that have broken since the host asked: the step, above the id. */
+    private long[] broken = new long[0];
+
+    private int brokenCount;
+
+    /** Steps made since the host asked. */
+    private int steps;
+
+    long bytes() {
+        return 4L * (rows.length + serial.length) + 8L * broken.length;
+    }
+
+    /** Makes room for joints; what there is stays. */
+    void ensure(int joints) {
+        if (joints > serial.length) {
+            int room = joints + (joints >> 1) + 16;
+            rows = Arrays.copyOf(rows, JointState.of(room));
+            broken = Arrays.copyOf(broken, room);
+            serial = Arrays.copyOf(serial, room);
+        }
+    }
+
+    /** Whether there is a joint that has not broken; a new one begins without impulses. */
+    boolean begin(int joint, JointStep joints) {
+        int now = joints.traits[JointRow.traits(joint) + JointRow.SERIAL];
+        if (serial[joint] == ~now) {
+            return false;
+        }
+        if (serial[joint] != now) {
+            Arrays.fill(rows, JointState.of(joint), JointState.of(joint + 1), 0f);
+            serial[joint] = now;
+        }
+        return true;
+    }
+
+    void breakJoint(int joint) {
+        serial[joint] = ~serial[joint];
+        broken[brokenCount++] = (long) steps << 32 | joint;
+    }
+
+    /** Whether a joint has broken, of which the host does not know yet. */
+    boolean hasBroken(int joint, JointStep joints) {
+        return serial[joint] == ~joints.traits[JointRow.traits(joint) + JointRow.SERIAL];
+    }
+
+    void endStep() {
+        steps++;
+    }
+
+    /** Hands out what has broken since the last time. */
+    void takeBroken(BrokenJoints into) {
+        into.begin(brokenCount);
+        System.arraycopy(broken, 0, into.joint, 0, brokenCount);
+        into.count = brokenCount;
+        into.sort();
+        brokenCount = 0;
+        steps = 0;
+    }
+
+    void save(SavedJointStates into) {
+        into.begin(serial.length);
+        System.arraycopy(serial, 0, into.serial, 0, serial.length);
+        System.arraycopy(rows, 0, into.rows, 0, rows.length);
+    }
+
+    /** Takes over saved states, for which there is room. */
+    void load(SavedJointStates from) {
+        Arrays.fill(serial, 0);
+        System.arraycopy(from.serial, 0, serial, 0, from.joints);
+        System.arraycopy(from.rows, 0, rows, 0, JointState.of(from.joints));
+        brokenCount = 0;
+        steps = 0;
+    }
+}

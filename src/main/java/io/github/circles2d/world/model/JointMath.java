@@ -1,0 +1,100 @@
+package io.github.circles2d.world.model;
+
+/**
+ * What a visit of a joint does to its impulses. m is an effective mass, v the speed of B against A, c how far B is from where it should be, along the
+ * same line. {@code Joint.cl} has the same functions.
+ */
+public final class JointMath {
+    /** So that what cannot be satisfied stays finite; more than the greatest mass at the greatest speed. */
+    public static final float GREATEST_IMPULSE = 1e20f;
+
+    private JointMath() {}
+
+    public static float kept(float impulse) {
+        return CircleMath.clamp(impulse, -GREATEST_IMPULSE, GREATEST_IMPULSE);
+    }
+
+    /** One over a sum of inverse masses; 0 if nothing moves. */
+    public static float mass(float inverse) {
+        return inverse > 0f ? 1f / inverse : 0f;
+    }
+
+    /** With bias. */
+    public static float solve(
+            float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
+        return kept((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
+    }
+
+    /** Without bias. */
+    public static float relax(float impulse, float m, float v) {
+        return kept(impulse - m * v);
+    }
+
+    /** By an exact spring; begun: the speed as the sub-step began. */
+    public static float spring(float m, float v, float begun, float c, float now, float ofBegun, float way) {
+        return kept(-1f * (m * ((now * v + ofBegun * begun) + way * c)));
+    }
+
+    /** Of a limit, from which B is away by gap, with bias; v is positive if B goes away from it. */
+    public static float solveLimit(float impulse, float m, float v, float gap, float inverseH, Softness s) {
+        float next = gap > 0f
+                ? impulse - m * (v + gap * inverseH)
+                : (impulse - m * (s.massScale * v + s.massScale * (s.biasRate * gap))) - s.impulseScale * impulse;
+        return CircleMath.clamp(next, 0f, GREATEST_IMPULSE);
+    }
+
+    /** The same without bias. */
+    public static float relaxLimit(float impulse, float m, float v, float gap, float inverseH) {
+        float next = impulse - m * (gap > 0f ? v + gap * inverseH : v);
+        return CircleMath.clamp(next, 0f, GREATEST_IMPULSE);
+    }
+
+    /** The share of a vector that is not longer than a limit. */
+    public static float shareWithin(float x, float y, float limit) {
+        float length = CircleMath.length(x, y);
+        return length > limit ? limit / length : 1f;
+    }
+
+    /** How far A has turned against B since the reference angles, in radians; turned: in the step, in radians. */
+    public static float turnedAway(
+            int angleA, int referenceA, float turnedA, int angleB, int referenceB, float turnedB) {
+        int units = (angleA - referenceA) - (angleB - referenceB);
+        return (float) units * RADIANS_PER_UNIT + (turnedA - turnedB);
+    }
+
+    /** The mean of how far A and B have turned since the reference angles, in units. */
+    public static int meanTurn(int angleA, int referenceA, float turnedA, int angleB, int referenceB, float turnedB) {
+        int a = angleA - referenceA;
+        int b = angleB - referenceB;
+        float half = 0.5f * (turnedA + turnedB) * Surface.UNITS_PER_RADIAN;
+        return b + ((a - b) >> 1) + (int) (long) CircleMath.clamp(half, -Surface.MOST_UNITS, Surface.MOST_UNITS);
+    }
+
+    private static final float RADIANS_PER_UNIT = 1.4629181e-9f;
+
+    public static float cos(int units) {
+        return sin(units + QUARTER);
+    }
+
+    /** To 1e-7; by sums and products alone. */
+    public static float sin(int units) {
+        int quarter = units + EIGHTH >>> QUARTER_LOG;
+        float x = (float) (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
+        float value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
+        return (quarter & 2) == 0 ? value : -1f * value;
+    }
+
+    private static final int QUARTER_LOG = 30;
+    private static final int QUARTER = 1 << QUARTER_LOG;
+    private static final int EIGHTH = 1 << 29;
+
+    private static float sinOfEighth(float x) {
+        float z = x * x;
+        return x + x * (z * (-1.6666667e-1f + z * (8.3333310e-3f + z * -1.9840874e-4f)));
+    }
+
+    private static float cosOfEighth(float x) {
+        float z = x * x;
+        return 1f - z * (0.5f - z * (4.1666666e-2f + z * (-1.3888397e-3f + z * 2.4760495e-5f)));
+    }
+}
