@@ -35,8 +35,7 @@ public final class JointForm {
     /** Without limits of forces; it never breaks, and its length is that of the ends when it comes. */
     public JointForm(int traits) {
         this.traits = traits;
-        boolean axial = (traits & JointRow.LINEAR) == JointRow.AXIAL;
-        row[JointRow.LENGTH] = axial && has(traits, JointRow.RIGID | JointRow.ELASTIC) ? Float.NaN : 0f;
+        row[JointRow.LENGTH] = isAxial(traits) && has(traits, JointRow.RIGID | JointRow.ELASTIC) ? Float.NaN : 0f;
         row[JointRow.MAX_LENGTH] = Float.POSITIVE_INFINITY;
         row[JointRow.MAX_FORCE] = Float.POSITIVE_INFINITY;
         row[JointRow.MAX_TORQUE] = Float.POSITIVE_INFINITY;
@@ -151,6 +150,11 @@ public final class JointForm {
         return (traits & flag) != 0;
     }
 
+    /** Whether it acts along the line between its ends. */
+    public static boolean isAxial(int traits) {
+        return (traits & JointRow.LINEAR) == JointRow.AXIAL;
+    }
+
     /** Whether it concerns how circles turn. */
     static boolean turns(int traits) {
         return has(traits, JointRow.ANGULAR | JointRow.ACROSS);
@@ -158,8 +162,8 @@ public final class JointForm {
 
     /** Whether it has a place if it holds a circle to none. */
     static boolean takesAnchor(int traits) {
-        int linear = traits & JointRow.LINEAR;
-        return linear == JointRow.POINT || linear == JointRow.AXIAL && !has(traits, JointRow.ACROSS);
+        boolean isPoint = (traits & JointRow.LINEAR) == JointRow.POINT;
+        return isPoint || isAxial(traits) && !has(traits, JointRow.ACROSS);
     }
 
     /** Whether it may hold two circles. */

@@ -3,6 +3,7 @@ package io.github.circles2d.world.joints;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.terrain.BodyTable;
 import java.util.Arrays;
 
 /**
@@ -10,8 +11,8 @@ import java.util.Arrays;
  * checked, and there is room.
  */
 public final class JointTable {
-    /** The body of a joint that has no anchor on one; that of an anchor in the world. */
-    public static final int NO_BODY = -1;
+    /** In place of a body: that of an anchor in the world, and of joints without one. */
+    public static final int WORLD = BodyTable.GROUND;
 
     /** The colour of a split joint. */
     public static final int SPLIT = JointStep.COLOURS;
@@ -31,13 +32,12 @@ public final class JointTable {
     int[] traits = new int[0];
     private byte[] colour = new byte[0];
 
-    /** By joint: the body of terrain of its anchor, or {@link #NO_BODY}; and where it is in the body's coordinates. */
+    /** By joint: the body of terrain of its anchor, or {@link #WORLD}; and where it is in the body's coordinates. */
     private int[] body = new int[0];
 
     private float[] onBody = new float[0];
 
     private final JointLists ofCircles = new JointLists();
-    private final JointLists ofBodies = new JointLists();
 
     /** By circle: a bit for each colour that one of its joints has. */
     private int[] coloursOfCircle = new int[0];
@@ -82,11 +82,6 @@ public final class JointTable {
     /** Makes room for springs of so many more joints. */
     public void ensureSprings(int more) {
         springs.ensure(more);
-    }
-
-    /** Makes room for anchors on bodies of ids below a limit. */
-    public void ensureBodies(int bodyIds) {
-        ofBodies.ensure(bodyIds, ids.room());
     }
 
     // ---- what there is
@@ -181,7 +176,7 @@ public final class JointTable {
     }
 
     /** How many have an anchor on a body of terrain. */
-    int anchoredOnBodies() {
+    public int anchoredOnBodies() {
         return anchoredOnBodies;
     }
 
@@ -189,10 +184,10 @@ public final class JointTable {
         return b(joint) != JointRow.NONE && !JointForm.has(form(joint), JointRow.COLLIDE);
     }
 
-    // ---- the joints of a circle, or of a body; by place in a list, in any order
-    // ------------------------------------------------------------------------
+    // ---- the joints of a circle, in any order
+    // -------------------------------------------------------------------------
 
-    /** The first place, or a negative number. */
+    /** The first place in its list, or a negative number. */
     public int firstOfCircle(int circle) {
         return ofCircles.first(circle);
     }
@@ -201,18 +196,9 @@ public final class JointTable {
         return ofCircles.next(place);
     }
 
-    /** The joint at a place of a list of a circle. */
+    /** The joint at a place. */
     public static int jointAt(int place) {
         return place / ENDS;
-    }
-
-    /** The first joint with an anchor on a body, or a negative number. */
-    public int firstOfBody(int ofBody) {
-        return ofBodies.first(ofBody);
-    }
-
-    public int nextOfBody(int joint) {
-        return ofBodies.next(joint);
     }
 
     // ---- changes
@@ -238,7 +224,7 @@ public final class JointTable {
         traits[at + JointRow.ANCHOR] = 0;
         traits[at + JointRow.REFERENCE_A] = form.angle;
         traits[at + JointRow.REFERENCE_B] = 0;
-        body[joint] = NO_BODY;
+        body[joint] = WORLD;
         renew(joint);
     }
 
@@ -303,7 +289,6 @@ public final class JointTable {
     /** Gives a new joint an anchor on a body of terrain. */
     public void anchorOn(int joint, int itsBody) {
         body[joint] = itsBody;
-        ofBodies.add(itsBody, joint);
         anchoredOnBodies++;
     }
 
@@ -362,8 +347,7 @@ public final class JointTable {
         count(joint, -1);
         unlinkEnd(joint, A, a(joint));
         unlinkEnd(joint, B, b(joint));
-        if (body[joint] != NO_BODY) {
-            ofBodies.remove(body[joint], joint);
+        if (body[joint] != WORLD) {
             anchoredOnBodies--;
         }
         if (JointForm.has(form(joint), JointRow.ELASTIC)) {
@@ -418,7 +402,6 @@ public final class JointTable {
         return 4L * (rows.length + traits.length + body.length + onBody.length + coloursOfCircle.length)
                 + colour.length
                 + ofCircles.bytes()
-                + ofBodies.bytes()
                 + springs.bytes();
     }
 }

@@ -52,6 +52,7 @@ public final class Copies {
         last.forgetCircles();
         last.forgetVelocities();
         last.forgetTurns();
+        last.forgetJoints();
         savedCurrent = false;
     }
 
