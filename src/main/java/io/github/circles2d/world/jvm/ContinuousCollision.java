@@ -533,7 +533,7 @@ public final class ContinuousCollision {
             int s = CircleRow.of(slot);
             clamp[s + PATH_X] = state.plan[CircleRow.vector(slot) + X];
             clamp[s + PATH_Y] = state.plan[CircleRow.vector(slot) + Y];
-            clamp[s + ALLOWANCE] = Tuning.CLAMP_ALLOWANCE * state.circle[s + RADIUS];
+            clamp[s + ALLOWANCE] = state.freeAllowance(slot);
             clamp[s + LIMIT] = 1f;
         }
     }
@@ -548,7 +548,7 @@ public final class ContinuousCollision {
             float free = Float.intBitsToFloat(timeOfImpact[slot]);
             float r = state.circle[s + RADIUS];
             float limit = Float.intBitsToFloat(near[slot]);
-            float allowed = limit < 1f ? Float.intBitsToFloat(allowance[slot]) : Tuning.CLAMP_ALLOWANCE * r;
+            float allowed = limit < 1f ? Float.intBitsToFloat(allowance[slot]) : state.freeAllowance(slot);
             float own = CircleMath.min(CircleMath.min(free, limit), carrying.time(slot));
             boolean carried = carrying.isCarried(slot);
             boolean stops = free < limit || carrying.time(slot) < 1f;

@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
+import java.util.Arrays;
 
 /**
  * The joints' part of stage Solver: passes between those over like and over cross contacts. {@link JointStep} has the order; each worker takes some of
@@ -19,6 +20,7 @@ final class JointPasses {
     private static final int RELAX_LAST = 3;
 
     final JointStates states = new JointStates();
+    private final State state;
     private final Team team;
     private final JointVisits[] visits;
     private final SplitJoints split;
@@ -27,7 +29,11 @@ final class JointPasses {
     private float[] work = new float[0];
     private int[] slots = new int[0];
 
+    /** By slot: whether a joint holds the circle. */
+    private boolean[] jointed = new boolean[0];
+
     JointPasses(State state, Team team) {
+        this.state = state;
         this.team = team;
         split = new SplitJoints(state);
         visits = new JointVisits[team.most()];
@@ -37,7 +43,7 @@ final class JointPasses {
     }
 
     long bytes() {
-        return states.bytes() + split.bytes() + 4L * (work.length + slots.length);
+        return states.bytes() + split.bytes() + 4L * (work.length + slots.length) + jointed.length;
     }
 
     /** Makes room for a step; one worker does it for all. */
@@ -51,18 +57,33 @@ final class JointPasses {
             slots = new int[JointWork.slots(room)];
             work = new float[JointWork.of(room)];
         }
+        if (state.n > jointed.length) {
+            jointed = new boolean[state.capacity()];
+        }
+        state.jointed = jointed;
         for (JointVisits each : visits) {
             each.begin(joints, k, work, slots);
         }
     }
 
-    /** Begins the joints of a step, once their circles have slots. All of it, split joints too. */
+    /** Begins the joints of a step, once their circles have slots, and finds out which circles they hold. */
     void begin(int worker) {
+        Arrays.fill(jointed, team.part(state.n, worker), team.part(state.n, worker + 1), false);
+        team.sync(worker);
         int to = team.part(joints.count, worker + 1);
         for (int place = team.part(joints.count, worker); place < to; place++) {
-            visits[worker].begin(place);
+            if (visits[worker].begin(place)) {
+                mark(slots[JointWork.slots(place) + JointWork.A]);
+                mark(slots[JointWork.slots(place) + JointWork.B]);
+            }
         }
         team.sync(worker);
+    }
+
+    private void mark(int slot) {
+        if (slot >= 0) {
+            jointed[slot] = true;
+        }
     }
 
     void prepare(int worker) {

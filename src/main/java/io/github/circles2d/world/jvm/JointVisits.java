@@ -66,7 +66,7 @@ final class JointVisits {
     private int a;
     private int b;
 
-    /** Velocity of B against A, and half of it as the sub-step began. */
+    /** Velocity of B against A, and that as the sub-step began. */
     private float vx;
 
     private float vy;
@@ -78,11 +78,12 @@ final class JointVisits {
 
     private float mass;
 
-    /** Angular velocity of A against B, and the effective angular mass. */
-    private float omega;
+    /** Angular velocities of both, and what an angular impulse adds to them, as the visit sees them. */
+    private float omegaA;
 
-    private float inverseTurn;
-    private float turnMass;
+    private float omegaB;
+    private float turnA;
+    private float turnB;
 
     /** What the visit gives: impulses on B, and an angular impulse on A; what both surfaces get besides. */
     float pushX;
@@ -264,10 +265,10 @@ final class JointVisits {
         if (angular() != 0 || has(JointRow.ACROSS)) {
             float rA = radius(a);
             float rB = radius(b);
-            omega = surfaceSpeed(a) / rA - surfaceSpeed(b) / rB;
-            inverseTurn = work[o + SHARE_A] * (work[o + INV_INERTIA_A] / (rA * rA))
-                    + work[o + SHARE_B] * (work[o + INV_INERTIA_B] / (rB * rB));
-            turnMass = JointMath.mass(inverseTurn);
+            omegaA = surfaceSpeed(a) / rA;
+            omegaB = surfaceSpeed(b) / rB;
+            turnA = work[o + SHARE_A] * (work[o + INV_INERTIA_A] / (rA * rA));
+            turnB = work[o + SHARE_B] * (work[o + INV_INERTIA_B] / (rB * rB));
         }
     }
 
@@ -381,14 +382,13 @@ final class JointVisits {
     /** One over what an impulse across changes of the speed across. */
     private float acrossMass() {
         float arm = 0.5f * work[o + DISTANCE];
-        return JointMath.mass(inverse + arm * arm * inverseTurn);
+        return JointMath.mass(inverse + arm * arm * (turnA + turnB));
     }
 
     /** Speed of B across, against the direction that turns with both. */
     private float speedAcross() {
         float along = CircleMath.dot(-work[o + NORMAL_Y], work[o + NORMAL_X], vx, vy);
-        float turning = surfaceSpeed(a) / radius(a) + surfaceSpeed(b) / radius(b);
-        return along - 0.5f * work[o + DISTANCE] * turning;
+        return along - 0.5f * work[o + DISTANCE] * (omegaA + omegaB);
     }
 
     private void giveAcross(float before, float next) {
@@ -465,6 +465,8 @@ final class JointVisits {
                 turned(b));
         float before = states.rows[kept + JointState.ANGULAR];
         Softness soft = k.jointSoftness;
+        float turnMass = JointMath.mass(turnA + turnB);
+        float omega = omegaA - omegaB;
         float next = angular() == JointRow.TURN_RIGID
                 ? JointMath.solve(before, turnMass, omega, away, soft.massScale, soft.biasRate, soft.impulseScale)
                 : spring(before, turnMass, omega, omega, away);
@@ -476,6 +478,8 @@ final class JointVisits {
         float held = CircleMath.clamp(next, -limit, limit);
         states.rows[kept + JointState.ANGULAR] = held;
         twist = held - before;
+        omegaA += turnA * twist;
+        omegaB -= turnB * twist;
     }
 
     // ---- the relaxing pass
@@ -498,7 +502,12 @@ final class JointVisits {
     }
 
     private void relaxTurning() {
+        if (angular() == 0) {
+            return;
+        }
         float before = states.rows[kept + JointState.ANGULAR];
+        float turnMass = JointMath.mass(turnA + turnB);
+        float omega = omegaA - omegaB;
         if (angular() == JointRow.TURN_RIGID) {
             giveTwist(before, JointMath.relax(before, turnMass, omega));
         } else if (angular() == JointRow.TURN_SPEED) {

@@ -133,6 +133,7 @@ public final class JvmPipeline implements Pipeline {
         jointStep = input.joints;
         solver.join(constants.joints ? joints : null);
         boolean parts = constants.joints && jointStep.parts;
+        state.jointed = null;
         state.parting = parts ? jointStep : null;
         state.partingStates = parts ? joints.states : null;
         steps = count;

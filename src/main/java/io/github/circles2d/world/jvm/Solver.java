@@ -100,8 +100,8 @@ public final class Solver {
     void prepare(int worker, StepConstants k, TerrainStep terrain) {
         movers[worker].beginTerrain(terrain, k);
         if (worker == 0) {
-            boolean sweeps = levels.usedCount == 1 && joints == null;
-            bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);
+            boolean alike = levels.usedCount == 1;
+            bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && joints == null ? 2 * LAG : 0);
         }
         movers[worker].begin(team.part(state.n, worker), team.part(state.n, worker + 1), k);
         likeVisits[worker].turn(k.turning);

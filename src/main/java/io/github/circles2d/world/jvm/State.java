@@ -25,6 +25,7 @@ import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Walls;
 import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
@@ -82,6 +83,9 @@ public final class State {
     JointStep parting;
 
     JointStates partingStates;
+
+    /** Within a step, by slot: whether a joint holds the circle, so that it may leave its path; null without joints. */
+    boolean[] jointed;
 
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
@@ -393,6 +397,13 @@ public final class State {
     /** Whether a circle has an infinite mass. */
     boolean isStatic(int slot) {
         return traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
+    }
+
+    /** How far a circle may leave its free path if nothing is in its way. */
+    float freeAllowance(int slot) {
+        return jointed != null && jointed[slot]
+                ? Float.POSITIVE_INFINITY
+                : Tuning.CLAMP_ALLOWANCE * circle[CircleRow.of(slot) + RADIUS];
     }
 
     /** How near to a wall the centre of the circle of a row may be. */
