@@ -104,6 +104,9 @@ final class Circle {
     /** Of a heavy circle, 1 + the highest id of the light ones that wait to bounce off it; 0 if there are none. */
     int claim;
 
+    /** Whether a joint holds it. */
+    boolean jointed;
+
     /** Those that joints keep from colliding with it. */
     final Set<Circle> parted = new HashSet<>();
 
@@ -178,6 +181,7 @@ final class Circle {
 
     void beginJoints(StepParameters k) {
         parted.clear();
+        jointed = false;
         splitJoints = 0;
         jointGain = new FixedSum(radius * k.inverseH());
         jointImpulse = new FixedSum(radius * k.inverseH() / inverseMass());

@@ -39,9 +39,13 @@ final class JointVisit {
     // the speeds of a visit
     private float[] velocity;
     private float[] begun;
-    private float omega;
     private float inverse;
-    private float inverseTurn;
+
+    // angular ones, and what an angular impulse adds to them
+    private float omegaA;
+    private float omegaB;
+    private float turnA;
+    private float turnB;
 
     // what the visit gives
     private float[] push = NOTHING;
@@ -160,8 +164,10 @@ final class JointVisit {
         if (turns()) {
             float ofA = radius(a);
             float ofB = radius(b);
-            omega = surfaceSpeed(a) / ofA - surfaceSpeed(b) / ofB;
-            inverseTurn = shareA * (inverseInertia(a) / (ofA * ofA)) + shareB * (inverseInertia(b) / (ofB * ofB));
+            omegaA = surfaceSpeed(a) / ofA;
+            omegaB = surfaceSpeed(b) / ofB;
+            turnA = shareA * (inverseInertia(a) / (ofA * ofA));
+            turnB = shareB * (inverseInertia(b) / (ofB * ofB));
         }
     }
 
@@ -241,10 +247,11 @@ final class JointVisit {
         measure(subStep);
         look(subStep);
         lookBack(subStep);
+        float omega = omegaA - omegaB;
         if (joint.angular == Angular.RIGID) {
-            turn(rigid.solve(joint.turning, mass(inverseTurn), omega, turnedAway()));
+            turn(rigid.solve(joint.turning, mass(turnA + turnB), omega, turnedAway()));
         } else if (joint.angular == Angular.ANGLE) {
-            turn(bySpring(joint.turning, mass(inverseTurn), omega, omega, turnedAway()));
+            turn(bySpring(joint.turning, mass(turnA + turnB), omega, omega, turnedAway()));
         }
         if (isAlong()) {
             visitAlong(true);
@@ -261,10 +268,11 @@ final class JointVisit {
         giveNothing();
         measure(subStep + 1);
         look(subStep + 1);
+        float omega = omegaA - omegaB;
         if (joint.angular == Angular.RIGID) {
-            turn(relaxed(joint.turning, mass(inverseTurn), omega));
+            turn(relaxed(joint.turning, mass(turnA + turnB), omega));
         } else if (joint.angular == Angular.SPEED) {
-            turn(relaxed(joint.turning, mass(inverseTurn), omega - joint.speed));
+            turn(relaxed(joint.turning, mass(turnA + turnB), omega - joint.speed));
         }
         if (isAlong()) {
             visitAlong(false);
@@ -282,6 +290,8 @@ final class JointVisit {
         float before = joint.turning;
         joint.turning = clamp(next, -most, most);
         twist = joint.turning - before;
+        omegaA += turnA * twist;
+        omegaB -= turnB * twist;
     }
 
     /** Keeps an impulse in both axes within the greatest force. */
@@ -324,9 +334,8 @@ final class JointVisit {
 
     private void visitAcross(boolean biased) {
         float arm = 0.5f * distance;
-        float m = mass(inverse + arm * arm * inverseTurn);
-        float turning = surfaceSpeed(a) / radius(a) + surfaceSpeed(b) / radius(b);
-        float v = (-normal[1] * velocity[0] + normal[0] * velocity[1]) - arm * turning;
+        float m = mass(inverse + arm * arm * (turnA + turnB));
+        float v = (-normal[1] * velocity[0] + normal[0] * velocity[1]) - arm * (omegaA + omegaB);
         float before = joint.across;
         joint.across = biased ? rigid.solve(before, m, v, direction) : relaxed(before, m, v);
         float change = joint.across - before;

@@ -75,6 +75,10 @@ final class ReferenceJoints {
                         .thenComparingInt(visit -> visit.joint.id))
                 .toList();
         for (ReferenceJoint joint : all()) {
+            joint.a.jointed = true;
+            if (joint.b != null) {
+                joint.b.jointed = true;
+            }
             if (joint.b != null && !joint.collides) {
                 joint.a.parted.add(joint.b);
                 joint.b.parted.add(joint.a);
