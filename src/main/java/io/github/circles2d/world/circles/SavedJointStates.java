@@ -30,9 +30,16 @@ public final class SavedJointStates {
             rows = Arrays.copyOf(rows, JointState.of(serial.length));
         }
         if (joints < count) {
-            Arrays.fill(serial, joints, count, 0);
-            Arrays.fill(rows, JointState.of(joints), JointState.of(count), 0f);
+            for (int joint = joints; joint < count; joint++) {
+                clear(joint);
+            }
             joints = count;
         }
+    }
+
+    /** A joint has no impulses. */
+    public void clear(int joint) {
+        serial[joint] = 0;
+        Arrays.fill(rows, JointState.of(joint), JointState.of(joint + 1), 0f);
     }
 }
