@@ -115,6 +115,29 @@ final class Body {
                 sines);
     }
 
+    /** How a place of its frame moves in this step. */
+    AnchorMotion motionOf(float[] at, StepParameters k) {
+        double[] arm = turned(new double[] {at[0], at[1]});
+        int n = k.subSteps();
+        float[][] ways = new float[n + 1][];
+        float[][] velocities = new float[n + 1][];
+        for (int i = 0; i <= n; i++) {
+            double share = (double) i / n;
+            int turnedSoFar = (int) Math.round(turn * share);
+            double cos = Angles.cos(turnedSoFar);
+            double sin = Angles.sin(turnedSoFar);
+            double x = cos * arm[0] - sin * arm[1];
+            double y = sin * arm[0] + cos * arm[1];
+            ways[i] = new float[] {(float) (way[0] * share + (x - arm[0])), (float) (way[1] * share + (y - arm[1]))};
+            double omegaNow = turn * Angles.UNIT / k.dt();
+            velocities[i] = new float[] {
+                Numbers.limitSpeed((float) (way[0] / k.dt() - omegaNow * y)),
+                Numbers.limitSpeed((float) (way[1] / k.dt() + omegaNow * x))
+            };
+        }
+        return new AnchorMotion(ways, velocities);
+    }
+
     private static float speed(double way, StepParameters k) {
         return Numbers.limitSpeed((float) (way / k.dt()));
     }

@@ -3,7 +3,9 @@ package io.github.circles2d.reference;
 import static io.github.circles2d.reference.Numbers.dot;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** A circle: its state, and what a step notes about it. Arrays hold a value for x and one for y. */
 final class Circle {
@@ -102,6 +104,20 @@ final class Circle {
     /** Of a heavy circle, 1 + the highest id of the light ones that wait to bounce off it; 0 if there are none. */
     int claim;
 
+    /** Whether a joint holds it. */
+    boolean jointed;
+
+    /** Those that joints keep from colliding with it. */
+    final Set<Circle> parted = new HashSet<>();
+
+    /** How many of its joints have found no colour. */
+    int splitJoints;
+
+    /** Of a circle with joints that have found no colour, what these give it. */
+    FixedSum jointGain;
+
+    FixedSum jointImpulse;
+
     FixedSum heavyGain;
     FixedSum heavyImpulse;
     float[] velocityBeforePass;
@@ -163,6 +179,14 @@ final class Circle {
         return k.max()[axis] - (isStatic() ? 0f : radius);
     }
 
+    void beginJoints(StepParameters k) {
+        parted.clear();
+        jointed = false;
+        splitJoints = 0;
+        jointGain = new FixedSum(radius * k.inverseH());
+        jointImpulse = new FixedSum(radius * k.inverseH() / inverseMass());
+    }
+
     void forgetHeavyContacts(StepParameters k) {
         load = 0;
         claim = 0;
@@ -172,20 +196,28 @@ final class Circle {
 
     /** Adds what light circles gave it in a pass to its velocity. */
     void takeGains() {
-        turn.speed += take(heavyGain, velocity);
+        turn.speed += take(load != 0, heavyGain, velocity);
     }
 
     /** Adds the impulses of its contacts with light circles to those that it begins its next sub-step with. */
     void takeImpulses() {
-        turn.impulse += take(heavyImpulse, impulses);
+        turn.impulse += take(load != 0, heavyImpulse, impulses);
+    }
+
+    void takeJointGains() {
+        turn.speed += take(true, jointGain, velocity);
+    }
+
+    void takeJointImpulses() {
+        turn.impulse += take(true, jointImpulse, impulses);
     }
 
     /** Adds a sum to a vector; returns what to add along the surface. */
-    private float take(FixedSum sum, float[] vector) {
+    private float take(boolean takes, FixedSum sum, float[] vector) {
         float[] taken = sum.take();
-        for (int a = 0; a < 2 && load != 0 && !isStatic(); a++) {
+        for (int a = 0; a < 2 && takes && !isStatic(); a++) {
             vector[a] += taken[a];
         }
-        return load != 0 && !isStatic() ? taken[2] : 0f;
+        return takes && !isStatic() ? taken[2] : 0f;
     }
 }

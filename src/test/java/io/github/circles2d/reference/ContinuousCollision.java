@@ -185,7 +185,8 @@ final class ContinuousCollision {
 
     private void setClamp(Circle c) {
         float share = c.stands ? 1f : c.contactTime;
-        c.allowance = c.contactTime < 1f ? c.allowance : CLAMP_ALLOWANCE * c.radius;
+        float free = c.jointed ? Float.POSITIVE_INFINITY : CLAMP_ALLOWANCE * c.radius;
+        c.allowance = c.contactTime < 1f ? c.allowance : free;
         c.isPushed = false;
         for (int a = 0; a < 2; a++) {
             c.freePath[a] = share * c.path[a];

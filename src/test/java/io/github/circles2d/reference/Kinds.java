@@ -110,7 +110,7 @@ final class Kinds {
 
     /** Whether two circles that are near may be a contact. */
     boolean mayMeet(Circle a, Circle b) {
-        return response(a, b) == Response.SOLID;
+        return response(a, b) == Response.SOLID && !a.parted.contains(b);
     }
 
     /** What two circles do to each other. */

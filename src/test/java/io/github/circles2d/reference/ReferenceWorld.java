@@ -60,6 +60,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     private final Kinds kinds = new Kinds();
     private final ReferenceTerrain terrain = new ReferenceTerrain();
+    private final ReferenceJoints joints = new ReferenceJoints();
     private final TouchEvents events = new TouchEvents();
     private Arena arena = new Arena(new float[] {0f, 0f}, new float[] {1f, 1f}, new Edge[] {Edge.WALL, Edge.WALL});
     private float[] min = arena.lowerWalls();
@@ -142,7 +143,7 @@ public final class ReferenceWorld implements WorldCalls {
             circles.forEach(c -> c.start = c.base.clone());
             terrain.begin(parameters(dt));
             if (!circles.isEmpty()) {
-                Step step = new Step(circles, terrain, parameters(dt), kinds);
+                Step step = new Step(circles, terrain, joints, parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }

@@ -17,6 +17,7 @@ final class Step {
 
     private final List<Circle> circles;
     private final ReferenceTerrain terrain;
+    private final ReferenceJoints joints;
     private final StepParameters k;
     private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
@@ -25,9 +26,10 @@ final class Step {
     private final List<Contact> crossContacts = new ArrayList<>();
 
     /** Circles are in the order of their ids. */
-    Step(List<Circle> circles, ReferenceTerrain terrain, StepParameters k, Kinds kinds) {
+    Step(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
         this.circles = circles;
         this.terrain = terrain;
+        this.joints = joints;
         this.k = k;
         this.kinds = kinds;
     }
@@ -38,6 +40,7 @@ final class Step {
         circles.forEach(this::findGain);
         circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
         circles.forEach(this::planMotion);
+        joints.begin(circles, k, warmScale);
         new ContinuousCollision(circles, grid, k, kinds).clampMotion();
         circles.stream().filter(c -> !c.isStatic()).forEach(c -> terrain.findContacts(c, kinds, k));
         findContacts(grid);
@@ -46,10 +49,12 @@ final class Step {
             int now = subStep;
             circles.forEach(c -> integrateVelocities(c, now));
             contacts.forEach(Contact::solve);
+            joints.solve(subStep);
             crossPass(Contact::solve);
             all(Contact::lookAfterSolve);
             circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
+            joints.relax(subStep);
             crossPass(Step::relax);
             circles.forEach(c -> c.claim = 0);
             circles.forEach(Circle::takeImpulses);
@@ -58,6 +63,7 @@ final class Step {
         circles.forEach(this::finalizePositions);
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache);
+        joints.end();
     }
 
     /** The contacts of the step. */
@@ -174,12 +180,16 @@ final class Step {
                 c.walls[a] = new Wall(c, a, k);
             }
         }
-        for (Contact contact : contacts()) {
-            contact.begin(impulseCache.getOrDefault(contact.pair, Impulses.NONE), warmScale);
-            contact.measure();
-            contact.warmStart(contact.carries(contact.normalVelocity(c -> c.velocity)));
-        }
+        contacts.forEach(contact -> prepare(contact, impulseCache, warmScale));
+        joints.prepare();
+        crossContacts.forEach(contact -> prepare(contact, impulseCache, warmScale));
         circles.forEach(Circle::takeImpulses);
+    }
+
+    private static void prepare(Contact contact, Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
+        contact.begin(impulseCache.getOrDefault(contact.pair, Impulses.NONE), warmScale);
+        contact.measure();
+        contact.warmStart(contact.carries(contact.normalVelocity(c -> c.velocity)));
     }
 
     private void integrateVelocities(Circle c, int subStep) {

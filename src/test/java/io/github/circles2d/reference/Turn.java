@@ -65,6 +65,11 @@ final class Turn {
         speed = limitSpeed(speedBeforeImpulses + inverseInertia * impulse);
     }
 
+    /** The sum of the speeds of the sub-steps so far. */
+    float turned() {
+        return turned;
+    }
+
     void move() {
         speed = limitSpeed(speed);
         turned += speed;

@@ -1,0 +1,160 @@
+package io.github.circles2d.reference;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Consumer;
+
+/** The joints between circles, and between circles and places. */
+final class ReferenceJoints {
+    /** The colour of joints that found none. */
+    static final int SPLIT = 24;
+
+    private final List<ReferenceJoint> joints = new ArrayList<>();
+
+    /** By id: how many have had it. */
+    private final Map<Integer, Integer> generations = new HashMap<>();
+
+    /** Of the step: in the order in which they are visited. */
+    private List<JointVisit> visits = List.of();
+
+    /** In the order of their ids. */
+    List<ReferenceJoint> all() {
+        return joints.stream().filter(Objects::nonNull).toList();
+    }
+
+    ReferenceJoint find(long handle) {
+        return joints.get((int) handle);
+    }
+
+    boolean contains(long handle) {
+        int id = (int) handle;
+        return id >= 0 && id < joints.size() && joints.get(id) != null && joints.get(id).handle == handle;
+    }
+
+    // ---- calls
+    // -----------------------------------------------------------------------------------------------
+
+    /** Adds a joint that does nothing yet; to a circle, to a place, or to neither. */
+    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor) {
+        if (!joints.contains(null)) {
+            joints.add(null);
+        }
+        int id = joints.indexOf(null);
+        long handle = (long) generations.merge(id, 1, Integer::sum) << 32 | id;
+        ReferenceJoint joint = new ReferenceJoint(id, handle, a, b, body, anchor);
+        while (joint.colour < SPLIT && isTaken(joint.colour, joint)) {
+            joint.colour++;
+        }
+        joints.set(id, joint);
+        return joint;
+    }
+
+    /** Whether a circle of a joint has another joint of a colour. */
+    private boolean isTaken(int colour, ReferenceJoint joint) {
+        return all().stream()
+                .anyMatch(other ->
+                        other.colour == colour && (other.isOf(joint.a) || joint.b != null && other.isOf(joint.b)));
+    }
+
+    void remove(ReferenceJoint joint) {
+        joints.set(joint.id, null);
+    }
+
+    // ---- a step
+    // -----------------------------------------------------------------------------------------------
+
+    void begin(List<Circle> circles, StepParameters k, float warmScale) {
+        circles.forEach(c -> c.beginJoints(k));
+        visits = all().stream()
+                .map(joint -> new JointVisit(joint, k, warmScale))
+                .sorted(Comparator.comparingInt((JointVisit visit) -> visit.joint.colour)
+                        .thenComparingInt(visit -> visit.joint.id))
+                .toList();
+        for (ReferenceJoint joint : all()) {
+            joint.a.jointed = true;
+            if (joint.b != null) {
+                joint.b.jointed = true;
+            }
+            if (joint.b != null && !joint.collides) {
+                joint.a.parted.add(joint.b);
+                joint.b.parted.add(joint.a);
+            }
+        }
+        eachSplit(visit -> {
+            visit.joint.a.splitJoints++;
+            if (visit.joint.b != null) {
+                visit.joint.b.splitJoints++;
+            }
+        });
+    }
+
+    private void eachColoured(Consumer<JointVisit> job) {
+        visits.stream().filter(visit -> !visit.isSplit()).forEach(job);
+    }
+
+    private void eachSplit(Consumer<JointVisit> job) {
+        visits.stream().filter(JointVisit::isSplit).forEach(job);
+    }
+
+    private void takeAll(Consumer<Circle> take) {
+        List<Circle> split = new ArrayList<>();
+        eachSplit(visit -> {
+            split.add(visit.joint.a);
+            split.add(visit.joint.b);
+        });
+        split.stream().filter(Objects::nonNull).distinct().forEach(take);
+    }
+
+    void prepare() {
+        eachColoured(visit -> {
+            visit.prepare();
+            visit.giveToSums();
+        });
+        eachSplit(visit -> {
+            visit.prepare();
+            visit.giveToFixed(false);
+        });
+        takeAll(Circle::takeJointImpulses);
+    }
+
+    void solve(int subStep) {
+        eachColoured(visit -> {
+            visit.solve(subStep);
+            visit.give();
+        });
+        eachSplit(visit -> {
+            visit.solve(subStep);
+            visit.giveToFixed(true);
+        });
+        takeAll(Circle::takeJointGains);
+    }
+
+    void relax(int subStep) {
+        eachColoured(visit -> {
+            visit.relax(subStep);
+            visit.give();
+            visit.end();
+            visit.giveToSums();
+        });
+        eachSplit(visit -> {
+            visit.relax(subStep);
+            visit.giveToFixed(true);
+        });
+        takeAll(Circle::takeJointGains);
+        eachSplit(visit -> {
+            visit.end();
+            visit.giveToFixed(false);
+        });
+        takeAll(Circle::takeJointImpulses);
+    }
+
+    /** Ends a step: some break. */
+    void end() {
+        visits.stream().filter(JointVisit::breaks).forEach(visit -> remove(visit.joint));
+        visits = List.of();
+    }
+}
