@@ -24,8 +24,10 @@ public final class JointStates {
 
     /** Reads serials and {@link JointState}s of the first joints. */
     public void read(int[] serial, float[] rows, int joints) {
-        tables().read(at(JointArray.SERIAL), IntBuffer.wrap(serial, 0, joints));
-        tables().read(at(JointArray.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+        if (joints > 0) {
+            tables().read(at(JointArray.SERIAL), IntBuffer.wrap(serial, 0, joints));
+            tables().read(at(JointArray.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+        }
     }
 
     /** Writes those of the first joints, for which there is room, and lets the others have none. */
@@ -42,7 +44,9 @@ public final class JointStates {
 
     /** Reads the first entries of the list of joints that have broken: steps made before, joint. */
     public void readBroken(int[] list, int count) {
-        tables().read(at(JointArray.BROKEN), IntBuffer.wrap(list, 0, JointArray.BROKEN.words() * count));
+        if (count > 0) {
+            tables().read(at(JointArray.BROKEN), IntBuffer.wrap(list, 0, JointArray.BROKEN.words() * count));
+        }
     }
 
     private DeviceBuffer tables() {
