@@ -84,6 +84,9 @@ import java.util.Arrays;
  * <p><b>Terrain:</b> segments, smooth chains and arcs make slopes, caves, loops and drums, at rest or on bodies that move; see {@link
  * Terrain}.
  *
+ * <p><b>Joints</b> make ropes, bridges, springs, wheels, soft bodies and bodies of several circles; see {@link Joints}. The joints of a circle go
+ * with it.
+ *
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
  *
@@ -146,6 +149,7 @@ public final class World implements AutoCloseable {
     private final Kind[] kinds = new Kind[PairTable.KINDS];
     private final Queries queries;
     private final Terrain terrain;
+    private final Joints joints;
     private final Backend backend;
     private final String reason;
     private final Events events = new Events();
@@ -160,6 +164,7 @@ public final class World implements AutoCloseable {
                         .with(b.surfaces()));
         queries = new Queries(simulation.searches(), simulation.terrainSearches());
         terrain = new Terrain(simulation);
+        joints = new Joints(simulation);
     }
 
     /**
@@ -1557,6 +1562,16 @@ public final class World implements AutoCloseable {
     public Terrain terrain() {
         simulation.check();
         return terrain;
+    }
+
+    /**
+     * The joints: what holds circles to each other, to places, to bodies of terrain, or makes them turn. There are none at first.
+     *
+     * @return always the same object
+     */
+    public Joints joints() {
+        simulation.check();
+        return joints;
     }
 
     /**

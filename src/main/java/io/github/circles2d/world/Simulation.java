@@ -6,6 +6,7 @@ import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.changes.Clearing;
 import io.github.circles2d.world.changes.Forces;
 import io.github.circles2d.world.changes.Growth;
+import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.changes.PreparedChanges;
@@ -17,6 +18,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
@@ -25,6 +27,7 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
 import io.github.circles2d.world.reports.Reports;
@@ -79,9 +82,12 @@ public final class Simulation implements AutoCloseable {
     private final Travels travels = new Travels(handles, commands);
     private final Growth growth;
     private final TerrainTables terrain;
+    private final JointTables joints;
     private final Kinds kinds;
     private final Pieces pieces;
     private final Bodies bodies;
+    private final JointCalls jointCalls;
+    private final JointReads jointReads;
     private final Clearing clearing;
     private final Circles circles;
     private final BulkChanges bulk;
@@ -102,11 +108,14 @@ public final class Simulation implements AutoCloseable {
         log = new CallLog(pipeline, guard, commands);
         terrain = new TerrainTables(input.terrain, settings.bounds());
         events.setPieces(terrain.pieces);
-        needs = new Needs(pipeline, kindTable, terrain, settings);
-        pending = new PendingWork(pipeline, guard, handles, commands, events, log, needs);
+        joints = new JointTables(input.joints, handles, terrain);
+        needs = new Needs(pipeline, kindTable, terrain, joints, settings);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, needs);
         copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, needs);
         pieces = new Pieces(guard, terrain, log, copies, settings);
         bodies = new Bodies(guard, terrain, log, copies, settings);
+        jointCalls = new JointCalls(guard, handles, terrain, joints, pending, copies);
+        jointReads = new JointReads(guard, handles, joints, pending);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);
         clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, needs);
@@ -156,6 +165,16 @@ public final class Simulation implements AutoCloseable {
     /** The calls on bodies of terrain. */
     public Bodies bodies() {
         return bodies;
+    }
+
+    /** The calls that change joints. */
+    public JointCalls joints() {
+        return jointCalls;
+    }
+
+    /** The reads of joints. */
+    public JointReads jointReads() {
+        return jointReads;
     }
 
     /** The call that removes all circles. */
@@ -353,6 +372,7 @@ public final class Simulation implements AutoCloseable {
         pending.apply();
         pending.prepareNeeds();
         terrain.makeRoom(settings.subSteps());
+        joints.makeRoom(settings.subSteps());
         guard.changing = true;
         boolean hasCircles = handles.size() > 0;
         figures.stepped(hasCircles);
@@ -395,6 +415,10 @@ public final class Simulation implements AutoCloseable {
         if (constants.terrain) {
             terrain.begin(constants, kindTable);
         }
+        constants.joints = joints.isThere();
+        if (constants.joints) {
+            joints.begin(constants);
+        }
         events.prepare(kindTable, input.reports);
     }
 
@@ -424,7 +448,7 @@ public final class Simulation implements AutoCloseable {
                 hold ? pipeline.candidatePairs() : 0,
                 hold ? pipeline.contacts() : 0,
                 hold ? pipeline.greatestContacts() : 0,
-                pipeline.bytesHeld() + events.bytes() + terrain.bytes(),
+                pipeline.bytesHeld() + events.bytes() + terrain.bytes() + joints.bytes(),
                 Collections.unmodifiableMap(pipeline.stageMillis()),
                 pipeline.device());
     }

@@ -3,7 +3,6 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
@@ -12,7 +11,6 @@ import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.WorldSettings;
-import java.util.Arrays;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
@@ -35,8 +33,8 @@ public final class PreparedChanges {
     /** Positions of static circles, which travel there. */
     private int travels;
 
-    /** A bit for each id, set if its circle is to be removed. Only valid if the call removes circles. */
-    private long[] leaving = new long[0];
+    /** The circles that are to be removed. Only valid if the call removes circles. */
+    private final IdSet leaving = new IdSet();
 
     public PreparedChanges(
             Guard guard,
@@ -142,23 +140,13 @@ public final class PreparedChanges {
     /** Prepares that a circle goes. Returns false if this has been prepared already. */
     boolean remove(int id) {
         if (count == 0) {
-            clearLeaving(IdMask.words(handles.end()));
+            leaving.begin(handles.end());
         }
-        long bit = 1L << id;
-        if ((leaving[id / Long.SIZE] & bit) != 0) {
+        if (!leaving.add(id)) {
             return false;
         }
-        leaving[id / Long.SIZE] |= bit;
         setChecked(Commands.REMOVE, id, 0, 0);
         return true;
-    }
-
-    private void clearLeaving(int words) {
-        if (leaving.length < words) {
-            leaving = new long[words + (words >> 1)];
-        } else {
-            Arrays.fill(leaving, 0, words, 0);
-        }
     }
 
     /** Reads are forgotten by the operation; {@link Commands#FIELD} also if some are of restitutions. */

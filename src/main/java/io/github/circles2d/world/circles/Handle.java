@@ -1,6 +1,6 @@
 package io.github.circles2d.world.circles;
 
-/** The numbers that callers name circles, pieces and bodies of terrain by: ((generation + 1) &lt;&lt; 32 | id), which is never 0. */
+/** The numbers that callers name circles, pieces and bodies of terrain, and joints by: ((generation + 1) &lt;&lt; 32 | id), which is never 0. */
 public final class Handle {
     private static final int GENERATION_SHIFT = 32;
     private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;

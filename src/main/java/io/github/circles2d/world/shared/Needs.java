@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.terrain.TerrainTables;
 
@@ -16,6 +17,7 @@ public final class Needs {
     private final Pipeline pipeline;
     private final KindTable kinds;
     private final TerrainTables terrain;
+    private final JointTables joints;
     private final WorldSettings settings;
 
     /** Whether a call has made a circle turn, or has given it a surface or a torque. */
@@ -26,10 +28,15 @@ public final class Needs {
     /** Whether the pipeline is ready for terrain. */
     private boolean hasTerrain;
 
-    public Needs(Pipeline pipeline, KindTable kinds, TerrainTables terrain, WorldSettings settings) {
+    /** Whether the pipeline is ready for joints. */
+    private boolean hasJoints;
+
+    public Needs(
+            Pipeline pipeline, KindTable kinds, TerrainTables terrain, JointTables joints, WorldSettings settings) {
         this.pipeline = pipeline;
         this.kinds = kinds;
         this.terrain = terrain;
+        this.joints = joints;
         this.settings = settings;
     }
 
@@ -45,30 +52,35 @@ public final class Needs {
 
     /** Whether the world has begun to turn, and the pipeline is not ready for that. */
     boolean beginsToTurn() {
-        return !turns && (asked || kinds.grips() || settings.surfaces().any());
+        return !turns && (asked || kinds.grips() || settings.surfaces().any() || joints.table.turns());
     }
 
     /** Whether the pipeline is not ready for what the world has begun to need. */
     boolean begins() {
-        return beginsToTurn() || !hasTerrain && terrain.isThere();
+        return beginsToTurn() || !hasTerrain && terrain.isThere() || !hasJoints && joints.isThere();
     }
 
     /** Makes the pipeline ready, all steps of which have been made. If it cannot be made so, nothing has changed. */
     public void prepare() {
-        prepare(settings.parameters(), turns || beginsToTurn(), hasTerrain || terrain.isThere());
+        prepare(
+                settings.parameters(),
+                turns || beginsToTurn(),
+                hasTerrain || terrain.isThere(),
+                hasJoints || joints.isThere());
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
         boolean before = turns;
-        prepare(next.parameters(), turns || turns(next), hasTerrain || next.terrain.hasPieces());
+        prepare(next.parameters(), turns || turns(next), hasTerrain || next.terrain.hasPieces(), hasJoints);
         turns = before;
     }
 
-    private void prepare(WorldParameters p, boolean turning, boolean withTerrain) {
-        pipeline.prepare(p.contacts(), new Features(!p.bounds().isWalled(), turning, withTerrain, false));
+    private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
+        pipeline.prepare(p.contacts(), new Features(!p.bounds().isWalled(), turning, withTerrain, withJoints));
         turns = turning;
         hasTerrain = withTerrain;
+        hasJoints = withJoints;
     }
 
     private static boolean turns(SavedState s) {

@@ -3,6 +3,7 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
 
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
 public final class PendingWork {
@@ -12,6 +13,7 @@ public final class PendingWork {
     private final Commands commands;
     private final ContactEvents events;
     private final CallLog log;
+    private final JointTables joints;
     private final Needs needs;
 
     public PendingWork(
@@ -21,6 +23,7 @@ public final class PendingWork {
             Commands commands,
             ContactEvents events,
             CallLog log,
+            JointTables joints,
             Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
@@ -28,6 +31,7 @@ public final class PendingWork {
         this.commands = commands;
         this.events = events;
         this.log = log;
+        this.joints = joints;
         this.needs = needs;
     }
 
@@ -66,7 +70,7 @@ public final class PendingWork {
         }
     }
 
-    /** Makes the pipeline ready for circles that turn, or for terrain, if the world has begun to need that. */
+    /** Makes the pipeline ready for circles that turn, for terrain or for joints, if the world has begun to need that. */
     public void prepareNeeds() {
         if (needs.begins()) {
             finish();
@@ -91,6 +95,13 @@ public final class PendingWork {
     public void settle() {
         apply();
         finish();
+    }
+
+    /** Makes joints what steps have led to, if any may have broken: before a call that looks at joints or changes them. */
+    public void settleJoints() {
+        if (joints.table.breaks()) {
+            finish();
+        }
     }
 
     /** Waits for the events of all steps so far. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.BodyRow;
@@ -19,7 +20,7 @@ public final class BodyTable {
     /** A body turns so far in a sub-step at most, in units of an angle: a sixteenth less than half a turn. */
     private static final long MOST_TURN = 15L << 27;
 
-    public final TerrainIds ids = new TerrainIds();
+    public final IdTable ids = new IdTable();
 
     double[] x = new double[0];
     double[] y = new double[0];
@@ -46,12 +47,15 @@ public final class BodyTable {
     /** Whether a body is among them. */
     private boolean[] isMover = new boolean[0];
 
+    /** Counts how often bodies have changed their places. */
+    private int jumps;
+
     // the motion in the step that begins
     private double nextX;
     private double nextY;
-    private long turn;
-    private double travelX;
-    private double travelY;
+    long turn;
+    double travelX;
+    double travelY;
 
     BodyTable() {
         setRoom(8);
@@ -159,6 +163,11 @@ public final class BodyTable {
         y[id] = toY;
         angle[id] = toAngle;
         travels[id] = false;
+        jumps++;
+    }
+
+    int jumps() {
+        return jumps;
     }
 
     /** Whether it moves in the next step. */
@@ -193,7 +202,7 @@ public final class BodyTable {
     }
 
     /** Works out how a body moves in a step, which may end at the edge of the coordinates. */
-    private void plan(int id, float dt, int subSteps, Bounds bounds) {
+    void plan(int id, float dt, int subSteps, Bounds bounds) {
         if (travels[id]) {
             nextX = targetX[id];
             nextY = targetY[id];
@@ -251,6 +260,7 @@ public final class BodyTable {
         y[id] = place(nextY, bounds.minY(), bounds.periodY());
         angle[id] += (int) turn;
         travels[id] = false;
+        jumps++;
     }
 
     /** Inside an axis that wraps. */
@@ -348,6 +358,7 @@ public final class BodyTable {
     void loadPoses(SavedTerrain from) {
         int n = from.bodyIds;
         moverCount = 0;
+        jumps++;
         Arrays.fill(isMover, false);
         System.arraycopy(from.x, 0, x, 0, n);
         System.arraycopy(from.y, 0, y, 0, n);

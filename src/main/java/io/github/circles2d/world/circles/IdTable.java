@@ -1,17 +1,16 @@
-package io.github.circles2d.world.terrain;
+package io.github.circles2d.world.circles;
 
-import io.github.circles2d.world.circles.Handle;
 import java.util.Arrays;
 
-/** Which ids are in use, of pieces or of bodies, under a {@link Handle} each. The next one gets the lowest free id. */
-public final class TerrainIds {
+/** Which ids are in use, of pieces or bodies of terrain or of joints, under a {@link Handle} each. The next one gets the lowest free id. */
+public final class IdTable {
     private boolean[] live = new boolean[0];
     private int[] generation = new int[0];
     private int size;
     private int end;
     private int noneFreeBelow;
 
-    TerrainIds() {}
+    public IdTable() {}
 
     public int size() {
         return size;
@@ -48,26 +47,26 @@ public final class TerrainIds {
     }
 
     /** Ids that the arrays have room for. The array that is made last tells. */
-    int room() {
+    public int room() {
         return generation.length;
     }
 
-    void setRoom(int ids) {
+    public void setRoom(int ids) {
         live = Arrays.copyOf(live, ids);
         generation = Arrays.copyOf(generation, ids);
     }
 
-    void save(int[] generations) {
+    public void save(int[] generations) {
         System.arraycopy(generation, 0, generations, 0, end);
     }
 
     /** Whether a saved id has been used as often as it has been here. */
-    boolean isSame(int id, boolean lives, int generations) {
+    public boolean isSame(int id, boolean lives, int generations) {
         return live[id] == lives && generation[id] == generations;
     }
 
     /** Begins to take over saved ids, none of which lives yet; there is room. */
-    void load(int[] generations, int ids) {
+    public void load(int[] generations, int ids) {
         Arrays.fill(live, false);
         Arrays.fill(generation, 0);
         System.arraycopy(generations, 0, generation, 0, ids);
@@ -77,13 +76,13 @@ public final class TerrainIds {
     }
 
     /** A saved id lives. */
-    void revive(int id) {
+    public void revive(int id) {
         live[id] = true;
         size++;
     }
 
     /** There is room. */
-    int add() {
+    public int add() {
         int id = noneFreeBelow;
         while (id < end && live[id]) {
             id++;
@@ -95,7 +94,7 @@ public final class TerrainIds {
         return id;
     }
 
-    void remove(int id) {
+    public void remove(int id) {
         live[id] = false;
         generation[id] = Handle.next(generation[id]);
         noneFreeBelow = Math.min(noneFreeBelow, id);

@@ -1,0 +1,353 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.joints.JointForm;
+import io.github.circles2d.world.joints.JointSetting;
+import io.github.circles2d.world.model.Limits;
+
+/**
+ * The joints of a {@link World}: ropes, bridges, springs, wheels, welded bodies, the mouse. {@link World#joints} gives this object.
+ *
+ * <pre>{@code
+ * Joints joints = world.joints();
+ * long hook = joints.add(world.add(40, 50, 1, 1), 40, 60, Joint.rope(10));
+ * long mouse = joints.add(ball, x, y, Joint.mouse(5, 1, 1000));
+ * joints.setAnchor(mouse, newX, newY); // in each frame
+ * joints.remove(mouse);
+ * }</pre>
+ *
+ * <p><b>Handles</b> are as those of circles: longs, never 0, stale once the joint has gone.
+ *
+ * <p><b>Joints go</b> if they are removed, if they break ({@link Joint#breakingAt}), and with each circle and each body of terrain that they hold.
+ *
+ * <p><b>Collisions:</b> two circles that a joint holds do not collide, unless it is {@link Joint#colliding}.
+ *
+ * <p><b>Rigid</b> joints yield a little if masses differ: a rope of 100 links with an end of 100 times the mass of a link stretches by a fifth.
+ * A second joint, a rope from its first circle to its last one, keeps it from that.
+ *
+ * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor.
+ *
+ * <p><b>Limits:</b> a world has at most 2^20 joints. A circle may have any number; from the 25th on, its joints are softer. A world without joints
+ * pays nothing for this. A change acts from the next step on. Joints are in snapshots, in logs and in the hash. The rules of {@link World} for
+ * threads, failures and closed worlds hold here, too.
+ */
+public final class Joints {
+    private final Simulation simulation;
+
+    Joints(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    private static JointForm form(Joint joint) {
+        return Limits.notNull("joint", joint).form();
+    }
+
+    // ---- joints come
+    // -------------------------------------------------------------------------------------------------
+
+    /**
+     * Adds a joint between two circles.
+     *
+     * @param circle the handle of its first circle
+     * @param other that of the other one
+     * @param joint what it does: no pin, and no friction
+     * @return the handle of the joint
+     * @throws IllegalArgumentException if a circle has been removed, both are one or are static, the joint is of no use between two circles, or
+     *     there are 2^20 joints
+     */
+    public long add(long circle, long other, Joint joint) {
+        return simulation.joints().add(circle, other, form(joint));
+    }
+
+    /**
+     * Adds a joint between a circle and a place of the world.
+     *
+     * @param circle the handle of the circle
+     * @param x x of the anchor, up to 1e9 in magnitude
+     * @param y y of it
+     * @param joint what it does: a pin, or a joint along a line, but no weld
+     * @return the handle of the joint
+     * @throws IllegalArgumentException if the circle has been removed or is static, a value is out of range, the joint takes no anchor, or
+     *     there are 2^20 joints
+     */
+    public long add(long circle, float x, float y, Joint joint) {
+        return simulation.joints().add(circle, simulation.bodies().ground(), x, y, form(joint));
+    }
+
+    /**
+     * Adds a joint between a circle and a place of a body of terrain, with which the anchor moves.
+     *
+     * @param circle the handle of the circle
+     * @param body the body
+     * @param x x of the anchor in the body's coordinates, up to 1e9 in magnitude
+     * @param y y of it
+     * @param joint what it does: a pin, or a joint along a line, but no weld
+     * @return the handle of the joint
+     * @throws IllegalArgumentException as {@link #add(long, float, float, Joint)}, or if the body has been removed or is none of this world's
+     */
+    public long add(long circle, TerrainBody body, float x, float y, Joint joint) {
+        return simulation.joints().add(circle, Limits.notNull("body", body).handle(), x, y, form(joint));
+    }
+
+    /**
+     * Adds a joint between a circle and the world, without a place.
+     *
+     * @param circle the handle of the circle
+     * @param joint what it does: a motor, a servo or friction
+     * @return the handle of the joint
+     * @throws IllegalArgumentException if the circle has been removed or is static, the joint needs another end, or there are 2^20 joints
+     */
+    public long add(long circle, Joint joint) {
+        return simulation.joints().add(circle, form(joint));
+    }
+
+    /**
+     * Adds joints between two circles each: all of them, or none if one is refused.
+     *
+     * @param circles the handles of their first circles
+     * @param others those of the other ones, as many
+     * @param joint what each of them does
+     * @param handles takes the handles of the joints; may be null
+     * @return the number of joints
+     * @throws IllegalArgumentException if a joint is refused, as by {@link #add(long, long, Joint)}, with its index; or if an array has a
+     *     wrong length
+     */
+    public int addAll(long[] circles, long[] others, Joint joint, long[] handles) {
+        return simulation.joints().addAll(circles, others, form(joint), handles);
+    }
+
+    // ---- joints go
+    // ---------------------------------------------------------------------------------------------------
+
+    /**
+     * Removes a joint.
+     *
+     * @param joint the handle of a joint
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public void remove(long joint) {
+        simulation.joints().remove(joint);
+    }
+
+    /**
+     * Removes many joints: all of them, or none if one is refused.
+     *
+     * @param joints handles of joints
+     * @throws IllegalArgumentException if a joint has gone, or is there twice; the message has the index
+     */
+    public void removeAll(long[] joints) {
+        simulation.joints().removeAll(joints);
+    }
+
+    /** Removes all joints. */
+    public void clear() {
+        simulation.joints().clear();
+    }
+
+    // ---- which there are
+    // ---------------------------------------------------------------------------------------------
+
+    /**
+     * Whether a handle is that of a joint of this world.
+     *
+     * @param joint any number
+     * @return false if it is stale or never was a handle
+     */
+    public boolean contains(long joint) {
+        return simulation.jointReads().contains(joint);
+    }
+
+    /**
+     * The number of joints.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return simulation.jointReads().size();
+    }
+
+    /**
+     * The id of a handle: its lower 32 bits. Two joints that are there at the same time have different ids. When a joint has gone, a new one takes
+     * its id over.
+     *
+     * @param joint the handle of a joint, stale or not
+     * @return its id, at least 0
+     */
+    public static int id(long joint) {
+        return (int) joint;
+    }
+
+    /**
+     * How long the caller's arrays by id of joints must be: one more than the greatest id that a joint has had.
+     *
+     * @return at least {@link #size}
+     */
+    public int idLimit() {
+        return simulation.jointReads().idLimit();
+    }
+
+    /**
+     * The handle of the joint that has an id now.
+     *
+     * @param id an id, at least 0 and less than {@link #idLimit}
+     * @return the handle; 0 if no joint has the id
+     * @throws IllegalArgumentException if the id is out of range
+     */
+    public long handle(int id) {
+        return simulation.jointReads().handle(id);
+    }
+
+    /**
+     * The first circle of a joint.
+     *
+     * @param joint the handle of a joint
+     * @return the handle of the circle
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public long circle(long joint) {
+        return simulation.jointReads().circle(joint, false);
+    }
+
+    /**
+     * The other circle of a joint.
+     *
+     * @param joint the handle of a joint
+     * @return the handle of the circle; -1 if the joint holds one alone
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public long other(long joint) {
+        return simulation.jointReads().circle(joint, true);
+    }
+
+    /**
+     * What a joint does now.
+     *
+     * @param joint the handle of a joint
+     * @return its definition, by which an equal one can be added
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public Joint joint(long joint) {
+        return new Joint(simulation.jointReads().form(joint));
+    }
+
+    // ---- joints change
+    // -----------------------------------------------------------------------------------------------
+
+    private void set(JointSetting setting, long joint, float a, float b) {
+        simulation.joints().set(setting, joint, a, b);
+    }
+
+    /**
+     * Puts the anchor of a joint somewhere else.
+     *
+     * @param joint the handle of a joint
+     * @param x x of the anchor, of the world or of the body of terrain that it is on; up to 1e9 in magnitude
+     * @param y y of it
+     * @throws IllegalArgumentException if the joint has gone or has no anchor, or a value is out of range
+     */
+    public void setAnchor(long joint, float x, float y) {
+        set(JointSetting.ANCHOR, joint, x, y);
+    }
+
+    /**
+     * Sets the length of a distance joint or a spring.
+     *
+     * @param joint the handle of a joint
+     * @param length 0 to 1e9
+     * @throws IllegalArgumentException if the joint has gone or has no such length, or the length is out of range
+     */
+    public void setLength(long joint, float length) {
+        set(JointSetting.LENGTH, joint, length, 0);
+    }
+
+    /**
+     * Sets the least and the greatest length of a spring or of a joint with limits.
+     *
+     * @param joint the handle of a joint
+     * @param minLength 0 to 1e9
+     * @param maxLength at least the other one; may be infinite
+     * @throws IllegalArgumentException if the joint has gone or has no limits, or a length is out of range
+     */
+    public void setLimits(long joint, float minLength, float maxLength) {
+        set(JointSetting.LIMITS, joint, minLength, maxLength);
+    }
+
+    /**
+     * Sets the spring of a spring, a pin with a spring or a servo.
+     *
+     * @param joint the handle of a joint
+     * @param hertz 0 to 10,000
+     * @param dampingRatio 0 to 1,000
+     * @throws IllegalArgumentException if the joint has gone or has no spring, or a value is out of range
+     */
+    public void setSpring(long joint, float hertz, float dampingRatio) {
+        set(JointSetting.SPRING, joint, hertz, dampingRatio);
+    }
+
+    /**
+     * Sets the speed of a motor.
+     *
+     * @param joint the handle of a joint
+     * @param speed radians per second, up to 1e9 in magnitude
+     * @throws IllegalArgumentException if the joint has gone or is no motor, or the speed is out of range
+     */
+    public void setSpeed(long joint, float speed) {
+        set(JointSetting.SPEED, joint, speed, 0);
+    }
+
+    /**
+     * Sets the angle of a servo.
+     *
+     * @param joint the handle of a joint
+     * @param angle radians, up to 1e6 in magnitude
+     * @throws IllegalArgumentException if the joint has gone or is no servo, or the angle is out of range
+     */
+    public void setAngle(long joint, float angle) {
+        set(JointSetting.ANGLE, joint, angle, 0);
+    }
+
+    /**
+     * Sets the greatest force of a pin or of friction.
+     *
+     * @param joint the handle of a joint
+     * @param maxForce at least 0; may be infinite
+     * @throws IllegalArgumentException if the joint has gone or has no greatest force, or the force is out of range
+     */
+    public void setMaxForce(long joint, float maxForce) {
+        set(JointSetting.MAX_FORCE, joint, maxForce, 0);
+    }
+
+    /**
+     * Sets the greatest torque of a motor, a servo or of friction.
+     *
+     * @param joint the handle of a joint
+     * @param maxTorque at least 0; may be infinite
+     * @throws IllegalArgumentException if the joint has gone or has no greatest torque, or the torque is out of range
+     */
+    public void setMaxTorque(long joint, float maxTorque) {
+        set(JointSetting.MAX_TORQUE, joint, maxTorque, 0);
+    }
+
+    /**
+     * Sets by what a joint breaks, as {@link Joint#breakingAt}.
+     *
+     * @param joint the handle of a joint
+     * @param force at least 0; may be infinite
+     * @param torque likewise
+     * @throws IllegalArgumentException if the joint has gone, or a value is out of range
+     */
+    public void setBreaking(long joint, float force, float torque) {
+        set(JointSetting.BREAKING, joint, force, torque);
+    }
+
+    /**
+     * Sets whether the two circles of a joint collide.
+     *
+     * @param joint the handle of a joint
+     * @param collide whether they do
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public void setColliding(long joint, boolean collide) {
+        set(JointSetting.COLLIDING, joint, collide ? 1 : 0, 0);
+    }
+}

@@ -1,0 +1,307 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.joints.JointForm;
+import io.github.circles2d.world.joints.JointLimits;
+import io.github.circles2d.world.joints.JointSetting;
+import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.JointTables;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.terrain.BodyTable;
+import io.github.circles2d.world.terrain.TerrainTables;
+
+/** The calls that change joints. A change acts from the next step on. */
+public final class JointCalls {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.CircleChange<JointCalls> REMOVE = (joints, handle, n, a, b) -> joints.removeOne(handle);
+    private static final Guard.Change<JointCalls> CLEAR = JointCalls::removeEach;
+    private static final Guard.CircleChange<JointCalls> SET = JointCalls::setOne;
+    private static final Guard.ChangeWith<JointCalls, long[]> REMOVE_ALL = JointCalls::removeMany;
+
+    private final Guard guard;
+    private final HandleTable handles;
+    private final TerrainTables terrain;
+    private final JointTables joints;
+    private final JointTable table;
+    private final PendingWork pending;
+    private final Copies copies;
+
+    /** What a call names. */
+    private int[] found = new int[0];
+
+    private int[] foundOthers = new int[0];
+    private final IdSet leaving = new IdSet();
+
+    // circles as of now, if new joints look at them
+    private float[] circles;
+    private int[] angles;
+
+    public JointCalls(
+            Guard guard,
+            HandleTable handles,
+            TerrainTables terrain,
+            JointTables joints,
+            PendingWork pending,
+            Copies copies) {
+        this.guard = guard;
+        this.handles = handles;
+        this.terrain = terrain;
+        this.joints = joints;
+        this.pending = pending;
+        this.copies = copies;
+        table = joints.table;
+    }
+
+    // ---- joints come
+    // -------------------------------------------------------------------------------------------------
+
+    /** Adds a joint between two circles, and returns its handle. */
+    public long add(long circle, long other, JointForm form) {
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int a = Circles.find(handles, circle);
+            int b = Circles.find(handles, other);
+            JointLimits.circles(form, a, b, handles);
+            begin(form, 1);
+            guard.changing = true;
+            int joint = addOne(form, a, b);
+            guard.changing = false;
+            return table.ids.handle(joint);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Adds a joint that holds a circle to no place, and returns its handle. */
+    public long add(long circle, JointForm form) {
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int a = Circles.find(handles, circle);
+            JointLimits.alone(form, a, handles);
+            begin(form, 1);
+            guard.changing = true;
+            int joint = addOne(form, a, JointRow.NONE);
+            guard.changing = false;
+            return table.ids.handle(joint);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Adds a joint that holds a circle to a place of a body of terrain, in the body's coordinates, and returns its handle. */
+    public long add(long circle, long body, float x, float y, JointForm form) {
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int a = Circles.find(handles, circle);
+            int of = Bodies.find(terrain, body);
+            JointLimits.anchor(form, a, x, y, handles);
+            begin(form, 1);
+            table.ensureBodies(terrain.bodies.ids.end());
+            guard.changing = true;
+            int joint = joints.add(form, a, of == BodyTable.GROUND ? JointTable.NO_BODY : of, x, y);
+            complete(form, joint);
+            guard.changing = false;
+            return table.ids.handle(joint);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Adds joints between two circles each; the handles are optional. Returns how many. */
+    public int addAll(long[] firsts, long[] others, JointForm form, long[] to) {
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int n = checkLengths(firsts, others, to);
+            JointLimits.room(n, table.ids.size());
+            ensureFound(n);
+            for (int k = 0; k < n; k++) {
+                find(k, firsts[k], others[k], form);
+            }
+            begin(form, n);
+            guard.changing = true;
+            for (int k = 0; k < n; k++) {
+                int joint = addOne(form, found[k], foundOthers[k]);
+                if (to != null) {
+                    to[k] = table.ids.handle(joint);
+                }
+            }
+            guard.changing = false;
+            return n;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private static int checkLengths(long[] firsts, long[] others, long[] to) {
+        int n = Limits.notNull("circles", firsts).length;
+        if (Limits.notNull("others", others).length != n) {
+            throw new IllegalArgumentException(
+                    "others has " + others.length + " elements, but must have one for each of " + n + " circles");
+        }
+        if (to != null && to.length < n) {
+            throw new IllegalArgumentException(
+                    "handles has " + to.length + " elements, but there are " + n + " joints");
+        }
+        return n;
+    }
+
+    private void ensureFound(int n) {
+        if (foundOthers.length < n) {
+            found = new int[n];
+            foundOthers = new int[n];
+        }
+    }
+
+    private void find(int k, long circle, long other, JointForm form) {
+        try {
+            found[k] = Circles.find(handles, circle);
+            foundOthers[k] = Circles.find(handles, other);
+            JointLimits.circles(form, found[k], foundOthers[k], handles);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Makes room for joints, which have been checked, and looks at what they take from circles. */
+    private void begin(JointForm form, int more) {
+        JointLimits.room(more, table.ids.size());
+        table.ensure(more, handles.end());
+        if (form.springs()) {
+            table.ensureSprings(more);
+        }
+        if (form.looks()) {
+            circles = copies.last().circles();
+            angles = copies.last().angles();
+        }
+        copies.forgetSaved();
+    }
+
+    private int addOne(JointForm form, int a, int b) {
+        int joint = joints.add(form, a, b);
+        complete(form, joint);
+        return joint;
+    }
+
+    private void complete(JointForm form, int joint) {
+        if (form.looks()) {
+            joints.complete(joint, circles, angles);
+        }
+    }
+
+    // ---- joints change
+    // -----------------------------------------------------------------------------------------------
+
+    /** Sets something of a joint, by one or two values. */
+    public void set(JointSetting setting, long handle, float a, float b) {
+        guard.change(this, handle, setting.number, a, b, SET);
+    }
+
+    private void setOne(long handle, int number, float a, float b) {
+        pending.settleJoints();
+        JointSetting setting = JointSetting.of(number);
+        int joint = find(handle);
+        joints.check(joint, setting, a, b);
+        if (setting == JointSetting.SPRING) {
+            table.ensureSprings(1);
+        }
+        copies.forgetSaved();
+        guard.changing = true;
+        joints.set(joint, setting, a, b);
+        guard.changing = false;
+    }
+
+    private int find(long handle) {
+        return find(table, handle);
+    }
+
+    /** The id of the joint that has a handle. */
+    public static int find(JointTable table, long handle) {
+        int joint = table.ids.find(handle);
+        if (joint < 0) {
+            throw new IllegalArgumentException(gone(handle));
+        }
+        return joint;
+    }
+
+    private static String gone(long handle) {
+        return "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's";
+    }
+
+    // ---- joints go
+    // ---------------------------------------------------------------------------------------------------
+
+    /** Removes a joint. */
+    public void remove(long handle) {
+        guard.change(this, handle, 0, 0, 0, REMOVE);
+    }
+
+    private void removeOne(long handle) {
+        pending.settleJoints();
+        int joint = find(handle);
+        copies.forgetSaved();
+        guard.changing = true;
+        table.remove(joint);
+        guard.changing = false;
+    }
+
+    /** Removes joints, all or none. */
+    public void removeAll(long[] them) {
+        guard.change(this, them, REMOVE_ALL);
+    }
+
+    private void removeMany(long[] them) {
+        pending.settleJoints();
+        int n = Limits.notNull("joints", them).length;
+        ensureFound(n);
+        leaving.begin(table.ids.end());
+        for (int k = 0; k < n; k++) {
+            findLeaving(k, them[k]);
+        }
+        copies.forgetSaved();
+        guard.changing = true;
+        for (int k = 0; k < n; k++) {
+            table.remove(found[k]);
+        }
+        guard.changing = false;
+    }
+
+    private void findLeaving(int k, long handle) {
+        int joint = table.ids.find(handle);
+        if (joint < 0) {
+            throw new IllegalArgumentException("handle " + k + ": " + gone(handle));
+        }
+        if (!leaving.add(joint)) {
+            throw new IllegalArgumentException("handle " + k + " occurs twice");
+        }
+        found[k] = joint;
+    }
+
+    /** Removes all joints. */
+    public void clear() {
+        guard.change(this, CLEAR);
+    }
+
+    private void removeEach() {
+        pending.settleJoints();
+        copies.forgetSaved();
+        guard.changing = true;
+        table.clear();
+        guard.changing = false;
+    }
+}

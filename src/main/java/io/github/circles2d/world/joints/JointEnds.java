@@ -1,0 +1,78 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.terrain.TerrainTables;
+
+/** Where the two ends of a joint are; of a joint without a place both are at its circle. The second one is the image nearest to the first. */
+public final class JointEnds {
+    private final JointTables joints;
+    private final HandleTable handles;
+    private final TerrainTables terrain;
+    private float[] circles;
+    private float x;
+    private float y;
+    private float dx;
+    private float dy;
+
+    JointEnds(JointTables joints, HandleTable handles, TerrainTables terrain) {
+        this.joints = joints;
+        this.handles = handles;
+        this.terrain = terrain;
+    }
+
+    /** Takes circles as of now, as a bulk read gives them. */
+    public JointEnds look(float[] now) {
+        circles = now;
+        return this;
+    }
+
+    /** Looks at a joint. */
+    public void of(int joint) {
+        JointTable table = joints.table;
+        int a = row(table.a(joint));
+        x = circles[a + CircleRow.X];
+        y = circles[a + CircleRow.Y];
+        dx = 0f;
+        dy = 0f;
+        if (table.b(joint) != JointRow.NONE) {
+            int b = row(table.b(joint));
+            to(circles[b + CircleRow.X], circles[b + CircleRow.Y]);
+        } else if (JointForm.takesAnchor(table.form(joint))) {
+            to(joints.anchorX(joint), joints.anchorY(joint));
+        }
+    }
+
+    private int row(int circle) {
+        return CircleRow.STRIDE * handles.place(circle);
+    }
+
+    private void to(float toX, float toY) {
+        dx = Wrapping.shortWay(toX - x, terrain.bounds().periodX());
+        dy = Wrapping.shortWay(toY - y, terrain.bounds().periodY());
+    }
+
+    /** Of the first end. */
+    public float x() {
+        return x;
+    }
+
+    public float y() {
+        return y;
+    }
+
+    /** From the first end to the second one. */
+    public float dx() {
+        return dx;
+    }
+
+    public float dy() {
+        return dy;
+    }
+
+    public float length() {
+        return (float) Math.sqrt((double) dx * dx + (double) dy * dy);
+    }
+}

@@ -1,0 +1,59 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.HandleTable;
+
+/** Which joints there can be. */
+public final class JointLimits {
+    public static final int JOINTS = 1 << 20;
+
+    private JointLimits() {}
+
+    /** Of two circles. */
+    public static void circles(JointForm form, int a, int b, HandleTable handles) {
+        if (!JointForm.takesCircles(form.traits)) {
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " cannot hold two circles, but must hold one to " + form.place());
+        }
+        if (a == b) {
+            throw new IllegalArgumentException(
+                    "both circles have the handle " + handles.handle(a) + ", but a joint holds two different ones");
+        }
+        if (handles.isStatic(a) && handles.isStatic(b)) {
+            throw new IllegalArgumentException("the circles with the handles " + handles.handle(a) + " and "
+                    + handles.handle(b) + " are both static, but one of them must move");
+        }
+    }
+
+    /** Of a circle and a place. */
+    public static void anchor(JointForm form, int a, float x, float y, HandleTable handles) {
+        if (!JointForm.takesAnchor(form.traits)) {
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " takes no anchor, but must hold a circle to " + form.place());
+        }
+        JointSetting.ANCHOR.check(form.traits, x, y);
+        moves(a, handles);
+    }
+
+    /** Of a circle and the world, without a place. */
+    public static void alone(JointForm form, int a, HandleTable handles) {
+        if (!JointForm.takesNothing(form.traits)) {
+            throw new IllegalArgumentException("a " + form.name() + " must hold a circle to " + form.place());
+        }
+        moves(a, handles);
+    }
+
+    private static void moves(int a, HandleTable handles) {
+        if (handles.isStatic(a)) {
+            throw new IllegalArgumentException(
+                    "the circle with the handle " + handles.handle(a) + " is static, but must move");
+        }
+    }
+
+    /** So many more. */
+    public static void room(int more, int size) {
+        if (more > JOINTS - size) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + JOINTS + " joints, not " + ((long) size + more));
+        }
+    }
+}

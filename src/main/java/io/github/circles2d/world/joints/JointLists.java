@@ -1,0 +1,68 @@
+package io.github.circles2d.world.joints;
+
+import java.util.Arrays;
+
+/** Lists of elements by owner: of the ends of joints by circle, or of joints by body of terrain. An element is in one list at most. */
+final class JointLists {
+    static final int NONE = -1;
+
+    private int[] first = new int[0];
+    private int[] next = new int[0];
+    private int[] previous = new int[0];
+
+    /** Makes room. If there is none, nothing has changed. */
+    void ensure(int owners, int elements) {
+        if (first.length < owners) {
+            int had = first.length;
+            int[] more = Arrays.copyOf(first, Math.max(owners, had + (had >> 1)));
+            Arrays.fill(more, had, more.length, NONE);
+            first = more;
+        }
+        if (previous.length < elements) {
+            int c = Math.max(elements, previous.length + (previous.length >> 1));
+            next = Arrays.copyOf(next, c);
+            previous = Arrays.copyOf(previous, c);
+        }
+    }
+
+    /** The one that came last, or {@link #NONE}. */
+    int first(int owner) {
+        return owner < first.length ? first[owner] : NONE;
+    }
+
+    int next(int element) {
+        return next[element];
+    }
+
+    /** There is room. */
+    void add(int owner, int element) {
+        int then = first[owner];
+        next[element] = then;
+        previous[element] = NONE;
+        if (then != NONE) {
+            previous[then] = element;
+        }
+        first[owner] = element;
+    }
+
+    void remove(int owner, int element) {
+        int then = next[element];
+        int before = previous[element];
+        if (then != NONE) {
+            previous[then] = before;
+        }
+        if (before == NONE) {
+            first[owner] = then;
+        } else {
+            next[before] = then;
+        }
+    }
+
+    void clear() {
+        Arrays.fill(first, NONE);
+    }
+
+    long bytes() {
+        return (long) Integer.BYTES * (first.length + next.length + previous.length);
+    }
+}

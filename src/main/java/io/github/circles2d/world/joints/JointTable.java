@@ -1,0 +1,424 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.IdTable;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointStep;
+import java.util.Arrays;
+
+/**
+ * The joints: of each its rows for steps ({@link JointRow}), its spring, its colour, and where its anchor is on a body of terrain. Changes have been
+ * checked, and there is room.
+ */
+public final class JointTable {
+    /** The body of a joint that has no anchor on one; that of an anchor in the world. */
+    public static final int NO_BODY = -1;
+
+    /** The colour of a split joint. */
+    public static final int SPLIT = JointStep.COLOURS;
+
+    // the ends of a joint
+    private static final int ENDS = 2;
+    private static final int A = 0;
+    private static final int B = 1;
+
+    private static final int ALL_COLOURS = (1 << JointStep.COLOURS) - 1;
+
+    public final IdTable ids = new IdTable();
+
+    final SpringTable springs = new SpringTable();
+
+    float[] rows = new float[0];
+    int[] traits = new int[0];
+    private byte[] colour = new byte[0];
+
+    /** By joint: the body of terrain of its anchor, or {@link #NO_BODY}; and where it is in the body's coordinates. */
+    private int[] body = new int[0];
+
+    private float[] onBody = new float[0];
+
+    private final JointLists ofCircles = new JointLists();
+    private final JointLists ofBodies = new JointLists();
+
+    /** By circle: a bit for each colour that one of its joints has. */
+    private int[] coloursOfCircle = new int[0];
+
+    private int lastSerial;
+
+    // joints by what they have
+    private int turning;
+    private int breakable;
+    private int parting;
+    private int anchoredOnBodies;
+
+    /** Rows and traits that have changed since the step was told of them: from the first one to before the last one. */
+    private int changedFrom = Integer.MAX_VALUE;
+
+    private int changedTo;
+
+    /** Whether joints have come or gone since the step was told of their order. */
+    boolean orderChanged;
+
+    /** Whether circles have become partners, or have ceased to be, since the step was told of them. */
+    boolean partnersChanged;
+
+    /** Makes room for more joints, between circles of ids below a limit. If there is none, nothing has changed. */
+    public void ensure(int more, int circleIds) {
+        int needed = ids.size() + more;
+        if (needed > ids.room()) {
+            int c = Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1));
+            rows = Arrays.copyOf(rows, JointRow.of(c));
+            traits = Arrays.copyOf(traits, JointRow.traits(c));
+            colour = Arrays.copyOf(colour, c);
+            body = Arrays.copyOf(body, c);
+            onBody = Arrays.copyOf(onBody, 2 * c);
+            ids.setRoom(c);
+        }
+        ofCircles.ensure(circleIds, ENDS * ids.room());
+        if (coloursOfCircle.length < circleIds) {
+            coloursOfCircle = Arrays.copyOf(coloursOfCircle, Math.max(circleIds, coloursOfCircle.length * 3 / 2));
+        }
+    }
+
+    /** Makes room for springs of so many more joints. */
+    public void ensureSprings(int more) {
+        springs.ensure(more);
+    }
+
+    /** Makes room for anchors on bodies of ids below a limit. */
+    public void ensureBodies(int bodyIds) {
+        ofBodies.ensure(bodyIds, ids.room());
+    }
+
+    // ---- what there is
+    // -----------------------------------------------------------------------------------------------
+
+    public int a(int joint) {
+        return traits[JointRow.traits(joint) + JointRow.A];
+    }
+
+    /** {@link JointRow#NONE} if it holds a circle to no other. */
+    public int b(int joint) {
+        return traits[JointRow.traits(joint) + JointRow.B];
+    }
+
+    /** {@link JointRow#FORM} */
+    public int form(int joint) {
+        return traits[JointRow.traits(joint) + JointRow.FORM];
+    }
+
+    public int serial(int joint) {
+        return traits[JointRow.traits(joint) + JointRow.SERIAL];
+    }
+
+    /** {@link JointRow#REFERENCE_A} or {@code REFERENCE_B}. */
+    public int reference(int joint, int which) {
+        return traits[JointRow.traits(joint) + which];
+    }
+
+    /** A number of {@link JointRow}. */
+    public float value(int joint, int which) {
+        return rows[JointRow.of(joint) + which];
+    }
+
+    public int colour(int joint) {
+        return colour[joint];
+    }
+
+    public int body(int joint) {
+        return body[joint];
+    }
+
+    /** In the body's coordinates, if the anchor is on one. */
+    public float onBodyX(int joint) {
+        return onBody[2 * joint];
+    }
+
+    public float onBodyY(int joint) {
+        return onBody[2 * joint + 1];
+    }
+
+    /** Hertz; 0 without a spring. */
+    public float frequency(int joint) {
+        return springs.frequency(spring(joint));
+    }
+
+    public float dampingRatio(int joint) {
+        return springs.dampingRatio(spring(joint));
+    }
+
+    private int spring(int joint) {
+        return traits[JointRow.traits(joint) + JointRow.SPRING];
+    }
+
+    /** What a joint does. */
+    public JointForm formOf(int joint) {
+        JointForm form = new JointForm(form(joint));
+        System.arraycopy(rows, JointRow.of(joint), form.row, 0, JointRow.STRIDE);
+        form.frequency = frequency(joint);
+        form.dampingRatio = dampingRatio(joint);
+        form.angle = form.kind() == JointForm.SERVO ? reference(joint, JointRow.REFERENCE_A) : 0;
+        return form;
+    }
+
+    /** Whether joints turn circles. */
+    public boolean turns() {
+        return turning > 0;
+    }
+
+    /** Whether a joint may break. */
+    public boolean breaks() {
+        return breakable > 0;
+    }
+
+    /** How many may break. */
+    public int breakable() {
+        return breakable;
+    }
+
+    /** Whether a joint keeps two circles from colliding. */
+    boolean parts() {
+        return parting > 0;
+    }
+
+    /** How many have an anchor on a body of terrain. */
+    int anchoredOnBodies() {
+        return anchoredOnBodies;
+    }
+
+    boolean isParting(int joint) {
+        return b(joint) != JointRow.NONE && !JointForm.has(form(joint), JointRow.COLLIDE);
+    }
+
+    // ---- the joints of a circle, or of a body; by place in a list, in any order
+    // ------------------------------------------------------------------------
+
+    /** The first place, or a negative number. */
+    public int firstOfCircle(int circle) {
+        return ofCircles.first(circle);
+    }
+
+    public int nextOfCircle(int place) {
+        return ofCircles.next(place);
+    }
+
+    /** The joint at a place of a list of a circle. */
+    public static int jointAt(int place) {
+        return place / ENDS;
+    }
+
+    /** The first joint with an anchor on a body, or a negative number. */
+    public int firstOfBody(int ofBody) {
+        return ofBodies.first(ofBody);
+    }
+
+    public int nextOfBody(int joint) {
+        return ofBodies.next(joint);
+    }
+
+    // ---- changes
+    // -----------------------------------------------------------------------------------------------------
+
+    /** A joint of circle a with circle b, or with none. Its anchor follows. */
+    public int add(JointForm form, int a, int b) {
+        int joint = ids.add();
+        put(joint, form, a, b);
+        colour[joint] = (byte) freeColour(a, b);
+        link(joint);
+        return joint;
+    }
+
+    /** All but the colour, the lists and the id. */
+    private void put(int joint, JointForm form, int a, int b) {
+        System.arraycopy(form.row, 0, rows, JointRow.of(joint), JointRow.STRIDE);
+        int at = JointRow.traits(joint);
+        traits[at + JointRow.A] = a;
+        traits[at + JointRow.B] = b;
+        traits[at + JointRow.FORM] = form.traits;
+        traits[at + JointRow.SPRING] = springOf(form.traits, form.frequency, form.dampingRatio);
+        traits[at + JointRow.ANCHOR] = 0;
+        traits[at + JointRow.REFERENCE_A] = form.angle;
+        traits[at + JointRow.REFERENCE_B] = 0;
+        body[joint] = NO_BODY;
+        renew(joint);
+    }
+
+    private int springOf(int form, float frequency, float dampingRatio) {
+        return JointForm.has(form, JointRow.ELASTIC) ? springs.take(frequency, dampingRatio) : 0;
+    }
+
+    private int freeColour(int a, int b) {
+        int free = ~(coloursOf(a) | coloursOf(b)) & ALL_COLOURS;
+        return free == 0 ? SPLIT : Integer.numberOfTrailingZeros(free);
+    }
+
+    private int coloursOf(int circle) {
+        return circle == JointRow.NONE ? 0 : coloursOfCircle[circle];
+    }
+
+    /** Enters a joint, which has its colour, into the lists of its circles. */
+    private void link(int joint) {
+        linkEnd(joint, A, a(joint));
+        linkEnd(joint, B, b(joint));
+        count(joint, 1);
+        orderChanged = true;
+    }
+
+    private void linkEnd(int joint, int end, int circle) {
+        if (circle != JointRow.NONE) {
+            ofCircles.add(circle, ENDS * joint + end);
+            coloursOfCircle[circle] |= bit(joint);
+        }
+    }
+
+    private void unlinkEnd(int joint, int end, int circle) {
+        if (circle != JointRow.NONE) {
+            ofCircles.remove(circle, ENDS * joint + end);
+            coloursOfCircle[circle] &= ~bit(joint);
+        }
+    }
+
+    /** 0 of a split joint. */
+    private int bit(int joint) {
+        return 1 << colour[joint] & ALL_COLOURS;
+    }
+
+    /** Counts a joint among those that have what it has, or takes it out. */
+    private void count(int joint, int by) {
+        int form = form(joint);
+        turning += JointForm.turns(form) ? by : 0;
+        breakable += JointForm.has(form, JointRow.BREAKABLE) ? by : 0;
+        if (isParting(joint)) {
+            parting += by;
+            partnersChanged = true;
+        }
+    }
+
+    /** Gives a joint an anchor in the world, or another place of it. */
+    public void anchor(int joint, float x, float y) {
+        rows[JointRow.of(joint) + JointRow.ANCHOR_X] = x;
+        rows[JointRow.of(joint) + JointRow.ANCHOR_Y] = y;
+        changed(joint);
+    }
+
+    /** Gives a new joint an anchor on a body of terrain. */
+    public void anchorOn(int joint, int itsBody) {
+        body[joint] = itsBody;
+        ofBodies.add(itsBody, joint);
+        anchoredOnBodies++;
+    }
+
+    /** Where the anchor of a joint is on its body. */
+    public void setOnBody(int joint, float x, float y) {
+        onBody[2 * joint] = x + 0f;
+        onBody[2 * joint + 1] = y + 0f;
+    }
+
+    /** The row of its anchor in the step. */
+    void setAnchorRow(int joint, int row) {
+        if (traits[JointRow.traits(joint) + JointRow.ANCHOR] != row) {
+            traits[JointRow.traits(joint) + JointRow.ANCHOR] = row;
+            changed(joint);
+        }
+    }
+
+    /** The angles, in units, at which both circles are as they should be. */
+    public void setReferences(int joint, int angleA, int angleB) {
+        traits[JointRow.traits(joint) + JointRow.REFERENCE_A] = angleA;
+        traits[JointRow.traits(joint) + JointRow.REFERENCE_B] = angleB;
+        changed(joint);
+    }
+
+    /** Sets a number of {@link JointRow}. */
+    public void setValue(int joint, int which, float value) {
+        rows[JointRow.of(joint) + which] = value;
+        changed(joint);
+    }
+
+    /** All but {@link JointSetting#ANCHOR}. */
+    public void set(int joint, JointSetting setting, float x, float y) {
+        int at = JointRow.traits(joint);
+        int before = traits[at + JointRow.FORM];
+        int after = setting.traits(before, x, y);
+        if (after != before) {
+            count(joint, -1);
+            traits[at + JointRow.FORM] = after;
+            count(joint, 1);
+            if (JointForm.has(after ^ before, JointRow.LOWER | JointRow.UPPER)) {
+                renew(joint); // a limit that has gone pushes no more
+            }
+        }
+        setting.write(rows, JointRow.of(joint), x, y);
+        if (setting == JointSetting.SPRING) {
+            int spring = springOf(after, x + 0f, y + 0f);
+            springs.release(traits[at + JointRow.SPRING]);
+            traits[at + JointRow.SPRING] = spring;
+        } else if (setting == JointSetting.ANGLE) {
+            traits[at + JointRow.REFERENCE_A] = JointSetting.angle(x);
+        }
+        changed(joint);
+    }
+
+    public void remove(int joint) {
+        count(joint, -1);
+        unlinkEnd(joint, A, a(joint));
+        unlinkEnd(joint, B, b(joint));
+        if (body[joint] != NO_BODY) {
+            ofBodies.remove(body[joint], joint);
+            anchoredOnBodies--;
+        }
+        if (JointForm.has(form(joint), JointRow.ELASTIC)) {
+            springs.release(spring(joint));
+        }
+        traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
+        changed(joint);
+        ids.remove(joint);
+        orderChanged = true;
+    }
+
+    /** Removes all joints. */
+    public void clear() {
+        for (int joint = 0; joint < ids.end(); joint++) {
+            if (ids.lives(joint)) {
+                remove(joint);
+            }
+        }
+    }
+
+    /** Its impulses so far do not count. */
+    private void renew(int joint) {
+        lastSerial = lastSerial == Integer.MAX_VALUE ? 1 : lastSerial + 1;
+        traits[JointRow.traits(joint) + JointRow.SERIAL] = lastSerial;
+        changed(joint);
+    }
+
+    private void changed(int joint) {
+        changedFrom = Math.min(changedFrom, joint);
+        changedTo = Math.max(changedTo, joint + 1);
+    }
+
+    /** Tells a step of the rows. */
+    void publish(JointStep step) {
+        step.joints = ids.end();
+        step.rows = rows;
+        step.traits = traits;
+        step.breakable = breaks();
+        step.turns = turns();
+        step.parts = parts();
+        if (changedTo > 0) {
+            step.changedFrom = changedFrom;
+            step.changedTo = changedTo;
+            step.version++;
+            changedFrom = Integer.MAX_VALUE;
+            changedTo = 0;
+        }
+    }
+
+    /** Bytes of the table. */
+    long bytes() {
+        return 4L * (rows.length + traits.length + body.length + onBody.length + coloursOfCircle.length)
+                + colour.length
+                + ofCircles.bytes()
+                + ofBodies.bytes()
+                + springs.bytes();
+    }
+}

@@ -1,0 +1,170 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.terrain.BodyAnchors;
+import io.github.circles2d.world.terrain.TerrainTables;
+
+/** The joints of a world, and what a step is told of them. Changes have been checked, and there is room. */
+public final class JointTables {
+    public final JointTable table = new JointTable();
+
+    private final JointStep step;
+    private final HandleTable handles;
+    private final TerrainTables terrain;
+    private final BodyAnchors places;
+    private final JointSchedule schedule = new JointSchedule(table);
+    private final JointPartners partners = new JointPartners(table);
+    private final JointAnchors anchors;
+    private final JointEnds ends;
+
+    /** No joints. The step is told of what there is. */
+    public JointTables(JointStep step, HandleTable handles, TerrainTables terrain) {
+        this.step = step;
+        this.handles = handles;
+        this.terrain = terrain;
+        places = new BodyAnchors(terrain.bodies);
+        anchors = new JointAnchors(table, places);
+        ends = new JointEnds(this, handles, terrain);
+    }
+
+    /** Whether there are joints. */
+    public boolean isThere() {
+        return table.ids.size() > 0;
+    }
+
+    // ---- changes
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Adds a joint of a circle with another one, or with none; returns its id. */
+    public int add(JointForm form, int circle, int other) {
+        return table.add(form, circle, other);
+    }
+
+    /** Adds a joint of a circle with a place in the world, or on a body. */
+    public int add(JointForm form, int circle, int body, float x, float y) {
+        int joint = table.add(form, circle, JointRow.NONE);
+        if (body != JointTable.NO_BODY) {
+            table.anchorOn(joint, body);
+        }
+        setAnchor(joint, x, y);
+        return joint;
+    }
+
+    /**
+     * Gives a new joint what it takes from its ends as they are now: its length, and a weld its direction and angles.
+     *
+     * @param circles as a bulk read gives them
+     * @param angles likewise, in units; null if no circle has turned
+     */
+    public void complete(int joint, float[] circles, int[] angles) {
+        ends.look(circles).of(joint);
+        if (Float.isNaN(table.value(joint, JointRow.LENGTH))) {
+            table.setValue(joint, JointRow.LENGTH, ends.length());
+        }
+        if (JointForm.kind(table.form(joint)) == JointForm.WELD) {
+            float d = ends.length();
+            table.setValue(joint, JointRow.DIRECTION_X, d > 0f ? ends.dx() / d : 1f);
+            table.setValue(joint, JointRow.DIRECTION_Y, d > 0f ? ends.dy() / d : 0f);
+            if (angles != null) {
+                int a = angles[handles.place(table.a(joint))];
+                table.setReferences(joint, a, angles[handles.place(table.b(joint))]);
+            }
+        }
+    }
+
+    /** Where the ends of joints are, for a caller to look at. */
+    public JointEnds ends() {
+        return ends;
+    }
+
+    /** Gives a joint without another circle a place, in the world or on the body that it has. */
+    private void setAnchor(int joint, float x, float y) {
+        if (table.body(joint) == JointTable.NO_BODY) {
+            Bounds bounds = terrain.bounds();
+            table.anchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
+        } else {
+            table.setOnBody(joint, x, y);
+            anchors.changed();
+        }
+    }
+
+    /** Where the anchor of a joint is now. */
+    public float anchorX(int joint) {
+        int body = table.body(joint);
+        return body == JointTable.NO_BODY
+                ? table.value(joint, JointRow.ANCHOR_X)
+                : places.x(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
+    }
+
+    public float anchorY(int joint) {
+        int body = table.body(joint);
+        return body == JointTable.NO_BODY
+                ? table.value(joint, JointRow.ANCHOR_Y)
+                : places.y(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
+    }
+
+    /** Refuses values that are out of range, and joints that do not have this. */
+    public void check(int joint, JointSetting setting, float a, float b) {
+        setting.check(table.form(joint), a, b);
+        if (setting == JointSetting.ANCHOR && table.b(joint) != JointRow.NONE) {
+            throw new IllegalArgumentException("the joint holds two circles, and has no anchor");
+        }
+    }
+
+    public void set(int joint, JointSetting setting, float a, float b) {
+        if (setting == JointSetting.ANCHOR) {
+            setAnchor(joint, a, b);
+        } else {
+            table.set(joint, setting, a, b);
+        }
+    }
+
+    // ---- steps
+    // -------------------------------------------------------------------------------------------------------
+
+    /** Makes room for {@link #begin}. If there is none, nothing has changed. */
+    public void makeRoom(int subSteps) {
+        if (isThere()) {
+            schedule.makeRoom(step, handles.end());
+            partners.makeRoom(step, handles.end());
+            anchors.makeRoom(step, subSteps);
+            table.springs.makeRoom(step);
+        }
+    }
+
+    /** Tells the next step of the joints. Room has been made. */
+    public void begin(StepConstants constants) {
+        anchors.begin(step, constants, terrain.bounds());
+        table.springs.fill(step, constants.h);
+        if (table.orderChanged) {
+            schedule.make(step, handles.end());
+            table.orderChanged = false;
+        }
+        if (table.partnersChanged) {
+            partners.make(step);
+            table.partnersChanged = false;
+        }
+        table.publish(step);
+    }
+
+    /** Bytes of the tables. */
+    public long bytes() {
+        return isThere() ? table.bytes() + schedule.bytes() + stepBytes() : 0;
+    }
+
+    private long stepBytes() {
+        return 4L
+                * (step.order.length
+                        + step.starts.length
+                        + step.splitIds.length
+                        + step.splitEnds.length
+                        + step.anchors.length
+                        + step.springs.length
+                        + step.partnerStart.length
+                        + step.partners.length);
+    }
+}
