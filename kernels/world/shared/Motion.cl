@@ -75,7 +75,11 @@ INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, floa
 }
 
 INLINE float allowanceOf(const World *w, int slot, float r) {
+#ifdef JOINTS
+    return w->motionClamp[slot].ALLOWANCE; // of one that a joint holds it is infinite
+#else
     return w->k.sweeping ? w->motionClamp[slot].ALLOWANCE : CLAMP_ALLOWANCE * r;
+#endif
 }
 
 // A displacement, brought as near to a place as is allowed.

@@ -365,7 +365,7 @@ void setMotionClamp(const World *w, int slot) {
     float free = as_float(w->timeOfImpact[slot]);
     float2 near = w->near[slot];
     float limit = minf(near.CONTACT_SHARE, 1.0f);
-    float allowance = limit < 1.0f ? near.CONTACT_ALLOWANCE : CLAMP_ALLOWANCE * r;
+    float allowance = limit < 1.0f ? near.CONTACT_ALLOWANCE : plan.ALLOWANCE;
     float2 path = plan.PATH;
     int carrier = w->carrier[slot];
     float own = minf(freeShare(w, slot), carryTime(w, slot));

@@ -303,7 +303,7 @@ void takeSpinSums(const World *w, int slot, bool speeds, bool impulses) {
 
 // Gives a heavy circle what a pass has for it; its sums are empty afterwards. m: motion; l: load.
 void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *m, float4 *l) {
-    if (!isHeavy(w, slot)) return;
+    if (hasOneLevel(w) || !isHeavy(w, slot)) return;
     if (velocities) m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
     if (impulses) {
         l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);

@@ -153,6 +153,9 @@ bool gatherCircle(const World *w, int i) {
     w->id[slot] = listed.LISTED_ID;
     w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
+#ifdef JOINTS
+    workingSlotOf(w)[from] = slot;
+#endif
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
 #ifdef TURNING
     gatherTurning(w, slot, from, listed.LISTED_ID, c, t.INVERSE_MASS);

@@ -228,6 +228,14 @@ int sheetKeyBeside(const World *w, int atLevel, const Sheets *sheets, int overX,
 
 bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 
+// By tiles: whether between passes circles are as Solver.cl has them, since others than like contacts visit them: cross contacts, joints.
+bool sharesPasses(const World *w) {
+#ifdef JOINTS
+    if (w->joints->any) return true;
+#endif
+    return !hasOneLevel(w);
+}
+
 // Groups of like contacts: a bucket each. A colour's are consecutive: level after level, a quarter of its buckets.
 int likeGroups(const World *w) { return w->levels->first[LEVELS]; }
 

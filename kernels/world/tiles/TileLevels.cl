@@ -1,5 +1,5 @@
 // uses: world/stages/CrossSolver.cl world/tiles/TileSolver.cl
-// Several levels by tiles, all in one launch: like contacts, which leave the circles' motion apart; then CrossSolver.cl; then circles by
+// Several levels by tiles, all in one launch, or joints: like contacts, which leave the circles' motion apart; then Joints.cl and CrossSolver.cl; then circles by
 // slots, with the arrays of Solver.cl and not those of TileCircles.cl.
 
 // first: of the step.
@@ -8,8 +8,9 @@ void startSlot(const World *w, int slot, bool first) {
     float4 l = w->load[slot];
     takeSums(w, slot, !first, true, &m, &l);
 #ifdef RECORDING
-    int end = first ? w->groupStart[crossGroupOf(w, slot) + 1] : 0;
-    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w, c);
+    int group = first && !hasOneLevel(w) ? crossGroupOf(w, slot) : 0;
+    int end = group == 0 ? 0 : w->groupStart[group + 1];
+    for (int c = w->groupStart[group]; c < end; c++) beginTouch(w, c);
 #endif
 #ifdef TURNING
     w->surfaceSpeed[slot] = w->solvedSpin[slot];

@@ -288,7 +288,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
-// With several levels: sums for cross contacts to add to. Refuses a crowd, with the contacts found in coarser levels.
+// With several levels, or joints: sums for cross contacts and joints to add to. Refuses a crowd, with the contacts found in coarser levels.
 void gatherLoads(const World *w, local const Arrangement *a, global const int *record, int circles) {
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
@@ -300,7 +300,7 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
         w->spinImpulse[slot] = a->spin[i];
         w->solvedSpin[slot] = w->surfaceSpeed[slot];
 #endif
-        if (metSoFar(progress) + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
+        if (metSoFar(progress) + (hasOneLevel(w) ? 0 : w->coarser[slot]) > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
 #ifdef RECORDING
         clearWallTouch(w, slot);
 #endif
@@ -324,10 +324,10 @@ void startAtPieces(const World *w, local const Arrangement *a, global int *entri
 }
 #endif
 
-// Starts the tile's own, if there is one level, and keeps what contacts need of all.
+// Starts the tile's own, if nobody shares passes with like contacts, and keeps what contacts need of all.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + RECORD_SLOTS;
-    int left = hasOneLevel(w) ? 0 : NOT_OWN;
+    int left = sharesPasses(w) ? NOT_OWN : 0;
 #ifdef TERRAIN
     if (left == 0) startAtPieces(w, a, entry, circles);
 #endif
@@ -461,7 +461,7 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     bool fits = placed && !a->overfull && !crowded;
     int circles = fits ? found : 0;
     recordContacts(w, r, a, record, circles);
-    gatherLoads(w, a, record, hasOneLevel(w) ? 0 : circles);
+    gatherLoads(w, a, record, sharesPasses(w) ? circles : 0);
     takeCircles(w, a, record, circles, together);
     copyContacts(w, a, circles > 0 ? contacts : 0);
     if (get_local_id(0) != 0 || idle || found == 0) return;

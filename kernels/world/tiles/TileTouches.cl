@@ -73,7 +73,7 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     if (faster) touchSlips(w)[number].y = touchSlips(w)[number].x;
 #endif
     if (faster && !touched && isFastApproach(approach, w->k.dt, radii)) {
-        placeTouch(w, number, hasOneLevel(w) ? w->solvedMotion : w->motion, nx, ny, separation);
+        placeTouch(w, number, sharesPasses(w) ? w->motion : w->solvedMotion, nx, ny, separation);
     }
 }
 

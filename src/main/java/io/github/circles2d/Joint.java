@@ -59,7 +59,8 @@ public final class Joint {
     }
 
     /**
-     * Holds two ends by a spring, whose length is their distance when the joint is added.
+     * Holds two ends by a spring, whose length is their distance when the joint is added. Frequency and damping are exact up to 0.087 swings a
+     * sub-step: 21 Hz with 4 sub-steps in 1/60 s. No spring swings faster than 0.159 times a sub-step: 38 Hz. More sub-steps allow more.
      *
      * @param hertz how often it swings in a second without damping, 0 to 10,000
      * @param dampingRatio 0 to 1,000

@@ -107,9 +107,19 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param target as many floats as remain in it are read; its position is left as it is
      */
     public void read(FloatBuffer target) {
+        read(0, target);
+    }
+
+    /**
+     * Reads floats.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param target as many floats as remain in it are read; its position is left as it is
+     */
+    public void read(long offset, FloatBuffer target) {
         FloatBuffer rest = target.duplicate();
-        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
-        for (long at = 0; rest.hasRemaining(); ) {
+        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
+        for (long at = offset; rest.hasRemaining(); ) {
             int count = Math.min(rest.remaining(), staging.floats().capacity());
             read(at, staging, 0, 4L * count);
             FloatBuffer piece = staging.floats().duplicate();
@@ -125,9 +135,19 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param target as many ints as remain in it are read; its position is left as it is
      */
     public void read(IntBuffer target) {
+        read(0, target);
+    }
+
+    /**
+     * Reads ints.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param target as many ints as remain in it are read; its position is left as it is
+     */
+    public void read(long offset, IntBuffer target) {
         IntBuffer rest = target.duplicate();
-        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
-        for (long at = 0; rest.hasRemaining(); ) {
+        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
+        for (long at = offset; rest.hasRemaining(); ) {
             int count = Math.min(rest.remaining(), staging.ints().capacity());
             read(at, staging, 0, 4L * count);
             IntBuffer piece = staging.ints().duplicate();
@@ -265,10 +285,24 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param length number of bytes
      */
     public void copyTo(DeviceBuffer target, long length) {
+        copyTo(0, target, 0, length);
+    }
+
+    /**
+     * Enqueues a copy to another buffer of the same session, and does not wait.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param target where to
+     * @param targetOffset where in it, in bytes
+     * @param length number of bytes
+     */
+    public void copyTo(long offset, DeviceBuffer target, long targetOffset, long length) {
         requireOpen();
-        if (length < 0 || length > Math.min(bytes, target.bytes)) {
-            throw new IndexOutOfBoundsException("cannot copy " + length + " bytes of buffer '" + name + "', which has "
-                    + bytes + ", to buffer '" + target.name + "', which has " + target.bytes);
+        boolean isWithin = offset >= 0 && targetOffset >= 0 && length >= 0;
+        if (!isWithin || offset > bytes - length || targetOffset > target.bytes - length) {
+            throw new IndexOutOfBoundsException("cannot copy " + length + " bytes at " + offset + " of buffer '" + name
+                    + "', which has " + bytes + ", to " + targetOffset + " of buffer '" + target.name + "', which has "
+                    + target.bytes);
         }
         if (target.session != session) {
             throw new IllegalArgumentException("buffer '" + target.name + "' belongs to another session");
@@ -277,7 +311,7 @@ public final class DeviceBuffer implements AutoCloseable {
             return;
         }
         try {
-            buffer.copyBytesTo(session.queue(), target.buffer(), 0, 0, length, WITHOUT_EVENT);
+            buffer.copyBytesTo(session.queue(), target.buffer(), offset, targetOffset, length, WITHOUT_EVENT);
         } catch (CLException e) {
             throw ErrorCodes.failed("copy " + length + " bytes of buffer '" + name + "'", session.device(), e);
         }

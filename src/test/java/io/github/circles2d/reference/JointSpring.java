@@ -12,10 +12,10 @@ package io.github.circles2d.reference;
 record JointSpring(boolean exact, float now, float begun, float way, JointSoftness soft) {
     private static final double FULL_TURN = 6.283185307179586;
     private static final double LN_2 = 0.6931471805599453;
-    private static final double GREATEST_EXACT = 0.8;
+    private static final double GREATEST_EXACT = 0.55;
 
     static JointSpring of(float frequency, float damping, float h) {
-        double w = FULL_TURN * frequency * h;
+        double w = Math.min(FULL_TURN * frequency * h, 1);
         double z = damping;
         if (w > GREATEST_EXACT) {
             double a2 = w * (2 * z + w);

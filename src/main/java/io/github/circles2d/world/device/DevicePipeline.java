@@ -5,10 +5,12 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.BrokenJoints;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
@@ -45,11 +47,16 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** The kernels that have been compiled, by the special cases that they are for. */
-    private final Map<String, StageKernels> variants = new HashMap<>();
+    /** What kernels are compiled for: contacts of any settings, features of the world, and what steps report. */
+    private record Variant(boolean anySettings, Features features, boolean reporting, boolean recording) {
+        static final Variant USUAL = new Variant(false, Features.NONE, false, false);
+    }
 
-    /** By the same keys: what the plans share with these kernels. */
-    private final Map<String, Stages> stagesOf = new HashMap<>();
+    /** The kernels that have been compiled. */
+    private final Map<Variant, StageKernels> variants = new HashMap<>();
+
+    /** What the plans share with these kernels. */
+    private final Map<Variant, Stages> stagesOf = new HashMap<>();
 
     /** What the plans share, with the kernels of one variant. */
     private Stages stages;
@@ -65,6 +72,7 @@ public final class DevicePipeline implements Pipeline {
     private final DeviceSearch search;
     private final StepStatistics stats;
     private final Home home = new Home();
+    private final JointTransfer joints;
     private final StepQueue queue;
 
     /** What the next load needs; null except between making room for it and loading. */
@@ -87,8 +95,8 @@ public final class DevicePipeline implements Pipeline {
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
-            kernels = compile(false, false, false, false, false, false);
-            variants.put("", kernels);
+            joints = new JointTransfer(arrays);
+            kernels = compiled(Variant.USUAL);
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
@@ -107,22 +115,21 @@ public final class DevicePipeline implements Pipeline {
     }
 
     /**
-     * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; for circles that
-     * turn, and for terrain, if there is memory for them.
+     * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; and for features,
+     * if there is memory for them.
      */
     private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
-        boolean turning = arrays.turning();
-        boolean terrain = arrays.terrain();
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
-        String variant = variant(anySettings, edges, turning, terrain, reporting, recording);
-        StageKernels loaded = compiled(anySettings, edges, turning, terrain, reporting, recording);
+        Features features = features(edges);
+        Variant variant = new Variant(anySettings, features, reporting, recording);
+        StageKernels loaded = compiled(variant);
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
         queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
         commands.use(loaded);
-        if (turning) {
+        if (features.turning()) {
             readback.useTurning(loaded);
         }
         plans.forEach(each -> each.load(stages));
@@ -142,85 +149,61 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
-    private static String variant(
-            boolean anySettings,
-            boolean edges,
-            boolean turning,
-            boolean terrain,
-            boolean reporting,
-            boolean recording) {
-        return (anySettings ? "tuned " : "")
-                + (edges ? "edges " : "")
-                + (turning ? "turning " : "")
-                + (terrain ? "terrain " : "")
-                + (recording ? "recording" : reporting ? "reporting" : "");
+    /** Those that there is memory for. */
+    private Features features(boolean edges) {
+        return new Features(edges, arrays.turning(), arrays.terrain(), arrays.joints());
     }
 
-    private StageKernels compiled(
-            boolean anySettings,
-            boolean edges,
-            boolean turning,
-            boolean terrain,
-            boolean reporting,
-            boolean recording) {
-        return variants.computeIfAbsent(
-                variant(anySettings, edges, turning, terrain, reporting, recording),
-                key -> compile(anySettings, edges, turning, terrain, reporting, recording));
+    private StageKernels compiled(Variant variant) {
+        return variants.computeIfAbsent(variant, this::compile);
     }
 
-    private StageKernels compile(
-            boolean anySettings,
-            boolean edges,
-            boolean turning,
-            boolean terrain,
-            boolean reporting,
-            boolean recording) {
+    private StageKernels compile(Variant variant) {
+        Features features = variant.features();
         KernelSource source = Plans.source(plans, session.device());
-        source = anySettings ? source.define("TUNED", 1) : source;
-        source = edges ? source.define("EDGES", 1) : source;
-        source = turning ? source.define("TURNING", 1) : source;
-        source = terrain ? source.define("TERRAIN", 1) : source;
-        return new StageKernels(session, source, workGroupSize, reporting, recording);
+        source = variant.anySettings() ? source.define("TUNED", 1) : source;
+        source = features.edges() ? source.define("EDGES", 1) : source;
+        source = features.turning() ? source.define("TURNING", 1) : source;
+        source = features.terrain() ? source.define("TERRAIN", 1) : source;
+        source = features.joints() ? source.define("JOINTS", 1) : source;
+        return new StageKernels(session, source, workGroupSize, variant.reporting(), variant.recording());
     }
 
-    /** Compiles the plans anew if contacts, the edges, circles that turn, or terrain, need what the kernels do not have, which is rare. */
+    /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, Features features) {
-        boolean edges = features.edges();
-        boolean turning = features.turning();
-        boolean terrain = features.terrain();
         boolean tunes = tuned || contacts.areTuned();
-        boolean edged = isEdged || edges;
-        boolean turns = turning && !arrays.turning();
-        boolean begins = terrain && !arrays.terrain();
-        if (tunes != tuned || edged != isEdged || turns || begins) {
+        Features held = features(isEdged);
+        Features all = held.and(features);
+        if (tunes != tuned || !all.equals(held)) {
             settle();
-            if (turns || begins) {
-                makeRoomFor(tunes, edged, turns || arrays.turning(), begins || arrays.terrain());
-            }
-            load(tunes, edged, reader);
+            makeRoomFor(tunes, all);
+            load(tunes, all.edges(), reader);
             tuned = tunes;
-            isEdged = edged;
+            isEdged = all.edges();
         }
     }
 
     private void startTurning() {
         if (!arrays.turning()) {
-            makeRoomFor(tuned, isEdged, true, arrays.terrain());
+            makeRoomFor(tuned, features(isEdged).and(new Features(false, true, false, false)));
             load(tuned, isEdged, reader);
         }
     }
 
-    /** If a compiler refuses the kernels, or there is no memory, the world does not turn, or has no terrain. */
-    private void makeRoomFor(boolean anySettings, boolean edges, boolean turning, boolean terrain) {
+    /** If a compiler refuses the kernels, or there is no memory, the world does not have the features. */
+    private void makeRoomFor(boolean anySettings, Features features) {
         boolean reporting = reader != null && reader.isActive();
-        compiled(anySettings, edges, turning, terrain, reporting, reporting && reader.isRecording());
+        compiled(new Variant(anySettings, features, reporting, reporting && reader.isRecording()));
         stats.keep(); // the figures of the last step are worked out from arrays that give way
-        if (turning) {
+        if (features.turning()) {
             arrays.ensureTurning();
         }
-        if (terrain) {
+        if (features.terrain()) {
             arrays.ensureTerrain();
+        }
+        if (features.joints()) {
+            arrays.ensureJoints();
         }
     }
 
@@ -422,6 +405,18 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
+    public void saveJoints(SavedJointStates into) {
+        settle();
+        joints.save(into);
+    }
+
+    @Override
+    public void takeBroken(BrokenJoints into) {
+        settle();
+        joints.takeBroken(into, queue.status(), queue.seen());
+    }
+
+    @Override
     public void makeRoom(SavedState from) {
         settle();
         int contacts = Math.max(from.impulses, from.pieceContacts.count);
@@ -434,6 +429,7 @@ public final class DevicePipeline implements Pipeline {
         arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(contacts);
+        joints.makeRoom(from.jointStates);
         links = new StateTransfer.Links(from, arrays);
     }
 
@@ -442,6 +438,7 @@ public final class DevicePipeline implements Pipeline {
         settle();
         StateTransfer.load(from, arrays, links);
         links = null;
+        joints.load(from.jointStates, queue.status(), queue.seen());
         home.slots = from.circles;
         commands.slotsInOrder();
         home.circles = from.circles;

@@ -161,7 +161,8 @@ final class StepQueue {
                 thinning > 0,
                 reports && reader.isRecording(),
                 reports && reader.isSensing(),
-                arrays.turning());
+                arrays.turning(),
+                stages.haveJoints());
     }
 
     /** Waits until all steps have been made. */

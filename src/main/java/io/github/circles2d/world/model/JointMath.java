@@ -8,6 +8,8 @@ public final class JointMath {
     /** So that what cannot be satisfied stays finite; more than the greatest mass at the greatest speed. */
     public static final float GREATEST_IMPULSE = 1e20f;
 
+    public static final float RADIANS_PER_UNIT = 1.4629181e-9f;
+
     private JointMath() {}
 
     public static float kept(float impulse) {
@@ -69,8 +71,6 @@ public final class JointMath {
         float half = 0.5f * (turnedA + turnedB) * Surface.UNITS_PER_RADIAN;
         return b + ((a - b) >> 1) + (int) (long) CircleMath.clamp(half, -Surface.MOST_UNITS, Surface.MOST_UNITS);
     }
-
-    private static final float RADIANS_PER_UNIT = 1.4629181e-9f;
 
     public static float cos(int units) {
         return sin(units + QUARTER);

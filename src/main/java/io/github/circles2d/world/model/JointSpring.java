@@ -3,7 +3,7 @@ package io.github.circles2d.world.model;
 /**
  * A damped spring, as joints need it. A spring that is slow against a sub-step follows the exact map of the damped oscillator, once a sub-step: its
  * frequency and its damping are right whatever the step, and under gravity it sags as far as it should. A faster one is an implicit
- * spring, as {@link Softness}, which is stable at any frequency.
+ * spring, as {@link Softness}, and at most as stiff as steps of this length bear.
  *
  * <p>With w = 2 pi frequency, z the damping ratio and h a sub-step, x'' = -2 z w x' - w^2 x + g has the map v' = a v - b x + c g h,
  * x' = x + h v', with a = exp(-2 z w h), b = (1 + a - 2 exp(-z w h) cos(w h sqrt(1 - z^2))) / h, c = b / (w^2 h).
@@ -24,8 +24,11 @@ public final class JointSpring {
     /** 1, or 0 if it is implicit. */
     public static final int EXACT = 3;
 
-    /** Angular frequency times h up to which a spring is exact. */
-    private static final double MOST_EXACT = 0.8;
+    /** Angular frequency times h up to which a spring is exact: several that are not damped and faster, at one circle, burst. */
+    private static final double MOST_EXACT = 0.55;
+
+    /** Angular frequency times h of the stiffest spring, for the same reason. */
+    private static final double STIFFEST = 1;
 
     private static final double LN_2 = 0.6931471805599453;
     private static final double TURN = 6.283185307179586;
@@ -39,7 +42,7 @@ public final class JointSpring {
     /** Fills a row; in double precision, and by sums, products, quotients and roots alone, which are the same on all platforms. */
     public static void fill(float[] rows, int spring, float frequency, float dampingRatio, float h) {
         int row = of(spring);
-        double w = TURN * frequency * h;
+        double w = Math.min(TURN * frequency * h, STIFFEST);
         double z = dampingRatio;
         if (w > MOST_EXACT) {
             double a2 = w * (2 * z + w);

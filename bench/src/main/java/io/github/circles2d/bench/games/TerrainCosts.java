@@ -5,8 +5,6 @@ import io.github.circles2d.Chain;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import java.io.PrintStream;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
@@ -15,7 +13,7 @@ import java.util.Random;
  * What terrain costs: two worlds make their steps in turn, of which the second has what the first is compared with. The main method prints a
  * line of a CSV file for each.
  *
- * <p>This class needs the library and no other class, so that it runs on a machine with nothing but a JVM and the library.
+ * <p>This class and {@link InTurn} need the library and no other class, so that they run on a machine with nothing but a JVM and the library.
  */
 public final class TerrainCosts {
     /** What is compared. */
@@ -25,22 +23,11 @@ public final class TerrainCosts {
             "case,machine,n,pieces,contacts,other_contacts,ms,other_ms,ratio,ratio_of_minima,more_ms,"
                     + "asked_ratio,asked_more_ms";
 
-    private static final float TIME_STEP = 1 / 60f;
     private static final float RADIUS = 0.49f;
     private static final int PER_PIECE = 15;
     private static final int PIECES_PER_CIRCLE_OF_CAVE = 10;
     private static final int MOVING = 1000;
-
-    /** Steps of a call: none of the cases changes anything between steps. */
-    private static final int CALL = 10;
-
     private static final int SETTLING = 200;
-    private static final int STEPS = 60;
-
-    /** Rounds that do not count, in which the JVM compiles. */
-    private static final int WARM_ROUNDS = 5;
-
-    private static final int ROUNDS = 21;
 
     private TerrainCosts() {}
 
@@ -66,25 +53,11 @@ public final class TerrainCosts {
      * @throws IllegalArgumentException where the arguments are others
      */
     public static void run(List<String> arguments, PrintStream out) {
-        Backend backend = Backend.JVM;
-        List<Integer> sizes = new ArrayList<>();
-        List<String> cases = new ArrayList<>();
-        for (String word : arguments) {
-            if (CASES.contains(word)) {
-                cases.add(word);
-            } else if (word.matches("[1-9]\\d{2,6}")) {
-                sizes.add(Integer.parseInt(word));
-            } else if (Arrays.stream(Backend.values()).anyMatch(b -> b.name().equals(word))) {
-                backend = Backend.valueOf(word);
-            } else {
-                throw new IllegalArgumentException("an argument is one of " + Arrays.toString(Backend.values())
-                        + ", a number of circles from 100 to 9999999, or one of " + CASES + ", not '" + word + "'");
-            }
-        }
+        InTurn.Arguments asked = InTurn.Arguments.read(arguments, 15_000, CASES);
         out.println(HEADER);
-        for (int n : sizes.isEmpty() ? List.of(15_000) : sizes) {
-            for (String each : cases.isEmpty() ? CASES : cases) {
-                compare(each, backend, n, WARM_ROUNDS, ROUNDS, out);
+        for (int n : asked.sizes()) {
+            for (String each : asked.cases()) {
+                compare(each, asked.backend(), n, InTurn.WARM_ROUNDS, InTurn.ROUNDS, out);
             }
         }
     }
@@ -92,22 +65,7 @@ public final class TerrainCosts {
     static void compare(String what, Backend backend, int n, int warm, int rounds, PrintStream out) {
         try (World with = world(what, true, backend, n);
                 World other = world(what, false, backend, n)) {
-            settle(with);
-            settle(other);
-            double[] ms = new double[rounds];
-            double[] otherMs = new double[rounds];
-            for (int round = -warm; round < rounds; round++) {
-                double a = time(with);
-                double b = time(other);
-                if (round >= 0) {
-                    ms[round] = a;
-                    otherMs[round] = b;
-                }
-            }
-            Arrays.sort(ms);
-            Arrays.sort(otherMs);
-            double a = ms[rounds / 2];
-            double b = otherMs[rounds / 2];
+            InTurn times = InTurn.measure(with, other, SETTLING, warm, rounds);
             out.printf(
                     Locale.ROOT,
                     "%s,\"%s\",%d,%d,%d,%d,%.4f,%.4f,%.3f,%.3f,%.4f,%s,%s%n",
@@ -117,11 +75,11 @@ public final class TerrainCosts {
                     with.terrain().size(),
                     contacts(with),
                     contacts(other),
-                    a,
-                    b,
-                    a / b,
-                    ms[0] / otherMs[0],
-                    a - b,
+                    times.median(),
+                    times.otherMedian(),
+                    times.ratio(),
+                    times.ratioOfMinima(),
+                    times.median() - times.otherMedian(),
                     askedRatio(what),
                     what.equals("moving") ? "0.2" : "");
             out.flush();
@@ -130,20 +88,6 @@ public final class TerrainCosts {
 
     private static String askedRatio(String what) {
         return what.equals("lie") ? "1.25" : what.equals("cave") ? "1.5" : what.equals("floor") ? "1.0" : "";
-    }
-
-    private static void settle(World world) {
-        world.step(TIME_STEP, SETTLING);
-        world.finish();
-    }
-
-    private static double time(World world) {
-        long from = System.nanoTime();
-        for (int k = 0; k < STEPS; k += CALL) {
-            world.step(TIME_STEP, CALL);
-        }
-        world.finish();
-        return (System.nanoTime() - from) / 1e6 / STEPS;
     }
 
     /** Contacts of circles, near ones as well, and pieces that touch circles within the same margin. */

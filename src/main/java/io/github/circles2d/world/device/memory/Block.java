@@ -3,6 +3,7 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.Features;
 import java.util.EnumMap;
 import java.util.Map;
 
@@ -13,16 +14,14 @@ final class Block implements AutoCloseable {
 
     private final DeviceBuffer buffer;
     private final long stride;
-    private final boolean turning;
-    private final boolean terrain;
+    private final Features features;
     private final Map<DeviceArray, DeviceBuffer> slices = new EnumMap<>(DeviceArray.class);
 
-    /** With the arrays of worlds that turn, and of worlds with terrain, or without them. */
-    Block(Session session, Index index, long elements, boolean turning, boolean terrain) {
-        this.turning = turning;
-        this.terrain = terrain;
+    /** With the arrays of worlds with these features. */
+    Block(Session session, Index index, long elements, Features features) {
+        this.features = features;
         stride = (elements + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-        buffer = session.allocate(index.block(), index.elementBytes(turning, terrain) * stride);
+        buffer = session.allocate(index.block(), index.elementBytes(features) * stride);
     }
 
     DeviceBuffer buffer() {
@@ -35,12 +34,14 @@ final class Block implements AutoCloseable {
     }
 
     boolean has(DeviceArray array) {
-        return array.isHeld(turning, terrain);
+        return array.isHeld(features);
     }
 
     DeviceBuffer get(DeviceArray array) {
         return slices.computeIfAbsent(
-                array, a -> buffer.slice(a.kernelName(), a.bytesBefore(turning) * stride, a.elementBytes() * stride));
+                array,
+                a -> buffer.slice(
+                        a.kernelName(), a.bytesBefore(features.turning()) * stride, a.elementBytes() * stride));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.Features;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -20,7 +21,7 @@ final class DeviceArguments {
     private static List<DeviceArray> arrays() {
         List<DeviceArray> arrays = new ArrayList<>();
         for (DeviceArray array : DeviceArray.values()) {
-            if (array.index().block() == null && array.isHeld(false, false)) {
+            if (array.index().block() == null && array.isHeld(Features.NONE)) {
                 arrays.add(array);
             }
         }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
@@ -9,8 +10,8 @@ import io.github.circles2d.world.model.PairTable;
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  *
- * <p>The arrays of worlds that turn come behind these, and those of worlds with terrain last. Kernels that are compiled for such worlds (TURNING,
- * TERRAIN) have them; in other worlds they take no memory.
+ * <p>The arrays of worlds that turn come behind these, those of worlds with terrain behind them, and those of worlds with joints last. Kernels that
+ * are compiled for such worlds (TURNING, TERRAIN, JOINTS) have them; in other worlds they take no memory.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -160,7 +161,8 @@ public enum DeviceArray {
             "float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: impulses of friction and rolling"),
     SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats"),
 
-    // From here on: of worlds with terrain, behind all others of their blocks. There is room for as many piece contacts
+    // From here on up to TERRAIN: of worlds with terrain, behind all others of their blocks. There is room for as many
+    // piece contacts
     // as for contacts.
     HOME_PIECES("int2", "homePieces", Index.HOME_SLOT, "piece contacts: the first, how many"),
     PIECES("int2", "pieces", Index.SLOT, "as homePieces; before they are found, those of the step before"),
@@ -180,7 +182,10 @@ public enum DeviceArray {
             "by piece contact: centre against x and y of the piece, in the frame of the start of the step; target speed of a bounce;"
                     + " gap as the sub-step begins if it is deep, else 0"),
     KIND_TERRAIN("float", "kindTerrain", Index.TABLE, "a row a kind, of KIND_TERRAIN_STRIDE floats"),
-    TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes");
+    TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes"),
+
+    // From here on: of worlds with joints.
+    JOINTS(JointHead.NAME, "joints", Index.TABLE, "where tables lie, from here on, and how many joints there are");
 
     /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
@@ -231,11 +236,11 @@ public enum DeviceArray {
             return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
         }
 
-        /** Bytes of an element of each array of the block, in a world that turns or not, with terrain or without. */
-        long elementBytes(boolean turning, boolean terrain) {
+        /** Bytes of an element of each array of the block, in a world with these features. */
+        long elementBytes(Features features) {
             long sum = 0;
             for (DeviceArray array : values) {
-                sum += array.index == this && array.isHeld(turning, terrain) ? array.elementBytes() : 0;
+                sum += array.index == this && array.isHeld(features) ? array.elementBytes() : 0;
             }
             return sum;
         }
@@ -247,8 +252,11 @@ public enum DeviceArray {
     /** Floats before {@link #KIND_TERRAIN} in the same buffer. */
     static final int KIND_TERRAIN_AT = SURFACES_AT + DeviceArrays.SURFACE_FLOATS;
 
+    /** Floats before {@link #JOINTS} in the same buffer: a multiple of 4. */
+    static final int JOINTS_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;
+
     /** Floats before {@link #TERRAIN} in the same buffer: a multiple of 4. */
-    static final int TERRAIN_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;
+    static final int TERRAIN_AT = JOINTS_AT + JointHead.STRUCT.words() + 3 & ~3;
 
     private static final DeviceArray[] values = values();
 
@@ -279,17 +287,24 @@ public enum DeviceArray {
 
     /** Whether only worlds that turn have it. */
     boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain();
+        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain() && !isOfJoints();
     }
 
     /** Whether only worlds with terrain have it. */
     boolean isOfTerrain() {
-        return ordinal() >= HOME_PIECES.ordinal();
+        return ordinal() >= HOME_PIECES.ordinal() && !isOfJoints();
     }
 
-    /** Whether it has memory in a world that turns or not, with terrain or without. */
-    boolean isHeld(boolean turning, boolean terrain) {
-        return (turning || !turns()) && (terrain || !isOfTerrain());
+    /** Whether only worlds with joints have it. */
+    boolean isOfJoints() {
+        return ordinal() >= JOINTS.ordinal();
+    }
+
+    /** Whether it has memory in a world with these features. */
+    boolean isHeld(Features features) {
+        return (features.turning() || !turns())
+                && (features.terrain() || !isOfTerrain())
+                && (features.joints() || !isOfJoints());
     }
 
     /** The declaration as a parameter, or as a member of the struct World. */
@@ -304,7 +319,7 @@ public enum DeviceArray {
             if (array == this) {
                 break;
             }
-            sum += array.index == index && array.isHeld(turning, true) ? array.elementBytes() : 0;
+            sum += array.index == index && (turning || !array.turns()) ? array.elementBytes() : 0;
         }
         return sum;
     }
@@ -312,7 +327,7 @@ public enum DeviceArray {
     /** What the kernels make the array of, out of their arguments. */
     String expression() {
         if (index == Index.TABLE && tableAt() > 0) {
-            return "(global " + type + " *) " + KIND_MOTION.kernelName + " + " + tableAt();
+            return "(global " + type + " *) ((global float *) " + KIND_MOTION.kernelName + " + " + tableAt() + ")";
         }
         if (index.block == null) {
             return kernelName;
@@ -331,6 +346,7 @@ public enum DeviceArray {
             case SURFACES -> SURFACES_AT;
             case KIND_TERRAIN -> KIND_TERRAIN_AT;
             case TERRAIN -> TERRAIN_AT;
+            case JOINTS -> JOINTS_AT;
             default -> 0;
         };
     }
@@ -351,6 +367,7 @@ public enum DeviceArray {
             case "int4", "float4", "ulong2", "long2" -> 16;
             case "long4" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
+            case JointHead.NAME -> Integer.BYTES * JointHead.STRUCT.words();
             default -> throw new IllegalStateException(type + " has no size here");
         };
     }

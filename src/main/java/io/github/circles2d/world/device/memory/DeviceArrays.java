@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
@@ -47,13 +48,11 @@ public final class DeviceArrays {
     private int copyCapacity;
     private int tileCapacity;
 
-    /** Whether there are the arrays of worlds that turn. */
-    private boolean turning;
-
-    /** Whether there are the arrays of worlds with terrain. */
-    private boolean terrain;
+    /** Those that there are arrays for; edges need none. */
+    private Features features = Features.NONE;
 
     private final TerrainRoom terrainRoom = new TerrainRoom();
+    private final JointRoom jointRoom = new JointRoom();
 
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
@@ -192,13 +191,20 @@ public final class DeviceArrays {
     }
 
     public boolean turning() {
-        return turning;
+        return features.turning();
+    }
+
+    /** Has arrays of further features, or of these alone again. Returns what there was before. */
+    private Features set(Features next) {
+        Features before = features;
+        features = next;
+        return before;
     }
 
     /** Makes room for what circles turn by. No circle has turned, and none has a surface of its own. */
     public void ensureTurning() {
-        if (!turning) {
-            turning = true;
+        if (!features.turning()) {
+            Features before = set(features.and(new Features(false, true, false, false)));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
@@ -209,9 +215,9 @@ public final class DeviceArrays {
                     case TILED_COPY -> copyCapacity;
                     default -> AS_IT_IS;
                 });
-                growTables(DeviceArray.SURFACES_AT + SURFACE_FLOATS);
+                growTables(DeviceArray.SURFACES_AT + SURFACE_FLOATS, jointRoom);
             } catch (RuntimeException | Error e) {
-                turning = false;
+                set(before);
                 throw e;
             }
             fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
@@ -221,27 +227,104 @@ public final class DeviceArrays {
         }
     }
 
-    /** Makes room for tables behind those of kinds; what is there stays. */
-    private void growTables(int floats) {
+    /**
+     * Makes room for tables behind those of kinds, up to the end of terrain's if they are given so many floats, and for those of joints behind
+     * all. What is there stays, but for tables of joints that the host has too: if these move, they have to be written again.
+     */
+    private void growTables(int floats, JointRoom joints) {
         DeviceBuffer before = get(DeviceArray.KIND_MOTION);
-        long bytes = (long) Float.BYTES * floats;
-        if (before.bytes() < bytes) {
-            DeviceBuffer tables = session.allocate("tables of kinds", bytes);
-            before.copyTo(tables, before.bytes());
-            session.finish();
-            arrays.put(DeviceArray.KIND_MOTION, tables).close();
-            version++;
+        int behind = Math.max(floats, terrainRoom.floats());
+        int end = features.joints() ? behind + joints.words() : floats;
+        boolean moves = features.joints() && (joints != jointRoom || behind != terrainRoom.floats());
+        if (before.bytes() >= bytesOf(end) && !moves) {
+            return;
+        }
+        DeviceBuffer tables = session.allocate("tables of kinds", bytesOf(end));
+        before.copyTo(tables, Math.min(before.bytes(), bytesOf(terrainRoom.floats())));
+        if (features.joints()) {
+            keepJoints(before, terrainRoom.floats(), tables, behind, joints);
+        }
+        session.finish();
+        arrays.put(DeviceArray.KIND_MOTION, tables).close();
+        version++;
+        if (moves) {
+            jointRoom.take(joints);
         }
     }
 
+    private static long bytesOf(int floats) {
+        return (long) Float.BYTES * floats;
+    }
+
+    /** Takes along what joints keep, and gives those that there is new room for nothing. */
+    private void keepJoints(DeviceBuffer before, int from, DeviceBuffer tables, int to, JointRoom joints) {
+        for (JointTable table : JointTable.ALL) {
+            if (table.kept()) {
+                int held = table.words() * jointRoom.capacity(table.count());
+                int words = table.words() * joints.capacity(table.count());
+                before.copyTo(
+                        bytesOf(from + jointRoom.at(table)), tables, bytesOf(to + joints.at(table)), bytesOf(held));
+                clear(tables, to + joints.at(table) + held, words - held);
+            }
+        }
+    }
+
+    private static void clear(DeviceBuffer tables, int at, int words) {
+        int[] zeros = new int[Math.min(words, 1 << 16)];
+        for (int k = 0; k < words; k += zeros.length) {
+            tables.write(bytesOf(at + k), IntBuffer.wrap(zeros, 0, Math.min(zeros.length, words - k)));
+        }
+    }
+
+    public boolean joints() {
+        return features.joints();
+    }
+
+    /** Makes room for joints. There are none. */
+    public void ensureJoints() {
+        if (!features.joints()) {
+            Features before = set(features.and(new Features(false, false, false, true)));
+            try {
+                growTables(terrainRoom.floats(), jointRoom);
+            } catch (RuntimeException | Error e) {
+                set(before);
+                throw e;
+            }
+        }
+    }
+
+    /** Makes room for the tables of joints; if it was too little, those that the host has, too, have to be written. */
+    void ensureJoints(int[] needed) {
+        JointRoom wanted = jointRoom.with(needed);
+        if (wanted != null) {
+            growTables(terrainRoom.floats(), wanted);
+        }
+    }
+
+    /** Makes room for so many joints; what they keep is there. */
+    public void ensureJoints(int joints) {
+        int[] needed = new int[JointTable.Count.COUNT];
+        needed[JointTable.Count.JOINTS.ordinal()] = joints;
+        ensureJoints(needed);
+    }
+
+    JointRoom jointRoom() {
+        return jointRoom;
+    }
+
+    /** Words before a table of joints in the buffer of tables. */
+    int at(JointTable table) {
+        return terrainRoom.floats() + jointRoom.at(table);
+    }
+
     public boolean terrain() {
-        return terrain;
+        return features.terrain();
     }
 
     /** Makes room for what circles and pieces of terrain have. There are no pieces, and no circle is near one. */
     public void ensureTerrain() {
-        if (!terrain) {
-            terrain = true;
+        if (!features.terrain()) {
+            Features before = set(features.and(new Features(false, false, true, false)));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT -> slotCapacity;
@@ -251,9 +334,9 @@ public final class DeviceArrays {
                     case CONTACT, OLD_CONTACT -> contactCapacity;
                     default -> AS_IT_IS;
                 });
-                growTables(terrainRoom.floats());
+                growTables(terrainRoom.floats(), jointRoom);
             } catch (RuntimeException | Error e) {
-                terrain = false;
+                set(before);
                 throw e;
             }
             fill(DeviceArray.HOME_PIECES, slotCapacity, 0, 0);
@@ -264,7 +347,7 @@ public final class DeviceArrays {
     void ensureTerrain(int pieces, int nodes, int motionFloats) {
         TerrainRoom wanted = terrainRoom.with(pieces, nodes, motionFloats);
         if (wanted != null) {
-            growTables(wanted.floats());
+            growTables(wanted.floats(), jointRoom);
             terrainRoom.take(wanted);
         }
     }
@@ -317,7 +400,7 @@ public final class DeviceArrays {
                 long wanted = elements.applyAsLong(index);
                 boolean stub = index.forTilesAlone() && !tiled;
                 if (wanted != AS_IT_IS && !(stub && blocks.containsKey(index))) {
-                    added.put(index, new Block(session, index, stub ? 1 : wanted, turning, terrain));
+                    added.put(index, new Block(session, index, stub ? 1 : wanted, features));
                 }
             }
         } catch (RuntimeException | Error e) {

@@ -25,6 +25,11 @@ enum SharedArray {
             "met",
             DeviceArray.SHAPE,
             "by tiles, two a copy, of which the first half of a tile's is used: contacts as met"),
+    WORKING_SLOT(
+            "int",
+            "workingSlot",
+            DeviceArray.BUCKET_BEFORE,
+            "in worlds with joints, by slot at home, once circles are sorted"),
     COPIES("float4", "copies", DeviceArray.CONTACT, "by tiles, by copy: normal x, y, separation, effective mass");
 
     private final String type;

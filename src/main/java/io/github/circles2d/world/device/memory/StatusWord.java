@@ -29,7 +29,8 @@ public enum StatusWord {
     TOUCHING(58, "pairs that touch"),
     PLACES_USED(59, "places of their table that are or have been used"),
     PLACES_BEFORE(60, "the same as the step began"),
-    PAIRS_MARKED(61, "pairs of marked circles, also those that there is no room for");
+    PAIRS_MARKED(61, "pairs of marked circles, also those that there is no room for"),
+    JOINTS_BROKEN(62, "joints that have broken, of which the host does not know");
 
     /** Ints of the status. */
     static final int WORDS = 64;

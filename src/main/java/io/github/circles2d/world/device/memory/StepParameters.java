@@ -129,6 +129,7 @@ public final class StepParameters {
     private boolean turning;
     private boolean surfacesSent;
     private final TerrainUpload terrain = new TerrainUpload();
+    private final JointUpload joints = new JointUpload();
     private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
@@ -160,11 +161,18 @@ public final class StepParameters {
             setSurfaces(input);
         }
         terrain.set(input);
+        joints.set(input);
     }
 
     /** Makes room for tables of what was taken down last. */
     public void ensureRoom(DeviceArrays arrays) {
         terrain.ensureRoom(arrays);
+        joints.ensureRoom(arrays);
+    }
+
+    /** The joints of what was taken down last. */
+    public JointUpload joints() {
+        return joints;
     }
 
     /** For steps that do not turn: surfaces that change nothing. */
@@ -215,6 +223,7 @@ public final class StepParameters {
                 && motionVersion == input.motion.version
                 && surfacesAreOf(input)
                 && terrain.areOf(input)
+                && joints.areOf(input)
                 && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels)
                 && Arrays.equals(walls, otherWalls);
@@ -262,6 +271,7 @@ public final class StepParameters {
             surfacesSent = true;
         }
         terrain.send(arrays);
+        joints.send(arrays);
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {

@@ -5,6 +5,7 @@ import io.github.circles2d.world.events.PieceCode;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Reach;
@@ -75,6 +76,8 @@ public final class WorldSource {
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)
                 .define("UNITS_PER_RADIAN", Surface.UNITS_PER_RADIAN)
+                .define("RADIANS_PER_UNIT", JointMath.RADIANS_PER_UNIT)
+                .define("GREATEST_JOINT_IMPULSE", JointMath.GREATEST_IMPULSE)
                 .define("SCAN_GROUP", Scan.GROUP)
                 .define("SCAN_EACH", Scan.EACH)
                 .define("BLOCK_LOG", DeviceArrays.BLOCK_LOG);

@@ -3,10 +3,15 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointSpring;
+import io.github.circles2d.world.model.JointState;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
+import java.util.List;
 
 /**
  * The text that the tables of the host give to the kernels: status words, structs that the host fills, the fields of elements, the argument
@@ -15,6 +20,13 @@ import io.github.circles2d.world.model.PieceRow;
 final class WorldTables {
     /** The name of the text in messages of a compiler. */
     static final String NAME = "world/tables of the host";
+
+    private static final String TURNING = "TURNING";
+    private static final String TERRAIN = "TERRAIN";
+    private static final String JOINTS = "JOINTS";
+
+    /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
+    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, JOINTS);
 
     private WorldTables() {}
 
@@ -46,6 +58,8 @@ final class WorldTables {
         text.append(FieldsStruct.text());
         surfaces(text);
         terrain(text);
+        joints(text);
+        text.append(JointHead.STRUCT.text());
         text.append(TouchArrays.text()).append(EventArrays.text());
         text.append(parameters()).append(struct()).append(initialiser());
         for (SharedArray array : SharedArray.values()) {
@@ -171,6 +185,65 @@ final class WorldTables {
         define(text, "POSE_SIN", BodyRow.SIN, "sine");
     }
 
+    private static void joints(StringBuilder text) {
+        row(text, "row", "ROW_LENGTH", JointRow.LENGTH, "of a joint's row");
+        row(text, "row", "ROW_ANCHOR_X", JointRow.ANCHOR_X, "anchor, if it has no B");
+        row(text, "row", "ROW_ANCHOR_Y", JointRow.ANCHOR_Y, "the same");
+        row(text, "row", "ROW_MIN_LENGTH", JointRow.MIN_LENGTH, "least length");
+        row(text, "row", "ROW_MAX_LENGTH", JointRow.MAX_LENGTH, "greatest length");
+        row(text, "row", "ROW_MAX_FORCE", JointRow.MAX_FORCE, "greatest force");
+        row(text, "row", "ROW_MAX_TORQUE", JointRow.MAX_TORQUE, "greatest torque");
+        row(text, "row", "ROW_SPEED", JointRow.SPEED, "of A against B");
+        row(text, "row", "ROW_BREAK_FORCE", JointRow.BREAK_FORCE, "by which it breaks");
+        row(text, "row", "ROW_BREAK_TORQUE", JointRow.BREAK_TORQUE, "the same");
+        row(text, "row", "ROW_DIRECTION_X", JointRow.DIRECTION_X, "from A to B");
+        row(text, "row", "ROW_DIRECTION_Y", JointRow.DIRECTION_Y, "the same");
+        row(text, "traits", "HOLDS_A", JointRow.A, "of a joint's traits: id of A");
+        row(text, "traits", "HOLDS_B", JointRow.B, "id of B, or NONE");
+        row(text, "traits", "HOLD_FORM", JointRow.FORM, "its form");
+        row(text, "traits", "HOLD_SPRING", JointRow.SPRING, "its spring");
+        row(text, "traits", "HOLD_ANCHOR", JointRow.ANCHOR, "its anchor that moves, or 0");
+        row(text, "traits", "HOLD_SERIAL", JointRow.SERIAL, "serial number");
+        row(text, "traits", "REFERENCE_A", JointRow.REFERENCE_A, "angle of A");
+        row(text, "traits", "REFERENCE_B", JointRow.REFERENCE_B, "angle of B");
+        row(text, "kept", "KEPT_AXIAL", JointState.AXIAL, "of what a joint keeps: impulse along");
+        row(text, "kept", "KEPT_ACROSS", JointState.ACROSS, "across");
+        row(text, "kept", "KEPT_LOWER", JointState.LOWER, "at the least length");
+        row(text, "kept", "KEPT_UPPER", JointState.UPPER, "at the greatest length");
+        row(text, "kept", "KEPT_ANGULAR", JointState.ANGULAR, "on A");
+        row(text, "kept", "KEPT_SUM_X", JointState.SUM_X, "sum of a step");
+        row(text, "kept", "KEPT_SUM_Y", JointState.SUM_Y, "the same");
+        row(text, "kept", "KEPT_SUM_ANGULAR", JointState.SUM_ANGULAR, "the same");
+        row(text, "spring", "SPRING_NOW", JointSpring.NOW, "of an exact spring");
+        row(text, "spring", "SPRING_BEGUN", JointSpring.BEGUN, "the same");
+        row(text, "spring", "SPRING_WAY", JointSpring.WAY, "the same");
+        row(text, "spring", "SPRING_MASS_SCALE", JointSpring.MASS_SCALE, "of another one");
+        row(text, "spring", "SPRING_BIAS_RATE", JointSpring.BIAS_RATE, "the same");
+        row(text, "spring", "SPRING_IMPULSE_SCALE", JointSpring.IMPULSE_SCALE, "the same");
+        row(text, "spring", "SPRING_EXACT", JointSpring.EXACT, "not 0: it is exact");
+        define(text, "JOINT_COLOURS", JointStep.COLOURS, "colours of joints");
+        define(text, "JOINT_STARTS", JointStep.BATCH_STRIDE, "starts of a batch");
+        define(text, "HOLD_LINEAR", JointRow.LINEAR, "of a form: one of the next three, or 0");
+        define(text, "HOLD_AXIAL", JointRow.AXIAL, "along the line from A to B");
+        define(text, "HOLD_POINT", JointRow.POINT, "in both axes");
+        define(text, "HOLD_DRAG", JointRow.DRAG, "on the velocity alone");
+        define(text, "HOLD_RIGID", JointRow.RIGID, "not by a spring");
+        define(text, "HOLD_ELASTIC", JointRow.ELASTIC, "by a spring");
+        define(text, "HOLD_LOWER", JointRow.LOWER, "has a least length");
+        define(text, "HOLD_UPPER", JointRow.UPPER, "has a greatest length");
+        define(text, "HOLD_ACROSS", JointRow.ACROSS, "keeps its direction");
+        define(text, "HOLD_ANGULAR", JointRow.ANGULAR, "one of the next three, or 0");
+        define(text, "HOLD_TURN_SPEED", JointRow.TURN_SPEED, "a motor");
+        define(text, "HOLD_TURN_ANGLE", JointRow.TURN_ANGLE, "a servo");
+        define(text, "HOLD_TURN_RIGID", JointRow.TURN_RIGID, "a weld");
+        define(text, "HOLD_BREAKABLE", JointRow.BREAKABLE, "it may break");
+    }
+
+    /** A number of a row, which kernels have as vectors, row[0] and so on. */
+    private static void row(StringBuilder text, String vectors, String name, int place, String comment) {
+        define(text, name, vectors + "[" + place / 4 + "].s" + place % 4, comment);
+    }
+
     private static String parameters() {
         StringBuilder text = new StringBuilder("#define WORLD_PARAMETERS");
         String separator = " ";
@@ -190,12 +263,12 @@ final class WorldTables {
     private static String struct() {
         StringBuilder text = new StringBuilder("typedef struct {\n");
         text.append("    StepConstants k; // by value: read once, not at every use\n");
-        members(text, false, false);
-        text.append("#ifdef TURNING\n");
-        members(text, true, false);
-        text.append("#endif\n#ifdef TERRAIN\n");
-        members(text, false, true);
-        text.append("#endif\n");
+        members(text, "");
+        for (String feature : FEATURES) {
+            text.append("#ifdef " + feature + "\n");
+            members(text, feature);
+            text.append("#endif\n");
+        }
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
@@ -207,37 +280,46 @@ final class WorldTables {
         return text.append("} World;\n").toString();
     }
 
-    /** Declares the arrays of all worlds, or those that only worlds that turn have, or those with terrain. */
-    private static void members(StringBuilder text, boolean turning, boolean terrain) {
+    /** Declares the arrays of all worlds, or those that only worlds with a feature have. */
+    private static void members(StringBuilder text, String feature) {
         for (DeviceArray array : DeviceArray.values()) {
-            if (array != DeviceArray.CONSTANTS && array.turns() == turning && array.isOfTerrain() == terrain) {
+            if (array != DeviceArray.CONSTANTS && featureOf(array).equals(feature)) {
                 text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
             }
         }
     }
 
+    /** What kernels are compiled for that have an array; empty if all have it. */
+    private static String featureOf(DeviceArray array) {
+        return array.turns() ? TURNING : array.isOfTerrain() ? TERRAIN : array.isOfJoints() ? JOINTS : "";
+    }
+
+    /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */
     private static String initialiser() {
-        String constants = DeviceArray.CONSTANTS.kernelName();
-        StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
-        StringBuilder turning =
-                new StringBuilder("#ifdef TURNING\n#define IF_TURNING(text) text\n#define TURNING_ARRAYS ");
-        StringBuilder terrain = new StringBuilder("#ifdef TERRAIN\n#define TERRAIN_ARRAYS ");
-        for (DeviceArray array : DeviceArray.values()) {
-            if (array != DeviceArray.CONSTANTS) {
-                (array.turns() ? turning : array.isOfTerrain() ? terrain : text)
-                        .append(", ")
-                        .append(array.expression());
-            }
+        StringBuilder text = new StringBuilder(
+                "#ifdef TURNING\n#define IF_TURNING(text) text\n#else\n#define IF_TURNING(text)\n#endif\n");
+        for (String feature : FEATURES) {
+            text.append("#ifdef " + feature + "\n#define " + feature + "_ARRAYS ");
+            expressions(text, feature);
+            text.append("\n#else\n#define " + feature + "_ARRAYS\n#endif\n");
         }
-        text.append(" TURNING_ARRAYS TERRAIN_ARRAYS");
+        String constants = DeviceArray.CONSTANTS.kernelName();
+        text.append("#define WORLD { *" + constants);
+        expressions(text, "");
+        for (String feature : FEATURES) {
+            text.append(" " + feature + "_ARRAYS");
+        }
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
-        text.append(", " + constants + "->warmScale, 0 }\n");
-        return turning.append("\n#else\n#define IF_TURNING(text)\n#define TURNING_ARRAYS\n#endif\n")
-                .append(terrain)
-                .append("\n#else\n#define TERRAIN_ARRAYS\n#endif\n")
-                .append(text)
-                .toString();
+        return text.append(", " + constants + "->warmScale, 0 }\n").toString();
+    }
+
+    private static void expressions(StringBuilder text, String feature) {
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array != DeviceArray.CONSTANTS && featureOf(array).equals(feature)) {
+                text.append(", ").append(array.expression());
+            }
+        }
     }
 }

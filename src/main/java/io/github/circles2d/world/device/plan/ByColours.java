@@ -17,6 +17,10 @@ public final class ByColours implements Plan {
     private Kernel integratePositions;
     private Kernel relax;
     private CrossKernels cross;
+
+    /** Null in a world without joints. */
+    private JointKernels joints;
+
     private Kernel finalizePositions;
 
     /** Null, as the next, if steps do not record what contacts do. */
@@ -26,7 +30,11 @@ public final class ByColours implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/stages/Solver.cl", "world/stages/Touches.cl", "world/stages/CrossSolver.cl");
+        return List.of(
+                "world/stages/Solver.cl",
+                "world/stages/Touches.cl",
+                "world/stages/CrossSolver.cl",
+                "world/stages/Joints.cl");
     }
 
     @Override
@@ -41,6 +49,7 @@ public final class ByColours implements Plan {
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
         cross = new CrossKernels(stages);
+        joints = stages.joints();
     }
 
     @Override
@@ -56,6 +65,9 @@ public final class ByColours implements Plan {
     private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
         runByColour(levels, fill);
+        if (joints != null) {
+            joints.prepare();
+        }
         cross.fill(steps);
         if (stages.recording()) {
             stages.record(begin, 0).run(2L * steps.circles());
@@ -67,11 +79,17 @@ public final class ByColours implements Plan {
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
             runByColour(levels, solve);
+            if (joints != null) {
+                joints.solve(sub);
+            }
             cross.solve(steps);
             integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
             boolean last = sub == steps.subSteps() - 1;
             relax.arg(StageKernels.own(1), last ? 1 : 0);
             runByColour(levels, relax);
+            if (joints != null) {
+                joints.relax(sub, last);
+            }
             cross.relax(steps, last);
         }
         finalizePositions.run(steps.circles());

@@ -4,10 +4,14 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 
-/** The sub-steps of {@link Tiles} where there are several levels; {@code kernels/world/tiles/TileLevels.cl}. */
+/** The sub-steps of {@link Tiles} where there are several levels, or joints; {@code kernels/world/tiles/TileLevels.cl}. */
 final class LevelPasses {
     private final Stages stages;
     private final CrossKernels cross;
+
+    /** Null in a world without joints. */
+    private final JointKernels joints;
+
     private final Kernel start;
     private final Kernel solve;
     private final Kernel move;
@@ -17,6 +21,7 @@ final class LevelPasses {
     LevelPasses(Stages stages) {
         this.stages = stages;
         cross = new CrossKernels(stages);
+        joints = stages.joints();
         start = stages.kernel("solver_startSlots");
         solve = stages.kernel("solver_solveLevels");
         move = stages.kernel("solver_moveSlots");
@@ -26,14 +31,31 @@ final class LevelPasses {
 
     /** Enqueues what follows the arranging of tiles, up to the end of the last sub-step. */
     void make(Steps steps, int tiles) {
-        cross.fillLight(steps);
+        boolean crosses = !steps.haveOneLevel();
+        if (joints != null) {
+            joints.prepare();
+        }
+        if (crosses) {
+            cross.fillLight(steps);
+        }
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             runEach(start, sub, steps);
+            boolean last = sub == steps.subSteps() - 1;
             runTiles(solve, sub, tiles);
-            cross.solveLight(steps);
+            if (joints != null) {
+                joints.solve(sub);
+            }
+            if (crosses) {
+                cross.solveLight(steps);
+            }
             runEach(move, sub, steps);
             runTiles(relax, sub, tiles);
-            cross.relaxLight(steps, sub == steps.subSteps() - 1);
+            if (joints != null) {
+                joints.relax(sub, last);
+            }
+            if (crosses) {
+                cross.relaxLight(steps, last);
+            }
         }
         finish.run(steps.circles());
     }

@@ -95,6 +95,7 @@ public enum Plans {
     public static KernelSource source(List<Plan> plans, Device device) {
         return source(plans)
                 .define("PTX", ResidentGroups.fit(device))
+                .define("JOINT_GROUP", JointKernels.GROUP)
                 .define("EVENT_GROUP", Tiles.eventGroup(device.maxWorkGroupSize()));
     }
 

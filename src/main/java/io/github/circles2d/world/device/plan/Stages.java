@@ -23,6 +23,9 @@ public final class Stages {
     /** Null in a world without terrain. */
     private final Kernel pieces;
 
+    /** Null in a world without joints. */
+    private final JointKernels joints;
+
     private final Scan scan;
     private final Kernel degrees;
 
@@ -43,6 +46,7 @@ public final class Stages {
         continuousCollision = new ContinuousCollisionStage(kernels);
         contacts = new ContactsStage(kernels, arrays, scan);
         pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
+        joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
         degrees = kernels.plain("contacts_degrees");
     }
 
@@ -74,6 +78,16 @@ public final class Stages {
     /** What finds the pairs that are only sensed, around a step of any plan. */
     public SensingStage sensing() {
         return sensing;
+    }
+
+    /** What makes the passes over joints; null in a world without them. */
+    JointKernels joints() {
+        return joints;
+    }
+
+    /** Whether the steps to come have joints. */
+    public boolean haveJoints() {
+        return parameters.joints().any();
     }
 
     Device device() {
@@ -123,6 +137,9 @@ public final class Stages {
         for (int step = 0; step < steps.count(); step++) {
             send(step == 0 ? steps.warmScale() : 1f, slots, circles);
             grid.build(steps.levels(), slots, circles);
+            if (joints != null) {
+                joints.find();
+            }
             if (steps.sweeping()) {
                 continuousCollision.sweep(steps.levels(), circles);
             }

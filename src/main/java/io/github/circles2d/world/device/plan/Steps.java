@@ -14,9 +14,15 @@ public record Steps(
         boolean thinning,
         boolean recording,
         boolean sensing,
-        boolean turning) {
+        boolean turning,
+        boolean joints) {
     boolean haveOneLevel() {
         return levels.usedCount == 1;
+    }
+
+    /** Whether others than contacts of circles of one level are visited in passes. */
+    boolean sharePasses() {
+        return joints || !haveOneLevel();
     }
 
     /** The level of all circles, where they are of one. */

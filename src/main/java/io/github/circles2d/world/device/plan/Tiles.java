@@ -64,7 +64,7 @@ public final class Tiles implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/tiles/TileLevels.cl", "world/tiles/TileEvents.cl");
+        return List.of("world/tiles/TileLevels.cl", "world/tiles/TileEvents.cl", "world/stages/Joints.cl");
     }
 
     @Override
@@ -117,10 +117,10 @@ public final class Tiles implements Plan {
         }
         link.run(2L * steps.circles());
         stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items, TileRecord.GROUP);
-        if (steps.haveOneLevel()) {
-            passes(steps, items);
-        } else {
+        if (steps.sharePasses()) {
             levels.make(steps, sizes.tiles());
+        } else {
+            passes(steps, items);
         }
         storeImpulses.run(2L * steps.circles());
         if (decidesEvents(steps)) {

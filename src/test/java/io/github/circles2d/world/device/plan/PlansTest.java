@@ -91,7 +91,8 @@ class PlansTest {
                 s.thinning(),
                 recording,
                 s.sensing(),
-                turning);
+                turning,
+                s.joints());
     }
 
     @ParameterizedTest
@@ -137,6 +138,6 @@ class PlansTest {
         GridLevels levels = new GridLevels();
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false, false);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false, false, false);
     }
 }

@@ -1,0 +1,60 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.world.device.memory.JointTable.Count;
+
+/** How much room the tables of joints have. They lie one behind the other, behind those of terrain. */
+final class JointRoom {
+    private int[] capacity = new int[Count.COUNT];
+
+    /** Counts how often tables have moved, which then have to be written again. */
+    private int version;
+
+    /** More room, if this is too little; or null. needed: by ordinal of a {@link Count}. */
+    JointRoom with(int[] needed) {
+        boolean suffices = true;
+        for (int k = 0; k < capacity.length; k++) {
+            suffices &= needed[k] <= capacity[k];
+        }
+        if (suffices) {
+            return null;
+        }
+        JointRoom more = new JointRoom();
+        for (int k = 0; k < capacity.length; k++) {
+            more.capacity[k] = needed[k] <= capacity[k] ? capacity[k] : DeviceArrays.grown(capacity[k], needed[k]);
+        }
+        return more;
+    }
+
+    /** Becomes as another one. */
+    void take(JointRoom other) {
+        capacity = other.capacity;
+        version++;
+    }
+
+    int version() {
+        return version;
+    }
+
+    int capacity(Count count) {
+        return capacity[count.ordinal()];
+    }
+
+    /** Words of all tables. */
+    int words() {
+        return at(JointTable.ALL.length);
+    }
+
+    /** Words from the first table to another one: a multiple of 4, for kernels that read vectors. */
+    int at(JointTable table) {
+        return at(table.ordinal());
+    }
+
+    private int at(int tables) {
+        long sum = 0;
+        for (int k = 0; k < tables; k++) {
+            JointTable table = JointTable.ALL[k];
+            sum += (long) table.words() * capacity(table.count()) + 3 & ~3L;
+        }
+        return Math.toIntExact(sum);
+    }
+}

@@ -1,0 +1,56 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.world.device.memory.JointTable.Count;
+import io.github.circles2d.world.model.JointState;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/** What a device keeps of joints from step to step. */
+public final class JointStates {
+    private final DeviceArrays arrays;
+
+    /** Serials of no joints. */
+    private final int[] none = new int[1 << 12];
+
+    public JointStates(DeviceArrays arrays) {
+        this.arrays = arrays;
+    }
+
+    /** Joints that there is room for. */
+    public int count() {
+        return arrays.jointRoom().capacity(Count.JOINTS);
+    }
+
+    /** Reads serials and {@link JointState}s of the first joints. */
+    public void read(int[] serial, float[] rows, int joints) {
+        tables().read(at(JointTable.SERIAL), IntBuffer.wrap(serial, 0, joints));
+        tables().read(at(JointTable.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+    }
+
+    /** Writes those of the first joints, for which there is room, and lets the others have none. */
+    public void write(int[] serial, float[] rows, int joints) {
+        if (count() > 0) {
+            for (int from = joints; from < count(); from += none.length) {
+                int some = Math.min(none.length, count() - from);
+                tables().write(at(JointTable.SERIAL) + (long) Integer.BYTES * from, IntBuffer.wrap(none, 0, some));
+            }
+            tables().write(at(JointTable.SERIAL), IntBuffer.wrap(serial, 0, joints));
+            tables().write(at(JointTable.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+        }
+    }
+
+    /** Reads the first entries of the list of joints that have broken: steps made before, joint. */
+    public void readBroken(int[] list, int count) {
+        tables().read(at(JointTable.BROKEN), IntBuffer.wrap(list, 0, JointTable.BROKEN.words() * count));
+    }
+
+    private DeviceBuffer tables() {
+        return arrays.get(DeviceArray.KIND_MOTION);
+    }
+
+    /** In bytes. */
+    private long at(JointTable table) {
+        return (long) Integer.BYTES * arrays.at(table);
+    }
+}

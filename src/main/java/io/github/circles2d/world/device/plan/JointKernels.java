@@ -1,0 +1,86 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.JointUpload;
+import io.github.circles2d.world.device.memory.StageKernels;
+
+/**
+ * The joints of a pass, between its like and its cross contacts; {@code kernels/world/stages/Joints.cl}. It does nothing in steps without joints.
+ */
+final class JointKernels {
+    /** Work-items that visit a batch. */
+    static final int GROUP = StageKernels.SMALL_GROUPS ? 4 : 128;
+
+    // what a pass does, as in Joints.cl
+    private static final int PREPARE = 0;
+    private static final int SOLVE = 1;
+    private static final int RELAX = 2;
+
+    private final JointUpload joints;
+    private final Kernel find;
+    private final Kernel begin;
+    private final Kernel passBatches;
+    private final Kernel passColour;
+    private final Kernel passSplit;
+    private final Kernel takeSums;
+
+    /** Of a world that has joints. */
+    JointKernels(StageKernels kernels, JointUpload joints) {
+        this.joints = joints;
+        find = kernels.staged("joints_find");
+        begin = kernels.staged("joints_begin");
+        passBatches = kernels.staged("joints_passBatches");
+        passColour = kernels.staged("joints_passColour");
+        passSplit = kernels.staged("joints_passSplit");
+        takeSums = kernels.staged("joints_takeSums");
+    }
+
+    /** Finds the circles of joints, once circles are sorted. */
+    void find() {
+        if (joints.any()) {
+            find.run(Math.max(joints.count(), joints.splitCircles()));
+        }
+    }
+
+    /** Makes joints ready, once it is known that the step is not refused; circles get the impulses that they begin with. */
+    void prepare() {
+        if (joints.any()) {
+            begin.run(joints.count());
+            pass(PREPARE, 0, false, true);
+        }
+    }
+
+    /** The biased pass. */
+    void solve(int subStep) {
+        if (joints.any()) {
+            pass(SOLVE, subStep, true, false);
+        }
+    }
+
+    void relax(int subStep, boolean last) {
+        if (joints.any()) {
+            pass(RELAX, subStep, true, !last);
+        }
+    }
+
+    private void pass(int what, int subStep, boolean speeds, boolean impulses) {
+        if (joints.batches() > 0) {
+            set(passBatches, what, subStep).run((long) joints.batches() * GROUP, GROUP);
+        }
+        for (int colour = 0; colour < joints.colours(); colour++) {
+            if (joints.ofColour(colour) > 0) {
+                set(passColour, what, subStep).arg(StageKernels.own(2), colour).run(joints.ofColour(colour));
+            }
+        }
+        if (joints.split() > 0) {
+            set(passSplit, what, subStep).run(joints.split());
+            takeSums.arg(StageKernels.own(0), speeds ? 1 : 0)
+                    .arg(StageKernels.own(1), impulses ? 1 : 0)
+                    .run(joints.splitCircles());
+        }
+    }
+
+    private static Kernel set(Kernel kernel, int what, int subStep) {
+        return kernel.arg(StageKernels.own(0), what).arg(StageKernels.own(1), subStep);
+    }
+}
