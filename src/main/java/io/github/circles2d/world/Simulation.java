@@ -111,10 +111,10 @@ public final class Simulation implements AutoCloseable {
         joints = new JointTables(input.joints, handles, terrain);
         needs = new Needs(pipeline, kindTable, terrain, joints, settings);
         pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, needs);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, needs);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, joints, needs);
         pieces = new Pieces(guard, terrain, log, copies, settings);
         bodies = new Bodies(guard, terrain, log, copies, settings);
-        jointCalls = new JointCalls(guard, handles, terrain, joints, pending, copies);
+        jointCalls = new JointCalls(guard, handles, terrain, joints, log, pending, copies);
         jointReads = new JointReads(guard, handles, joints, pending);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);
@@ -131,7 +131,7 @@ public final class Simulation implements AutoCloseable {
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
         snapshots = new Snapshots(
                 guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth, terrain, needs);
+                growth, terrain, joints, needs);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         terrainSearches = new Searches(guard, handles, kindTable, settings, view);

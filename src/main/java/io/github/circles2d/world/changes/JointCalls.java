@@ -8,8 +8,10 @@ import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainTables;
@@ -27,6 +29,7 @@ public final class JointCalls {
     private final TerrainTables terrain;
     private final JointTables joints;
     private final JointTable table;
+    private final CallLog log;
     private final PendingWork pending;
     private final Copies copies;
 
@@ -45,12 +48,14 @@ public final class JointCalls {
             HandleTable handles,
             TerrainTables terrain,
             JointTables joints,
+            CallLog log,
             PendingWork pending,
             Copies copies) {
         this.guard = guard;
         this.handles = handles;
         this.terrain = terrain;
         this.joints = joints;
+        this.log = log;
         this.pending = pending;
         this.copies = copies;
         table = joints.table;
@@ -68,6 +73,8 @@ public final class JointCalls {
             int b = Circles.find(handles, other);
             JointLimits.circles(form, a, b, handles);
             begin(form, 1);
+            log.joints(form);
+            log.call(LoggedCall.JOINT, a, b);
             guard.changing = true;
             int joint = addOne(form, a, b);
             guard.changing = false;
@@ -87,6 +94,8 @@ public final class JointCalls {
             int a = Circles.find(handles, circle);
             JointLimits.alone(form, a, handles);
             begin(form, 1);
+            log.joints(form);
+            log.call(LoggedCall.JOINT_ALONE, a, 0);
             guard.changing = true;
             int joint = addOne(form, a, JointRow.NONE);
             guard.changing = false;
@@ -108,6 +117,8 @@ public final class JointCalls {
             JointLimits.anchor(form, a, x, y, handles);
             begin(form, 1);
             table.ensureBodies(terrain.bodies.ids.end());
+            log.joints(form);
+            log.call(LoggedCall.ANCHORED_JOINT, a, of, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
             guard.changing = true;
             int joint = joints.add(form, a, of == BodyTable.GROUND ? JointTable.NO_BODY : of, x, y);
             complete(form, joint);
@@ -132,6 +143,10 @@ public final class JointCalls {
                 find(k, firsts[k], others[k], form);
             }
             begin(form, n);
+            log.joints(form);
+            for (int k = 0; k < n; k++) {
+                log.call(LoggedCall.JOINT, found[k], foundOthers[k]);
+            }
             guard.changing = true;
             for (int k = 0; k < n; k++) {
                 int joint = addOne(form, found[k], foundOthers[k]);
@@ -221,6 +236,7 @@ public final class JointCalls {
             table.ensureSprings(1);
         }
         copies.forgetSaved();
+        log.call(LoggedCall.JOINT_SETTING, joint, number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
         guard.changing = true;
         joints.set(joint, setting, a, b);
         guard.changing = false;
@@ -255,6 +271,7 @@ public final class JointCalls {
         pending.settleJoints();
         int joint = find(handle);
         copies.forgetSaved();
+        log.call(LoggedCall.REMOVE_JOINT, joint, 0);
         guard.changing = true;
         table.remove(joint);
         guard.changing = false;
@@ -274,6 +291,9 @@ public final class JointCalls {
             findLeaving(k, them[k]);
         }
         copies.forgetSaved();
+        for (int k = 0; k < n; k++) {
+            log.call(LoggedCall.REMOVE_JOINT, found[k], 0);
+        }
         guard.changing = true;
         for (int k = 0; k < n; k++) {
             table.remove(found[k]);
@@ -300,6 +320,7 @@ public final class JointCalls {
     private void removeEach() {
         pending.settleJoints();
         copies.forgetSaved();
+        log.call(LoggedCall.CLEAR_JOINTS, 0, 0);
         guard.changing = true;
         table.clear();
         guard.changing = false;

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
@@ -121,6 +122,20 @@ public final class JointTables {
         } else {
             table.set(joint, setting, a, b);
         }
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    public void makeRoom(SavedState from) {
+        table.makeRoom(from.joints, from.ids, from.terrain.bodyIds);
+    }
+
+    /** Takes over saved joints; circles and terrain are there. There is room. */
+    public void load(SavedState from) {
+        table.load(from.joints, from.jointStates);
+        anchors.changed();
     }
 
     // ---- steps

@@ -9,6 +9,7 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
@@ -48,6 +49,7 @@ public final class Snapshots {
     private final Travels travels;
     private final Growth growth;
     private final TerrainTables terrain;
+    private final JointTables joints;
     private final Needs needs;
 
     public Snapshots(
@@ -65,6 +67,7 @@ public final class Snapshots {
             Travels travels,
             Growth growth,
             TerrainTables terrain,
+            JointTables joints,
             Needs needs) {
         this.guard = guard;
         this.pipeline = pipeline;
@@ -80,6 +83,7 @@ public final class Snapshots {
         this.travels = travels;
         this.growth = growth;
         this.terrain = terrain;
+        this.joints = joints;
         this.needs = needs;
     }
 
@@ -152,6 +156,7 @@ public final class Snapshots {
         travels.makeRoom(saved);
         growth.makeRoom(saved);
         terrain.makeRoom(saved.terrain);
+        joints.makeRoom(saved);
         needs.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
         events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
@@ -169,6 +174,7 @@ public final class Snapshots {
         travels.restored();
         growth.restored();
         terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
+        joints.load(saved);
         pipeline.load(saved);
         settings.set(saved.parameters());
         needs.restored(saved);
