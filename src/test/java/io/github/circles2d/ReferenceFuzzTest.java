@@ -828,8 +828,7 @@ class ReferenceFuzzTest {
             if (kind == JointPlan.Kind.LIMITS || kind == JointPlan.Kind.SPRING && random.nextInt(3) == 0) {
                 float least = random.nextInt(3) == 0 ? 0f : value(0f, 0.2f * size);
                 plan = plan.withLimits(
-                        least,
-                        random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : value(least, least + 0.2f * size));
+                        least, random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : value(least, least + 0.2f * size));
             }
             boolean sets = kind == JointPlan.Kind.DISTANCE || kind == JointPlan.Kind.SPRING;
             plan = sets && random.nextBoolean() ? plan.withLength(length()) : plan;
@@ -874,7 +873,8 @@ class ReferenceFuzzTest {
         }
 
         private void joinToBody(long circle) {
-            JointPlan plan = plan(JointPlan.Kind.PIN, JointPlan.Kind.SOFT_PIN, JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING);
+            JointPlan plan =
+                    plan(JointPlan.Kind.PIN, JointPlan.Kind.SOFT_PIN, JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING);
             long body = someBody();
             float x = x(body);
             float y = y(body);
@@ -893,8 +893,10 @@ class ReferenceFuzzTest {
             int from = random.nextInt(all.length + 1);
             int count = Math.max(Math.min(all.length - from - 1, random.nextInt(12)), 0);
             long[] circles = Arrays.copyOfRange(all, from, from + count);
-            long[] others = Arrays.copyOfRange(all, Math.min(from + 1, all.length), Math.min(from + 1, all.length) + count);
-            JointPlan plan = plan(JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING, JointPlan.Kind.WELD, JointPlan.Kind.LIMITS);
+            long[] others =
+                    Arrays.copyOfRange(all, Math.min(from + 1, all.length), Math.min(from + 1, all.length) + count);
+            JointPlan plan =
+                    plan(JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING, JointPlan.Kind.WELD, JointPlan.Kind.LIMITS);
             bothIfAllowed("add chain", c -> c.addJoints(circles, others, plan, new long[count]));
         }
 
@@ -909,7 +911,9 @@ class ReferenceFuzzTest {
                     JointPlan.Kind.MOTOR,
                     JointPlan.Kind.SERVO);
             boolean twice = random.nextBoolean();
-            long[] others = Arrays.stream(all).filter(other -> other != hub && !isStatic(other)).toArray();
+            long[] others = Arrays.stream(all)
+                    .filter(other -> other != hub && !isStatic(other))
+                    .toArray();
             long[] spokes = new long[twice ? 2 * others.length : others.length];
             long[] hubs = new long[spokes.length];
             for (int k = 0; k < spokes.length; k++) {
