@@ -33,6 +33,7 @@ import io.github.circles2d.world.model.Limits;
  */
 public final class Joints {
     private final Simulation simulation;
+    private final JointEvents events = new JointEvents();
 
     Joints(Simulation simulation) {
         this.simulation = simulation;
@@ -86,7 +87,8 @@ public final class Joints {
      * @throws IllegalArgumentException as {@link #add(long, float, float, Joint)}, or if the body has been removed or is none of this world's
      */
     public long add(long circle, TerrainBody body, float x, float y, Joint joint) {
-        return simulation.joints().add(circle, Limits.notNull("body", body).handle(), x, y, form(joint));
+        long handle = Limits.notNull("body", body).handleIn(simulation);
+        return simulation.joints().add(circle, handle, x, y, form(joint));
     }
 
     /**
@@ -228,6 +230,148 @@ public final class Joints {
      */
     public Joint joint(long joint) {
         return new Joint(simulation.jointReads().form(joint));
+    }
+
+    /**
+     * Lists the joints of a circle.
+     *
+     * @param circle the handle of a circle
+     * @param joints takes their handles, in the order of their ids; if it is too short, the first of them
+     * @return how many joints there are, which may be more than the array takes
+     * @throws IllegalArgumentException if the circle has been removed, or the handle is none
+     */
+    public int ofCircle(long circle, long[] joints) {
+        return simulation.jointReads().ofCircle(circle, joints);
+    }
+
+    /**
+     * The joint whose line is nearest to a point. A joint without a place is at its circle.
+     *
+     * @param x x of the point, up to 1e9 in magnitude
+     * @param y y of it
+     * @param maxDistance how far away it may be; at least 0
+     * @return the handle of the joint, of several at one distance that of the lowest id; -1 if there is none
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public long pick(float x, float y, float maxDistance) {
+        return simulation.jointReads().pick(x, y, maxDistance);
+    }
+
+    // ---- where they are, and what they do
+    // ----------------------------------------------------------------------------
+
+    /**
+     * Where the anchor of a joint is in the world now.
+     *
+     * @param joint the handle of a joint
+     * @return x
+     * @throws IllegalArgumentException if the joint has gone or has no anchor
+     */
+    public float anchorX(long joint) {
+        return simulation.jointReads().anchorX(joint);
+    }
+
+    /**
+     * Where the anchor of a joint is in the world now.
+     *
+     * @param joint the handle of a joint
+     * @return y
+     * @throws IllegalArgumentException if the joint has gone or has no anchor
+     */
+    public float anchorY(long joint) {
+        return simulation.jointReads().anchorY(joint);
+    }
+
+    /**
+     * How far the ends of a joint are apart now.
+     *
+     * @param joint the handle of a joint
+     * @return the distance; 0 if it has no other end
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public float length(long joint) {
+        return simulation.jointReads().length(joint);
+    }
+
+    /**
+     * The force of a joint on its first circle, the mean of the last step. On its other circle it is the opposite.
+     *
+     * @param joint the handle of a joint
+     * @return x of the force; 0 before the first step of the joint
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public float forceX(long joint) {
+        return simulation.jointReads().forceX(joint);
+    }
+
+    /**
+     * The force of a joint on its first circle; see {@link #forceX}.
+     *
+     * @param joint the handle of a joint
+     * @return y of the force
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public float forceY(long joint) {
+        return simulation.jointReads().forceY(joint);
+    }
+
+    /**
+     * How hard a joint pulls or pushes, the mean of the last step.
+     *
+     * @param joint the handle of a joint
+     * @return of a distance joint, a spring, a joint with limits or a weld the force along its line as it is now, positive if it pulls its ends
+     *     together; of others how great the force is
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public float force(long joint) {
+        return simulation.jointReads().force(joint);
+    }
+
+    /**
+     * The torque of a joint on its first circle, the mean of the last step. On its other circle it is the opposite.
+     *
+     * @param joint the handle of a joint
+     * @return the torque, anticlockwise where y points up
+     * @throws IllegalArgumentException if the joint has gone, or the handle is none
+     */
+    public float torque(long joint) {
+        return simulation.jointReads().torque(joint);
+    }
+
+    /**
+     * Where both ends of all joints are now, in the order of their ids, for drawing: x and y of the first end, then of the second one. Along an
+     * axis that wraps, the second one is the image nearest to the first, which may be outside of the bounds. Of a joint without a place both
+     * are at its circle.
+     *
+     * @param ends takes four elements a joint
+     * @return the number of joints
+     * @throws IllegalArgumentException if the array is too short
+     */
+    public int readEnds(float[] ends) {
+        return simulation.jointReads().readEnds(ends);
+    }
+
+    // ---- joints that go by themselves
+    // --------------------------------------------------------------------------------
+
+    /**
+     * Sets whether {@link #events} tells of joints that go by themselves. By default it tells of none, which costs nothing. This changes no step, and
+     * is in no snapshot and no log.
+     *
+     * @param on whether it tells of them from now on; if not, those of which it has not told yet are forgotten
+     */
+    public void report(boolean on) {
+        simulation.joints().report(on);
+    }
+
+    /**
+     * The joints that went by themselves since the last call of this method, or since {@link World#restore}.
+     *
+     * @return always the same object, which the next call fills again
+     */
+    public JointEvents events() {
+        simulation.joints().take(events.rows());
+        return events;
     }
 
     // ---- joints change

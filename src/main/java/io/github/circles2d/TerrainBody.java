@@ -39,6 +39,14 @@ public final class TerrainBody {
         return handle;
     }
 
+    /** The handle, for a call of the body's own world. */
+    long handleIn(Simulation world) {
+        if (world != simulation) {
+            throw new IllegalArgumentException("the body with the handle " + handle + " is of another world");
+        }
+        return handle;
+    }
+
     /**
      * Whether the body is there: nobody has removed it, nor restored a state without it.
      *

@@ -49,7 +49,7 @@ class WorldJointsApiTest {
 
     @Test
     void aHubHasManySpokes() {
-        long hub = world.add(0, 0, 0.4f, 1);
+        long hub = world.add(0, 0, 0.4f, 100);
         joints.add(hub, 0, 0, Joint.pin());
         long[] rim = new long[60];
         for (int k = 0; k < rim.length; k++) {

@@ -110,17 +110,18 @@ public final class Simulation implements AutoCloseable {
         events.setPieces(terrain.pieces);
         joints = new JointTables(input.joints, handles, terrain);
         needs = new Needs(pipeline, kindTable, terrain, joints, settings);
-        pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, needs);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, settings, needs);
         copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, joints, needs);
-        pieces = new Pieces(guard, terrain, log, copies, settings);
-        bodies = new Bodies(guard, terrain, log, copies, settings);
+        pieces = new Pieces(guard, terrain, joints, log, pending, copies, settings);
+        bodies = new Bodies(guard, terrain, joints, log, pending, copies, settings);
         jointCalls = new JointCalls(guard, handles, terrain, joints, log, pending, copies);
-        jointReads = new JointReads(guard, handles, joints, pending);
+        jointReads = new JointReads(guard, handles, joints, pending, copies.last(), settings);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);
-        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, needs);
-        PreparedChanges changes =
-                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels, needs);
+        clearing =
+                new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, joints, needs);
+        PreparedChanges changes = new PreparedChanges(
+                guard, handles, commands, log, pending, copies, settings, kinds, travels, joints, needs);
         circles = new Circles(
                 guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes,
                 needs);
@@ -370,6 +371,9 @@ public final class Simulation implements AutoCloseable {
 
     private void makeSteps(float timeStep, int steps) {
         pending.apply();
+        if (timeStep != settings.lastStep()) {
+            pending.settleJoints(); // the length of the step says by which force a joint broke
+        }
         pending.prepareNeeds();
         terrain.makeRoom(settings.subSteps());
         joints.makeRoom(settings.subSteps());

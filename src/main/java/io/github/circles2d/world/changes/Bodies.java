@@ -1,5 +1,6 @@
 package io.github.circles2d.world.changes;
 
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.Surface;
@@ -8,6 +9,7 @@ import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.BodyTable;
@@ -36,14 +38,25 @@ public final class Bodies {
     private final Guard guard;
     private final TerrainTables terrain;
     private final BodyTable table;
+    private final JointTables joints;
     private final CallLog log;
+    private final PendingWork pending;
     private final Copies copies;
     private final WorldSettings settings;
 
-    public Bodies(Guard guard, TerrainTables terrain, CallLog log, Copies copies, WorldSettings settings) {
+    public Bodies(
+            Guard guard,
+            TerrainTables terrain,
+            JointTables joints,
+            CallLog log,
+            PendingWork pending,
+            Copies copies,
+            WorldSettings settings) {
         this.guard = guard;
         this.terrain = terrain;
+        this.joints = joints;
         this.log = log;
+        this.pending = pending;
         this.copies = copies;
         this.settings = settings;
         table = terrain.bodies;
@@ -110,9 +123,12 @@ public final class Bodies {
 
     private void removeOne(long handle) {
         int body = findMovable(handle, "be removed");
+        pending.settleJoints();
+        joints.departures().ensure(joints.table.anchoredOnBodies());
         copies.forgetSaved();
         log.call(LoggedCall.REMOVE_BODY, body, 0);
         guard.changing = true;
+        joints.departures().removeOfBody(body);
         terrain.removeBody(body);
         guard.changing = false;
     }

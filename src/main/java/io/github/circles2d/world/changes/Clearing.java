@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
@@ -14,7 +15,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
 
 /**
- * Removes all circles. The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for
+ * Removes all circles, and with them all joints. The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for
  * each removes them as any other call does, so that their ends are reported.
  */
 public final class Clearing {
@@ -30,6 +31,7 @@ public final class Clearing {
     private final PendingWork pending;
     private final Copies copies;
     private final StepFigures figures;
+    private final JointTables joints;
     private final Needs needs;
 
     /** A state without circles. */
@@ -45,6 +47,7 @@ public final class Clearing {
             PendingWork pending,
             Copies copies,
             StepFigures figures,
+            JointTables joints,
             Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
@@ -55,6 +58,7 @@ public final class Clearing {
         this.pending = pending;
         this.copies = copies;
         this.figures = figures;
+        this.joints = joints;
         this.needs = needs;
     }
 
@@ -64,6 +68,8 @@ public final class Clearing {
     }
 
     private void removeAll() {
+        pending.settleJoints();
+        joints.departures().ensure(joints.table.ids.size());
         if (events.isOn()) {
             pending.expect(handles.size());
         } else {
@@ -74,6 +80,7 @@ public final class Clearing {
         copies.forget();
         log.call(LoggedCall.CLEAR, 0, 0);
         guard.changing = true;
+        joints.departures().removeOfCircles();
         if (events.isOn()) {
             removeEach();
         } else {

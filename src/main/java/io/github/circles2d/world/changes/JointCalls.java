@@ -1,6 +1,7 @@
 package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.joints.GoneJoints;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
@@ -13,7 +14,6 @@ import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls that change joints. A change acts from the next step on. */
@@ -23,6 +23,8 @@ public final class JointCalls {
     private static final Guard.Change<JointCalls> CLEAR = JointCalls::removeEach;
     private static final Guard.CircleChange<JointCalls> SET = JointCalls::setOne;
     private static final Guard.ChangeWith<JointCalls, long[]> REMOVE_ALL = JointCalls::removeMany;
+    private static final Guard.CircleChange<JointCalls> REPORT = (joints, h, on, a, b) -> joints.tell(on != 0);
+    private static final Guard.ChangeWith<JointCalls, GoneJoints> TAKE = JointCalls::give;
 
     private final Guard guard;
     private final HandleTable handles;
@@ -116,11 +118,10 @@ public final class JointCalls {
             int of = Bodies.find(terrain, body);
             JointLimits.anchor(form, a, x, y, handles);
             begin(form, 1);
-            table.ensureBodies(terrain.bodies.ids.end());
             log.joints(form);
             log.call(LoggedCall.ANCHORED_JOINT, a, of, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
             guard.changing = true;
-            int joint = joints.add(form, a, of == BodyTable.GROUND ? JointTable.NO_BODY : of, x, y);
+            int joint = joints.add(form, a, of, x, y);
             complete(form, joint);
             guard.changing = false;
             return table.ids.handle(joint);
@@ -324,5 +325,28 @@ public final class JointCalls {
         guard.changing = true;
         table.clear();
         guard.changing = false;
+    }
+
+    // ---- joints that go by themselves
+    // --------------------------------------------------------------------------------
+
+    /** Sets whether they are told of. */
+    public void report(boolean on) {
+        guard.change(this, 0, on ? 1 : 0, 0, 0, REPORT);
+    }
+
+    private void tell(boolean on) {
+        pending.settleJoints(); // what has gone so far is told of as it was to be
+        joints.departures().report(on);
+    }
+
+    /** Gives those that went since the last call. */
+    public void take(GoneJoints to) {
+        guard.change(this, to, TAKE);
+    }
+
+    private void give(GoneJoints to) {
+        pending.settleJoints();
+        joints.departures().gone().moveTo(to);
     }
 }

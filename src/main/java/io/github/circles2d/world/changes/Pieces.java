@@ -1,12 +1,14 @@
 package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.WorldSettings;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.ChainPath;
@@ -33,7 +35,9 @@ public final class Pieces {
     private final Guard guard;
     private final TerrainTables terrain;
     private final PieceTable table;
+    private final JointTables joints;
     private final CallLog log;
+    private final PendingWork pending;
     private final Copies copies;
     private final WorldSettings settings;
     private final PieceRead read;
@@ -41,10 +45,19 @@ public final class Pieces {
     /** A copy of the caller's array. */
     private float[] copied = new float[0];
 
-    public Pieces(Guard guard, TerrainTables terrain, CallLog log, Copies copies, WorldSettings settings) {
+    public Pieces(
+            Guard guard,
+            TerrainTables terrain,
+            JointTables joints,
+            CallLog log,
+            PendingWork pending,
+            Copies copies,
+            WorldSettings settings) {
         this.guard = guard;
         this.terrain = terrain;
+        this.joints = joints;
         this.log = log;
+        this.pending = pending;
         this.copies = copies;
         this.settings = settings;
         table = terrain.pieces;
@@ -213,9 +226,12 @@ public final class Pieces {
     }
 
     private void removeAll() {
+        pending.settleJoints();
+        joints.departures().ensure(joints.table.anchoredOnBodies());
         copies.forgetSaved();
         log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
         guard.changing = true;
+        joints.departures().removeOfBodies();
         terrain.clear();
         guard.changing = false;
     }

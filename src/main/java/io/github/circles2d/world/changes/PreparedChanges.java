@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
@@ -27,6 +28,7 @@ public final class PreparedChanges {
     private final WorldSettings settings;
     private final Kinds kinds;
     private final Travels travelling;
+    private final JointTables joints;
     private final Needs needs;
     private int count;
 
@@ -46,6 +48,7 @@ public final class PreparedChanges {
             WorldSettings settings,
             Kinds kinds,
             Travels travelling,
+            JointTables joints,
             Needs needs) {
         this.guard = guard;
         this.handles = handles;
@@ -56,6 +59,7 @@ public final class PreparedChanges {
         this.settings = settings;
         this.kinds = kinds;
         this.travelling = travelling;
+        this.joints = joints;
         this.needs = needs;
     }
 
@@ -151,6 +155,9 @@ public final class PreparedChanges {
 
     /** Reads are forgotten by the operation; {@link Commands#FIELD} also if some are of restitutions. */
     void make(int operation) {
+        if (operation == Commands.REMOVE && joints.isThere()) {
+            makeRoomForJoints();
+        }
         if (travels < count) {
             copies.forgetBy(operation);
         } else {
@@ -167,6 +174,16 @@ public final class PreparedChanges {
         }
         commands.admitChanges(ofPipelines ? count : changeAll());
         guard.changing = false;
+    }
+
+    /** Joints go with their circles. */
+    private void makeRoomForJoints() {
+        pending.settleJoints();
+        int leavingToo = 0;
+        for (int k = 0; k < count; k++) {
+            leavingToo += joints.departures().countOf(commands.preparedId(k));
+        }
+        joints.departures().ensure(leavingToo);
     }
 
     /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
@@ -202,7 +219,10 @@ public final class PreparedChanges {
                     return false;
                 }
             }
-            case Commands.REMOVE -> handles.remove(id);
+            case Commands.REMOVE -> {
+                joints.departures().removeOfCircle(id);
+                handles.remove(id);
+            }
             case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
             case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
             default ->

@@ -57,7 +57,7 @@ final class JointAnchors {
     private void place(JointStep step, StepConstants k, Bounds bounds) {
         int rows = 1;
         for (int joint = 0; joint < table.ids.end(); joint++) {
-            if (!table.ids.lives(joint) || table.body(joint) == JointTable.NO_BODY) {
+            if (!table.ids.lives(joint) || table.body(joint) == JointTable.WORLD) {
                 continue;
             }
             int body = table.body(joint);

@@ -75,4 +75,26 @@ public final class JointEnds {
     public float length() {
         return (float) Math.sqrt((double) dx * dx + (double) dy * dy);
     }
+
+    /** The component of a vector from the first end to the second one; 0 if both are at one place. */
+    public float along(float vx, float vy) {
+        float d = length();
+        return d > 0f ? (vx * dx + vy * dy) / d : 0f;
+    }
+
+    /** From a point to the line between both. */
+    public double distanceTo(float px, float py) {
+        double halfX = 0.5 * dx;
+        double halfY = 0.5 * dy;
+        double wayX =
+                Wrapping.shortWay(px - (float) (x + halfX), terrain.bounds().periodX());
+        double wayY =
+                Wrapping.shortWay(py - (float) (y + halfY), terrain.bounds().periodY());
+        double square = halfX * halfX + halfY * halfY;
+        double share = square > 0 ? (wayX * halfX + wayY * halfY) / square : 0;
+        share = Math.max(-1, Math.min(1, share));
+        double offX = wayX - share * halfX;
+        double offY = wayY - share * halfY;
+        return Math.sqrt(offX * offX + offY * offY);
+    }
 }

@@ -47,8 +47,7 @@ public final class JointForm {
     /** Without limits of forces; it never breaks, and its length is that of the ends when it comes. */
     public JointForm(int traits) {
         this.traits = traits;
-        boolean axial = (traits & JointRow.LINEAR) == JointRow.AXIAL;
-        row[JointRow.LENGTH] = axial && has(traits, JointRow.RIGID | JointRow.ELASTIC) ? Float.NaN : 0f;
+        row[JointRow.LENGTH] = isAxial(traits) && has(traits, JointRow.RIGID | JointRow.ELASTIC) ? Float.NaN : 0f;
         row[JointRow.MAX_LENGTH] = Float.POSITIVE_INFINITY;
         row[JointRow.MAX_FORCE] = Float.POSITIVE_INFINITY;
         row[JointRow.MAX_TORQUE] = Float.POSITIVE_INFINITY;
@@ -214,6 +213,11 @@ public final class JointForm {
 
     static boolean has(int traits, int flag) {
         return (traits & flag) != 0;
+    }
+
+    /** Whether it acts along the line between its ends. */
+    public static boolean isAxial(int traits) {
+        return (traits & JointRow.LINEAR) == JointRow.AXIAL;
     }
 
     /** Whether it concerns how circles turn. */

@@ -2,7 +2,7 @@ package io.github.circles2d.world.joints;
 
 import java.util.Arrays;
 
-/** Lists of elements by owner: of the ends of joints by circle, or of joints by body of terrain. An element is in one list at most. */
+/** The ends of joints by circle: lists of elements by owner. An element is in one list at most. */
 final class JointLists {
     static final int NONE = -1;
 

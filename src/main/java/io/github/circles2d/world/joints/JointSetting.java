@@ -109,7 +109,7 @@ public enum JointSetting {
         }
     }
 
-    private static void require(boolean has, int form, String what) {
+    static void require(boolean has, int form, String what) {
         if (!has) {
             throw new IllegalArgumentException("a " + JointForm.name(form) + " has no " + what);
         }

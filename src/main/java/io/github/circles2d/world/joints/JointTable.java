@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.terrain.BodyTable;
 import java.util.Arrays;
 
 /**
@@ -12,8 +13,8 @@ import java.util.Arrays;
  * checked, and there is room.
  */
 public final class JointTable {
-    /** The body of a joint that has no anchor on one; that of an anchor in the world. */
-    public static final int NO_BODY = -1;
+    /** In place of a body: that of an anchor in the world, and of joints without one. */
+    public static final int WORLD = BodyTable.GROUND;
 
     /** The colour of a split joint. */
     public static final int SPLIT = JointStep.COLOURS;
@@ -33,13 +34,12 @@ public final class JointTable {
     int[] traits = new int[0];
     private byte[] colour = new byte[0];
 
-    /** By joint: the body of terrain of its anchor, or {@link #NO_BODY}; and where it is in the body's coordinates. */
+    /** By joint: the body of terrain of its anchor, or {@link #WORLD}; and where it is in the body's coordinates. */
     private int[] body = new int[0];
 
     private float[] onBody = new float[0];
 
     private final JointLists ofCircles = new JointLists();
-    private final JointLists ofBodies = new JointLists();
 
     /** By circle: a bit for each colour that one of its joints has. */
     private int[] coloursOfCircle = new int[0];
@@ -91,11 +91,6 @@ public final class JointTable {
     /** Makes room for springs of so many more joints. */
     public void ensureSprings(int more) {
         springs.ensure(more);
-    }
-
-    /** Makes room for anchors on bodies of ids below a limit. */
-    public void ensureBodies(int bodyIds) {
-        ofBodies.ensure(bodyIds, ids.room());
     }
 
     // ---- what there is
@@ -196,7 +191,7 @@ public final class JointTable {
     }
 
     /** How many have an anchor on a body of terrain. */
-    int anchoredOnBodies() {
+    public int anchoredOnBodies() {
         return anchoredOnBodies;
     }
 
@@ -204,10 +199,10 @@ public final class JointTable {
         return b(joint) != JointRow.NONE && !JointForm.has(form(joint), JointRow.COLLIDE);
     }
 
-    // ---- the joints of a circle, or of a body; by place in a list, in any order
-    // ------------------------------------------------------------------------
+    // ---- the joints of a circle, in any order
+    // -------------------------------------------------------------------------
 
-    /** The first place, or a negative number. */
+    /** The first place in its list, or a negative number. */
     public int firstOfCircle(int circle) {
         return ofCircles.first(circle);
     }
@@ -216,18 +211,9 @@ public final class JointTable {
         return ofCircles.next(place);
     }
 
-    /** The joint at a place of a list of a circle. */
+    /** The joint at a place. */
     public static int jointAt(int place) {
         return place / ENDS;
-    }
-
-    /** The first joint with an anchor on a body, or a negative number. */
-    public int firstOfBody(int ofBody) {
-        return ofBodies.first(ofBody);
-    }
-
-    public int nextOfBody(int joint) {
-        return ofBodies.next(joint);
     }
 
     // ---- changes
@@ -256,7 +242,7 @@ public final class JointTable {
         traits[at + JointRow.FORM] = form;
         traits[at + JointRow.SPRING] = spring;
         traits[at + JointRow.ANCHOR] = 0;
-        body[joint] = NO_BODY;
+        body[joint] = WORLD;
         renew(joint);
     }
 
@@ -321,7 +307,6 @@ public final class JointTable {
     /** Gives a new joint an anchor on a body of terrain. */
     public void anchorOn(int joint, int itsBody) {
         body[joint] = itsBody;
-        ofBodies.add(itsBody, joint);
         anchoredOnBodies++;
     }
 
@@ -380,8 +365,7 @@ public final class JointTable {
         count(joint, -1);
         unlinkEnd(joint, A, a(joint));
         unlinkEnd(joint, B, b(joint));
-        if (body[joint] != NO_BODY) {
-            ofBodies.remove(body[joint], joint);
+        if (body[joint] != WORLD) {
             anchoredOnBodies--;
         }
         if (JointForm.has(form(joint), JointRow.ELASTIC)) {
@@ -432,7 +416,7 @@ public final class JointTable {
         to.colour[joint] = colour[joint];
         to.a[joint] = a(joint);
         to.b[joint] = b(joint);
-        to.body[joint] = savedBody(joint);
+        to.body[joint] = body[joint];
         to.referenceA[joint] = reference(joint, JointRow.REFERENCE_A);
         to.referenceB[joint] = reference(joint, JointRow.REFERENCE_B);
         for (int k = 0; k < SavedJoints.VALUES; k++) {
@@ -440,17 +424,13 @@ public final class JointTable {
         }
     }
 
-    private int savedBody(int joint) {
-        return body[joint] == NO_BODY ? 0 : body[joint];
-    }
-
     /** A value of {@link SavedJoints}. */
     private float savedValue(int joint, int k) {
         return switch (k) {
             case SavedJoints.FREQUENCY -> frequency(joint);
             case SavedJoints.DAMPING_RATIO -> dampingRatio(joint);
-            case JointRow.ANCHOR_X -> body[joint] == NO_BODY ? value(joint, k) : onBodyX(joint);
-            case JointRow.ANCHOR_Y -> body[joint] == NO_BODY ? value(joint, k) : onBodyY(joint);
+            case JointRow.ANCHOR_X -> body[joint] == WORLD ? value(joint, k) : onBodyX(joint);
+            case JointRow.ANCHOR_Y -> body[joint] == WORLD ? value(joint, k) : onBodyY(joint);
             default -> value(joint, k);
         };
     }
@@ -466,13 +446,12 @@ public final class JointTable {
     }
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
-    public void makeRoom(SavedJoints from, int circleIds, int bodyIds) {
+    public void makeRoom(SavedJoints from, int circleIds) {
         if (from.ids > ids.room()) {
             setRoom(from.ids);
         }
         if (ids.room() > 0) {
             ensureCircles(circleIds);
-            ensureBodies(bodyIds);
             springs.ensure(from.ids);
         }
     }
@@ -502,7 +481,7 @@ public final class JointTable {
                 && from.colour[joint] == colour[joint]
                 && from.a[joint] == a(joint)
                 && from.b[joint] == b(joint)
-                && from.body[joint] == savedBody(joint)
+                && from.body[joint] == body[joint]
                 && from.referenceA[joint] == reference(joint, JointRow.REFERENCE_A)
                 && from.referenceB[joint] == reference(joint, JointRow.REFERENCE_B);
         for (int k = 0; same && k < SavedJoints.VALUES; k++) {
@@ -514,7 +493,6 @@ public final class JointTable {
 
     private void replace(SavedJoints from) {
         ofCircles.clear();
-        ofBodies.clear();
         springs.clear();
         Arrays.fill(coloursOfCircle, 0);
         turning = 0;
@@ -544,7 +522,7 @@ public final class JointTable {
         setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
         colour[joint] = from.colour[joint];
         link(joint);
-        if (from.body[joint] != 0) {
+        if (from.body[joint] != WORLD) {
             anchorOn(joint, from.body[joint]);
             setOnBody(joint, from.values[values + JointRow.ANCHOR_X], from.values[values + JointRow.ANCHOR_Y]);
         }
@@ -572,7 +550,6 @@ public final class JointTable {
         return 4L * (rows.length + traits.length + body.length + onBody.length + coloursOfCircle.length)
                 + colour.length
                 + ofCircles.bytes()
-                + ofBodies.bytes()
                 + springs.bytes();
     }
 }

@@ -21,6 +21,7 @@ public final class JointTables {
     private final JointPartners partners = new JointPartners(table);
     private final JointAnchors anchors;
     private final JointEnds ends;
+    private final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
     public JointTables(JointStep step, HandleTable handles, TerrainTables terrain) {
@@ -30,6 +31,7 @@ public final class JointTables {
         places = new BodyAnchors(terrain.bodies);
         anchors = new JointAnchors(table, places);
         ends = new JointEnds(this, handles, terrain);
+        departures = new JointDepartures(table, handles);
     }
 
     /** Whether there are joints. */
@@ -48,7 +50,7 @@ public final class JointTables {
     /** Adds a joint of a circle with a place in the world, or on a body. */
     public int add(JointForm form, int circle, int body, float x, float y) {
         int joint = table.add(form, circle, JointRow.NONE);
-        if (body != JointTable.NO_BODY) {
+        if (body != JointTable.WORLD) {
             table.anchorOn(joint, body);
         }
         setAnchor(joint, x, y);
@@ -84,7 +86,7 @@ public final class JointTables {
 
     /** Gives a joint without another circle a place, in the world or on the body that it has. */
     private void setAnchor(int joint, float x, float y) {
-        if (table.body(joint) == JointTable.NO_BODY) {
+        if (table.body(joint) == JointTable.WORLD) {
             Bounds bounds = terrain.bounds();
             table.anchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
         } else {
@@ -96,14 +98,14 @@ public final class JointTables {
     /** Where the anchor of a joint is now. */
     public float anchorX(int joint) {
         int body = table.body(joint);
-        return body == JointTable.NO_BODY
+        return body == JointTable.WORLD
                 ? table.value(joint, JointRow.ANCHOR_X)
                 : places.x(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
     }
 
     public float anchorY(int joint) {
         int body = table.body(joint);
-        return body == JointTable.NO_BODY
+        return body == JointTable.WORLD
                 ? table.value(joint, JointRow.ANCHOR_Y)
                 : places.y(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
     }
@@ -111,8 +113,17 @@ public final class JointTables {
     /** Refuses values that are out of range, and joints that do not have this. */
     public void check(int joint, JointSetting setting, float a, float b) {
         setting.check(table.form(joint), a, b);
-        if (setting == JointSetting.ANCHOR && table.b(joint) != JointRow.NONE) {
-            throw new IllegalArgumentException("the joint holds two circles, and has no anchor");
+        if (setting == JointSetting.ANCHOR) {
+            requireAnchor(joint);
+        }
+    }
+
+    /** Refuses a joint without an anchor. */
+    public void requireAnchor(int joint) {
+        JointSetting.require(JointForm.takesAnchor(table.form(joint)), table.form(joint), "anchor");
+        if (table.b(joint) != JointRow.NONE) {
+            throw new IllegalArgumentException("the " + JointForm.name(table.form(joint)) + " with the handle "
+                    + table.ids.handle(joint) + " holds two circles, and has no anchor");
         }
     }
 
@@ -124,17 +135,23 @@ public final class JointTables {
         }
     }
 
+    /** How joints go by themselves. */
+    public JointDepartures departures() {
+        return departures;
+    }
+
     // ---- states
     // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
     public void makeRoom(SavedState from) {
-        table.makeRoom(from.joints, from.ids, from.terrain.bodyIds);
+        table.makeRoom(from.joints, from.ids);
     }
 
     /** Takes over saved joints; circles and terrain are there. There is room. */
     public void load(SavedState from) {
         table.load(from.joints, from.jointStates);
+        departures.gone().clear();
         anchors.changed();
     }
 
@@ -168,7 +185,7 @@ public final class JointTables {
 
     /** Bytes of the tables. */
     public long bytes() {
-        return isThere() ? table.bytes() + schedule.bytes() + stepBytes() : 0;
+        return isThere() ? table.bytes() + schedule.bytes() + departures.bytes() + stepBytes() : 0;
     }
 
     private long stepBytes() {

@@ -1,13 +1,21 @@
 package io.github.circles2d.world.reads;
 
+import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
+import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.WorldSettings;
+import java.util.Arrays;
 
 /** The reads of joints. */
 public final class JointReads {
@@ -19,16 +27,51 @@ public final class JointReads {
             (joints, none, handle, n) -> joints.circleOf(handle, n != 0);
     private static final Guard.Numbers<JointReads, JointForm[]> FORM =
             (joints, to, handle, n) -> joints.formOf(handle, to);
+    private static final Guard.Numbers<JointReads, Void> ANCHOR =
+            (joints, none, handle, axis) -> joints.anchorBits(handle, axis != 0);
+    private static final Guard.Numbers<JointReads, Void> LOAD =
+            (joints, none, handle, which) -> joints.loadBits(handle, (int) which);
+    private static final Guard.Numbers<JointReads, Void> LENGTH =
+            (joints, none, handle, n) -> joints.lengthBits(handle);
+    private static final Guard.Numbers<JointReads, long[]> OF_CIRCLE =
+            (joints, into, circle, n) -> joints.listOfCircle(circle, into);
+    private static final Guard.Numbers<JointReads, float[]> READ_ENDS = (joints, to, m, n) -> joints.copyEnds(to);
+    private static final Guard.FloatsChange<JointReads> PICK =
+            (joints, n, x, y, most, d, e, f) -> joints.nearest(x, y, most);
+
+    // what a joint does to its first circle
+    private static final int FORCE_X = 0;
+    private static final int FORCE_Y = 1;
+    private static final int FORCE = 2;
+    private static final int TORQUE = 3;
+
+    /** Elements of the ends of a joint. */
+    private static final int ENDS = 4;
 
     private final Guard guard;
     private final HandleTable handles;
+    private final JointTables joints;
     private final JointTable table;
     private final PendingWork pending;
+    private final LastReading last;
+    private final WorldSettings settings;
 
-    public JointReads(Guard guard, HandleTable handles, JointTables joints, PendingWork pending) {
+    /** The joints of a circle. */
+    private int[] found = new int[0];
+
+    public JointReads(
+            Guard guard,
+            HandleTable handles,
+            JointTables joints,
+            PendingWork pending,
+            LastReading last,
+            WorldSettings settings) {
         this.guard = guard;
         this.handles = handles;
+        this.joints = joints;
         this.pending = pending;
+        this.last = last;
+        this.settings = settings;
         table = joints.table;
     }
 
@@ -93,5 +136,166 @@ public final class JointReads {
     private long formOf(long handle, JointForm[] to) {
         to[0] = table.formOf(find(handle));
         return 0;
+    }
+
+    // ---- where joints are
+    // --------------------------------------------------------------------------------------------
+
+    public float anchorX(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ANCHOR));
+    }
+
+    public float anchorY(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 1, ANCHOR));
+    }
+
+    private long anchorBits(long handle, boolean y) {
+        int joint = find(handle);
+        joints.requireAnchor(joint);
+        return Float.floatToRawIntBits(y ? joints.anchorY(joint) : joints.anchorX(joint));
+    }
+
+    /** How far its ends are apart now. */
+    public float length(long handle) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, LENGTH));
+    }
+
+    private long lengthBits(long handle) {
+        int joint = find(handle);
+        JointEnds ends = joints.ends().look(last.circles());
+        ends.of(joint);
+        return Float.floatToRawIntBits(ends.length());
+    }
+
+    /** x and y of both ends of all joints, in the order of ids; returns how many there are. */
+    public int readEnds(float[] to) {
+        return (int) guard.read(this, to, 0, 0, READ_ENDS);
+    }
+
+    private long copyEnds(float[] to) {
+        pending.settleJoints();
+        Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
+        if (!joints.isThere()) {
+            return 0;
+        }
+        JointEnds ends = joints.ends().look(last.circles());
+        int at = 0;
+        for (int joint = 0; joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint)) {
+                ends.of(joint);
+                to[at++] = ends.x();
+                to[at++] = ends.y();
+                to[at++] = ends.x() + ends.dx();
+                to[at++] = ends.y() + ends.dy();
+            }
+        }
+        return table.ids.size();
+    }
+
+    /** The joint whose line is nearest to a point, of several the one of the lowest id; -1 if all are farther away than a distance. */
+    public long pick(float x, float y, float most) {
+        return guard.change(this, 0, x, y, most, 0, 0, 0, PICK);
+    }
+
+    private long nearest(float x, float y, float most) {
+        pending.settleJoints();
+        Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("the greatest distance", most, 0f, Float.POSITIVE_INFINITY);
+        int nearest = -1;
+        double least = most;
+        JointEnds ends = joints.isThere() ? joints.ends().look(last.circles()) : null;
+        for (int joint = 0; ends != null && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint)) {
+                ends.of(joint);
+                double distance = ends.distanceTo(x, y);
+                if (distance < least || distance == least && nearest < 0) {
+                    nearest = joint;
+                    least = distance;
+                }
+            }
+        }
+        return nearest < 0 ? -1 : table.ids.handle(nearest);
+    }
+
+    /** The joints of a circle, in the order of ids, of which the array takes the first ones; returns how many there are. */
+    public int ofCircle(long circle, long[] into) {
+        return (int) guard.read(this, into, circle, 0, OF_CIRCLE);
+    }
+
+    private long listOfCircle(long circle, long[] into) {
+        pending.settleJoints();
+        Limits.notNull("joints", into);
+        int id = Circles.find(handles, circle);
+        int count = joints.departures().countOf(id);
+        if (found.length < count) {
+            found = new int[count + (count >> 1)];
+        }
+        int k = 0;
+        for (int place = table.firstOfCircle(id); place >= 0; place = table.nextOfCircle(place)) {
+            found[k++] = JointTable.jointAt(place);
+        }
+        Arrays.sort(found, 0, count);
+        for (k = 0; k < count && k < into.length; k++) {
+            into[k] = table.ids.handle(found[k]);
+        }
+        return count;
+    }
+
+    // ---- what they do
+    // ------------------------------------------------------------------------------------------------
+
+    /** The force on the first circle in the last step. */
+    public float forceX(long handle) {
+        return load(handle, FORCE_X);
+    }
+
+    public float forceY(long handle) {
+        return load(handle, FORCE_Y);
+    }
+
+    /** Along the line of a joint that has one, positive if it pulls; else how great it is. */
+    public float force(long handle) {
+        return load(handle, FORCE);
+    }
+
+    /** On the first circle. */
+    public float torque(long handle) {
+        return load(handle, TORQUE);
+    }
+
+    private float load(long handle, int which) {
+        return Float.intBitsToFloat((int) guard.read(this, null, handle, which, LOAD));
+    }
+
+    private long loadBits(long handle, int which) {
+        int joint = find(handle);
+        SavedJointStates states = last.joints();
+        if (joint >= states.joints || states.serial[joint] != table.serial(joint)) {
+            return 0; // it is new
+        }
+        return Float.floatToRawIntBits(load(states, joint, which, settings.lastStep()));
+    }
+
+    private float load(SavedJointStates states, int joint, int which, float dt) {
+        switch (which) {
+            case FORCE_X -> {
+                return JointLoads.forceX(states, joint, dt);
+            }
+            case FORCE_Y -> {
+                return JointLoads.forceY(states, joint, dt);
+            }
+            case TORQUE -> {
+                return JointLoads.torque(states, joint, dt);
+            }
+            default -> {
+                if (!JointForm.isAxial(table.form(joint))) {
+                    return JointLoads.force(states, joint, dt);
+                }
+                JointEnds ends = joints.ends().look(last.circles());
+                ends.of(joint);
+                return ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
+            }
+        }
     }
 }

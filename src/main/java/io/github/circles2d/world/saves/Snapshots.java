@@ -170,7 +170,7 @@ public final class Snapshots {
         handles.load(saved);
         kinds.copy(saved.kinds);
         forces.restored(saved);
-        pending.drop();
+        pending.restored();
         travels.restored();
         growth.restored();
         terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);

@@ -60,6 +60,7 @@ public final class Copies {
         last.forgetCircles();
         last.forgetVelocities();
         last.forgetTurns();
+        last.forgetJoints();
         savedCurrent = false;
     }
 

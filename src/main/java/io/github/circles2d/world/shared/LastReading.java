@@ -1,6 +1,7 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.model.CircleRow;
 
 /** The last bulk read-back, which answers reads of single values until the state changes. */
@@ -17,6 +18,8 @@ public final class LastReading {
     private boolean velocitiesCurrent;
     private boolean anglesCurrent;
     private boolean angularVelocitiesCurrent;
+    private final SavedJointStates joints = new SavedJointStates();
+    private boolean jointsCurrent;
 
     /** How often circles have changed. */
     private long changes;
@@ -44,6 +47,10 @@ public final class LastReading {
     void forgetTurns() {
         anglesCurrent = false;
         angularVelocitiesCurrent = false;
+    }
+
+    void forgetJoints() {
+        jointsCurrent = false;
     }
 
     /** Circles as of now: x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change. */
@@ -108,6 +115,16 @@ public final class LastReading {
             angularVelocitiesCurrent = true;
         }
         return needs.turns() ? angularVelocities : null;
+    }
+
+    /** What joints keep from the last step; of those whose serials are of joints that there are. Valid until the next change. */
+    public SavedJointStates joints() {
+        if (!jointsCurrent) {
+            pending.settle();
+            pipeline.saveJoints(joints);
+            jointsCurrent = true;
+        }
+        return joints;
     }
 
     /** Makes the state what calls have led to, and returns whether circles turn. Where they cannot, there is nothing to wait for. */

@@ -14,6 +14,7 @@ public final class PendingWork {
     private final ContactEvents events;
     private final CallLog log;
     private final JointTables joints;
+    private final Breaking breaking;
     private final Needs needs;
 
     public PendingWork(
@@ -24,6 +25,7 @@ public final class PendingWork {
             ContactEvents events,
             CallLog log,
             JointTables joints,
+            WorldSettings settings,
             Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
@@ -32,6 +34,7 @@ public final class PendingWork {
         this.events = events;
         this.log = log;
         this.joints = joints;
+        breaking = new Breaking(pipeline, guard, joints, settings);
         this.needs = needs;
     }
 
@@ -84,11 +87,18 @@ public final class PendingWork {
         log.logged = 0;
     }
 
-    /** Waits for all steps, and is told if one has failed. */
+    /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
         guard.changing = true;
         pipeline.finish();
         guard.changing = false;
+        breaking.take();
+    }
+
+    /** Another state has taken the place of all that was, and of all changes that wait. */
+    public void restored() {
+        drop();
+        breaking.forget();
     }
 
     /** Makes the state what calls have led to, so that reading it changes nothing. */

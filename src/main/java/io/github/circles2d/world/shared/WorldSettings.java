@@ -110,6 +110,11 @@ public final class WorldSettings {
         return surfaces;
     }
 
+    /** The length of the last step; 0 before the first. */
+    public float lastStep() {
+        return timeStep;
+    }
+
     /** The length of a sub-step of the last step; 0 before the first. */
     public float lastSubStep() {
         return timeStep / subSteps;

@@ -236,7 +236,7 @@ class JointSectionTest {
         refused("the speed", s -> set(s, MOTOR, JointRow.SPEED, Float.POSITIVE_INFINITY));
         refused("the frequency", s -> set(s, SPRING, SavedJoints.FREQUENCY, 2e4f));
         refused("the damping", s -> set(s, SPRING, SavedJoints.DAMPING_RATIO, Float.NaN));
-        refused("direction", s -> set(s, WELD, JointRow.DIRECTION_X, 0.5f));
+        refused("direction", s -> set(s, WELD, JointRow.DIRECTION_Y, 0.25f));
         refused("direction", s -> set(s, WELD, JointRow.DIRECTION_X, Float.NaN));
     }
 

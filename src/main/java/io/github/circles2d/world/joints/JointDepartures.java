@@ -1,0 +1,126 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.JointRow;
+import java.util.Arrays;
+
+/** How joints go by themselves: with what they hold, or since they break. It tells who asks for that. */
+public final class JointDepartures {
+    private final JointTable table;
+    private final HandleTable handles;
+    private final GoneJoints gone = new GoneJoints();
+    private boolean reports;
+
+    /** The joints of a circle. */
+    private int[] leaving = new int[0];
+
+    JointDepartures(JointTable table, HandleTable handles) {
+        this.table = table;
+        this.handles = handles;
+    }
+
+    /** Whether somebody is told of joints that go. */
+    public boolean reports() {
+        return reports;
+    }
+
+    /** Forgets what nobody is to be told of any more. */
+    public void report(boolean on) {
+        reports = on;
+        if (!on) {
+            gone.clear();
+        }
+    }
+
+    /** Those that have gone and that nobody has taken yet. */
+    public GoneJoints gone() {
+        return gone;
+    }
+
+    /** Makes room for so many. If there is none, nothing has changed. */
+    public void ensure(int more) {
+        if (reports) {
+            gone.ensure(more);
+            if (leaving.length < more) {
+                leaving = new int[more + (more >> 1)];
+            }
+        }
+    }
+
+    /** How many go with a circle. */
+    public int countOf(int circle) {
+        int count = 0;
+        for (int place = table.firstOfCircle(circle); place >= 0; place = table.nextOfCircle(place)) {
+            count++;
+        }
+        return count;
+    }
+
+    /** A circle goes, which has its handle yet; there is room. */
+    public void removeOfCircle(int circle) {
+        if (!reports) {
+            for (int place = table.firstOfCircle(circle); place >= 0; place = table.firstOfCircle(circle)) {
+                table.remove(JointTable.jointAt(place));
+            }
+            return;
+        }
+        int count = 0;
+        for (int place = table.firstOfCircle(circle); place >= 0; place = table.nextOfCircle(place)) {
+            leaving[count++] = JointTable.jointAt(place);
+        }
+        Arrays.sort(leaving, 0, count);
+        for (int k = 0; k < count; k++) {
+            remove(leaving[k], GoneJoints.CIRCLE_REMOVED);
+        }
+    }
+
+    /** All circles go. */
+    public void removeOfCircles() {
+        for (int joint = 0; joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint)) {
+                remove(joint, GoneJoints.CIRCLE_REMOVED);
+            }
+        }
+    }
+
+    /** A body of terrain goes. */
+    public void removeOfBody(int body) {
+        for (int joint = 0; table.anchoredOnBodies() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.body(joint) == body) {
+                remove(joint, GoneJoints.BODY_REMOVED);
+            }
+        }
+    }
+
+    /** All bodies of terrain go. */
+    public void removeOfBodies() {
+        for (int joint = 0; table.anchoredOnBodies() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.body(joint) != JointTable.WORLD) {
+                remove(joint, GoneJoints.BODY_REMOVED);
+            }
+        }
+    }
+
+    /** A joint has broken. */
+    public void breakJoint(int joint, float force, float torque) {
+        remove(joint, GoneJoints.BROKEN);
+        if (reports) {
+            gone.setLoad(force, torque);
+        }
+    }
+
+    private void remove(int joint, int reason) {
+        if (reports) {
+            gone.add(table.ids.handle(joint), handleOf(table.a(joint)), handleOf(table.b(joint)), reason);
+        }
+        table.remove(joint);
+    }
+
+    private long handleOf(int circle) {
+        return circle == JointRow.NONE ? -1 : handles.handle(circle);
+    }
+
+    long bytes() {
+        return 4L * leaving.length;
+    }
+}
