@@ -41,8 +41,8 @@ final class ReferenceJoints {
     // ---- calls
     // -----------------------------------------------------------------------------------------------
 
-    /** Adds a joint that does nothing yet; to a circle, to a place, or to neither. */
-    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor) {
+    /** Adds a joint to a circle, or to a place. */
+    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor, JointPlan plan, Arena arena) {
         if (!joints.contains(null)) {
             joints.add(null);
         }
@@ -52,6 +52,7 @@ final class ReferenceJoints {
         while (joint.colour < SPLIT && isTaken(joint.colour, joint)) {
             joint.colour++;
         }
+        joint.become(plan, arena);
         joints.set(id, joint);
         if (b != null) {
             splitIfHub(a);
@@ -77,6 +78,10 @@ final class ReferenceJoints {
 
     void remove(ReferenceJoint joint) {
         joints.set(joint.id, null);
+    }
+
+    long hash() {
+        return all().stream().mapToLong(ReferenceJoint::hash).sum();
     }
 
     // ---- a step
