@@ -103,6 +103,8 @@ class RopesTest {
             JointedCircles rope = Ropes.rope(world, Ropes.circle(ball), Ropes.on(body, 2, -1), 12, 0.2f, 0.1f, 0);
             float x = (float) (5 + 2 * Math.cos(1) + Math.sin(1));
             float y = (float) (20 + 2 * Math.sin(1) - Math.cos(1));
+            assertThat(world.joints().anchorX(rope.joints()[12])).isCloseTo(x, offset(1e-4f));
+            assertThat(world.joints().anchorY(rope.joints()[12])).isCloseTo(y, offset(1e-4f));
             assertThat(length(world, x, y, reversed(rope), ball)).isCloseTo(Math.hypot(x - 5, y - 10), offset(1e-3));
             body.setVelocity(0, 1);
             world.step(STEP, 60);
