@@ -2,7 +2,6 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.offset;
 
 import org.junit.jupiter.api.Test;
@@ -184,18 +183,6 @@ class RopesTest {
             refused(world, "the handle of the end is 0", () -> Ropes.circle(0));
             refused(world, "x is NaN", () -> Ropes.at(Float.NaN, 0));
             refused(world, "y is 2.0E9", () -> Ropes.on(world.terrain().ground(), 0, 2e9f));
-            assertThatNullPointerException()
-                    .isThrownBy(() -> Ropes.on(null, 0, 0))
-                    .withMessageContaining("body");
-            assertThatNullPointerException()
-                    .isThrownBy(() -> Ropes.rope(null, from, to, 9, 0.1f, 1, 0))
-                    .withMessageContaining("world");
-            assertThatNullPointerException()
-                    .isThrownBy(() -> Ropes.bridge(world, from, null, 9, 0.1f, 1, 0))
-                    .withMessageContaining("to");
-            assertThatNullPointerException()
-                    .isThrownBy(() -> Ropes.rope(world, from, to, 9, 0.1f, 1, 0, null))
-                    .withMessageContaining("link");
         }
     }
 
