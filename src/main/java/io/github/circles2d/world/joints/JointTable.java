@@ -161,13 +161,9 @@ public final class JointTable {
     /** What a joint does. */
     public JointForm formOf(int joint) {
         JointForm form = new JointForm(form(joint));
-        int values = JointRow.BREAK_TORQUE + 1 - JointRow.LENGTH;
-        System.arraycopy(
-                rows,
-                JointRow.of(joint) + JointRow.LENGTH,
-                form.row,
-                JointRow.LENGTH,
-                values); // no place, no direction
+        for (int k = JointRow.LENGTH; k <= JointRow.BREAK_TORQUE; k++) { // not where the anchor is, nor the direction
+            form.row[k] = value(joint, k);
+        }
         form.frequency = frequency(joint);
         form.dampingRatio = dampingRatio(joint);
         form.angle = form.kind() == JointForm.SERVO ? reference(joint, JointRow.REFERENCE_A) : 0;
