@@ -187,6 +187,54 @@ class RecordedCallsTest {
             change("TerrainBody.teleport(float, float, float)", (w, a, b) -> liftOf(w)
                     .teleport(0.3f, 0.2f, 1)),
             change("TerrainBody.remove()", (w, a, b) -> liftOf(w).remove()),
+            change("Joints.add(long, long, Joint)", (w, a, b) -> w.joints()
+                    .add(a, b, Joint.weld().breakingAt(1e6f, 1e5f))),
+            change("Joints.add(long, float, float, Joint)", (w, a, b) -> w.joints()
+                    .add(a, 0.5f, 0.6f, Joint.spring(3, 0.5f).withLimits(0.1f, 2))),
+            change("Joints.add(long, TerrainBody, float, float, Joint)", (w, a, b) -> w.joints()
+                    .add(b, liftOf(w), 0.1f, 0.2f, Joint.mouse(5, 1, 30))),
+            change("Joints.add(long, Joint)", (w, a, b) -> {
+                w.joints().add(a, Joint.friction(0.5f, 0.25f));
+                w.joints().add(b, Joint.servo(2, 5, 0.5f, 3));
+            }),
+            change("Joints.addAll(long[], long[], Joint, long[])", (w, a, b) -> w.joints()
+                    .addAll(new long[] {a, b}, new long[] {b, a}, Joint.distance(), new long[2])),
+            change("Joints.remove(long)", (w, a, b) -> {
+                long gone = w.joints().add(a, b, Joint.motor(4, 3));
+                w.joints().add(b, 0.5f, 0.6f, Joint.pin());
+                w.joints().remove(gone);
+            }),
+            change("Joints.removeAll(long[])", (w, a, b) -> {
+                long[] joints = new long[3];
+                for (int k = 0; k < joints.length; k++) {
+                    joints[k] = w.joints().add(a, b, Joint.rope(2));
+                }
+                w.joints().removeAll(new long[] {joints[2], joints[0]});
+            }),
+            change("Joints.clear()", (w, a, b) -> {
+                w.joints().add(a, b, Joint.limits(0.1f, 2));
+                w.joints().clear();
+            }),
+            change("Joints.setAnchor(long, float, float)", (w, a, b) -> w.joints()
+                    .setAnchor(w.joints().add(a, 0.5f, 0.6f, Joint.pin(3, 1)), 0.6f, 0.7f)),
+            change("Joints.setLength(long, float)", (w, a, b) -> w.joints()
+                    .setLength(w.joints().add(a, b, Joint.distance()), 0.3f)),
+            change("Joints.setLimits(long, float, float)", (w, a, b) -> w.joints()
+                    .setLimits(w.joints().add(a, b, Joint.rope(0.3f)), 0.1f, 0.25f)),
+            change("Joints.setSpring(long, float, float)", (w, a, b) -> w.joints()
+                    .setSpring(w.joints().add(a, b, Joint.spring(5, 1)), 6, 0.25f)),
+            change("Joints.setSpeed(long, float)", (w, a, b) -> w.joints()
+                    .setSpeed(w.joints().add(a, b, Joint.motor(5, 1)), 6)),
+            change("Joints.setAngle(long, float)", (w, a, b) -> w.joints()
+                    .setAngle(w.joints().add(a, b, Joint.servo(1, 5, 1, 9)), -6)),
+            change("Joints.setMaxForce(long, float)", (w, a, b) -> w.joints()
+                    .setMaxForce(w.joints().add(a, Joint.friction(1, 1)), 6)),
+            change("Joints.setMaxTorque(long, float)", (w, a, b) -> w.joints()
+                    .setMaxTorque(w.joints().add(a, Joint.friction(1, 1)), 6)),
+            change("Joints.setBreaking(long, float, float)", (w, a, b) -> w.joints()
+                    .setBreaking(w.joints().add(a, b, Joint.distance()), 1e4f, Float.POSITIVE_INFINITY)),
+            change("Joints.setColliding(long, boolean)", (w, a, b) -> w.joints()
+                    .setColliding(w.joints().add(a, b, Joint.distance()), true)),
             change("step(float)", (w, a, b) -> w.step(0.01f)),
             change("step(float, int)", (w, a, b) -> w.step(0.01f, 3)),
             change("restore(ByteBuffer)", (w, a, b) -> w.restore(snapshotOfAnother()))));
@@ -274,6 +322,26 @@ class RecordedCallsTest {
             "takePositions",
             "takePositionsById",
             "terrain",
+            "Joints.anchorX",
+            "Joints.anchorY",
+            "Joints.circle",
+            "Joints.contains",
+            "Joints.events",
+            "Joints.force",
+            "Joints.forceX",
+            "Joints.forceY",
+            "Joints.handle",
+            "Joints.idLimit",
+            "Joints.joint",
+            "Joints.length",
+            "Joints.ofCircle",
+            "Joints.other",
+            "Joints.pick",
+            "Joints.readEnds",
+            "Joints.report",
+            "Joints.size",
+            "Joints.torque",
+            "joints",
             "Terrain.body",
             "Terrain.bodyOf",
             "Terrain.contains",

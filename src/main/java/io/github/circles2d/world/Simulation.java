@@ -111,10 +111,10 @@ public final class Simulation implements AutoCloseable {
         joints = new JointTables(input.joints, handles, terrain);
         needs = new Needs(pipeline, kindTable, terrain, joints, settings);
         pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, settings, needs);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, needs);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, joints, needs);
         pieces = new Pieces(guard, terrain, joints, log, pending, copies, settings);
         bodies = new Bodies(guard, terrain, joints, log, pending, copies, settings);
-        jointCalls = new JointCalls(guard, handles, terrain, joints, pending, copies);
+        jointCalls = new JointCalls(guard, handles, terrain, joints, log, pending, copies);
         jointReads = new JointReads(guard, handles, joints, pending, copies.last(), settings);
         kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
         growth = new Growth(guard, handles, commands, log, copies, settings);

@@ -9,8 +9,10 @@ import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.terrain.TerrainTables;
 
@@ -29,6 +31,7 @@ public final class JointCalls {
     private final TerrainTables terrain;
     private final JointTables joints;
     private final JointTable table;
+    private final CallLog log;
     private final PendingWork pending;
     private final Copies copies;
 
@@ -47,12 +50,14 @@ public final class JointCalls {
             HandleTable handles,
             TerrainTables terrain,
             JointTables joints,
+            CallLog log,
             PendingWork pending,
             Copies copies) {
         this.guard = guard;
         this.handles = handles;
         this.terrain = terrain;
         this.joints = joints;
+        this.log = log;
         this.pending = pending;
         this.copies = copies;
         table = joints.table;
@@ -70,6 +75,8 @@ public final class JointCalls {
             int b = Circles.find(handles, other);
             JointLimits.circles(form, a, b, handles);
             begin(form, 1);
+            log.joints(form);
+            log.call(LoggedCall.JOINT, a, b);
             guard.changing = true;
             int joint = addOne(form, a, b);
             guard.changing = false;
@@ -89,6 +96,8 @@ public final class JointCalls {
             int a = Circles.find(handles, circle);
             JointLimits.alone(form, a, handles);
             begin(form, 1);
+            log.joints(form);
+            log.call(LoggedCall.JOINT_ALONE, a, 0);
             guard.changing = true;
             int joint = addOne(form, a, JointRow.NONE);
             guard.changing = false;
@@ -109,6 +118,8 @@ public final class JointCalls {
             int of = Bodies.find(terrain, body);
             JointLimits.anchor(form, a, x, y, handles);
             begin(form, 1);
+            log.joints(form);
+            log.call(LoggedCall.ANCHORED_JOINT, a, of, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
             guard.changing = true;
             int joint = joints.add(form, a, of, x, y);
             complete(form, joint);
@@ -133,6 +144,10 @@ public final class JointCalls {
                 find(k, firsts[k], others[k], form);
             }
             begin(form, n);
+            log.joints(form);
+            for (int k = 0; k < n; k++) {
+                log.call(LoggedCall.JOINT, found[k], foundOthers[k]);
+            }
             guard.changing = true;
             for (int k = 0; k < n; k++) {
                 int joint = addOne(form, found[k], foundOthers[k]);
@@ -222,6 +237,7 @@ public final class JointCalls {
             table.ensureSprings(1);
         }
         copies.forgetSaved();
+        log.call(LoggedCall.JOINT_SETTING, joint, number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
         guard.changing = true;
         joints.set(joint, setting, a, b);
         guard.changing = false;
@@ -256,6 +272,7 @@ public final class JointCalls {
         pending.settleJoints();
         int joint = find(handle);
         copies.forgetSaved();
+        log.call(LoggedCall.REMOVE_JOINT, joint, 0);
         guard.changing = true;
         table.remove(joint);
         guard.changing = false;
@@ -275,6 +292,9 @@ public final class JointCalls {
             findLeaving(k, them[k]);
         }
         copies.forgetSaved();
+        for (int k = 0; k < n; k++) {
+            log.call(LoggedCall.REMOVE_JOINT, found[k], 0);
+        }
         guard.changing = true;
         for (int k = 0; k < n; k++) {
             table.remove(found[k]);
@@ -301,6 +321,7 @@ public final class JointCalls {
     private void removeEach() {
         pending.settleJoints();
         copies.forgetSaved();
+        log.call(LoggedCall.CLEAR_JOINTS, 0, 0);
         guard.changing = true;
         table.clear();
         guard.changing = false;

@@ -83,6 +83,8 @@ final class FieldSections {
         s.touches.clear();
         s.terrain.clear();
         s.pieceContacts.clear();
+        s.joints.clear();
+        s.jointStates.begin(0);
         if (sections < 0) {
             throw SnapshotCodec.refused("it cannot have " + sections + " sections");
         }

@@ -22,6 +22,7 @@ import java.nio.ByteBuffer;
  *            belt speed of each wall, by {@link WallMotion#of}
  *            1,004, 1,005: what circles turn by, as {@link TurnSections} has it
  *            1,006, 1,007: terrain, and contacts with it, as {@link TerrainSection} has them
+ *            1,008: joints, as {@link JointSection} has them
  * </pre>
  */
 final class ParameterSections {
@@ -36,6 +37,7 @@ final class ParameterSections {
     private static final int GRIPS = FIRST + 5;
     private static final int TERRAIN = FIRST + 6;
     private static final int TERRAIN_CONTACTS = FIRST + 7;
+    private static final int JOINTS = FIRST + 8;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
@@ -50,7 +52,8 @@ final class ParameterSections {
                 + (TurnSections.circles(s) > 0 ? 1 : 0)
                 + (TurnSections.impulses(s) > 0 ? 1 : 0)
                 + (s.terrain.isAsAtFirst() ? 0 : 1)
-                + (s.pieceContacts.count > 0 ? 1 : 0);
+                + (s.pieceContacts.count > 0 ? 1 : 0)
+                + (s.joints.isAsAtFirst() ? 0 : 1);
     }
 
     private static int ofFloats(SavedState s) {
@@ -72,7 +75,8 @@ final class ParameterSections {
                 (TurnSections.circles(s) > 0 ? Integer.BYTES : 0) + (TurnSections.impulses(s) > 0 ? Integer.BYTES : 0);
         long terrain = s.terrain.isAsAtFirst() ? 0 : Integer.BYTES + TerrainSection.bytes(s.terrain);
         long contacts = s.pieceContacts.count > 0 ? Integer.BYTES + TerrainSection.bytes(s.pieceContacts) : 0;
-        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s) + terrain + contacts;
+        long joints = s.joints.isAsAtFirst() ? 0 : Integer.BYTES + JointSection.bytes(s);
+        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s) + terrain + contacts + joints;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -112,6 +116,10 @@ final class ParameterSections {
             out.putInt(TERRAIN_CONTACTS);
             TerrainSection.write(s.pieceContacts, out);
         }
+        if (!s.joints.isAsAtFirst()) {
+            out.putInt(JOINTS);
+            JointSection.write(s, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -127,6 +135,7 @@ final class ParameterSections {
             case GRIPS -> TurnSections.readImpulses(in, s);
             case TERRAIN -> TerrainSection.readTerrain(in, s);
             case TERRAIN_CONTACTS -> TerrainSection.readContacts(in, s);
+            case JOINTS -> JointSection.read(in, s);
             default -> readFloats(in, s, number);
         }
     }

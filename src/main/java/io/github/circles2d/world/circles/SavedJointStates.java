@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.JointState;
+import java.util.Arrays;
 
 /** What joints keep from step to step, by id. A row counts if its serial is that of the joint. */
 public final class SavedJointStates {
@@ -20,5 +21,25 @@ public final class SavedJointStates {
             serial = new int[count + (count >> 1)];
             rows = new float[JointState.of(serial.length)];
         }
+    }
+
+    /** Makes room for joints, and keeps those that there are; others have the serial 0 and no impulses. */
+    public void extend(int count) {
+        if (serial.length < count) {
+            serial = Arrays.copyOf(serial, count + (count >> 1));
+            rows = Arrays.copyOf(rows, JointState.of(serial.length));
+        }
+        if (joints < count) {
+            for (int joint = joints; joint < count; joint++) {
+                clear(joint);
+            }
+            joints = count;
+        }
+    }
+
+    /** A joint has no impulses. */
+    public void clear(int joint) {
+        serial[joint] = 0;
+        Arrays.fill(rows, JointState.of(joint), JointState.of(joint + 1), 0f);
     }
 }

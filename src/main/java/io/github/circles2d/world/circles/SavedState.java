@@ -74,9 +74,12 @@ public final class SavedState {
 
     public final SavedTerrain terrain = new SavedTerrain();
 
-    /** Of circles with pieces of terrain. */
+    public final SavedJoints joints = new SavedJoints();
+
+    /** Of {@link #joints}. */
     public final SavedJointStates jointStates = new SavedJointStates();
 
+    /** Of circles with pieces of terrain. */
     public final SavedPieceContacts pieceContacts = new SavedPieceContacts();
 
     public SavedState() {}

@@ -239,6 +239,7 @@ public final class SnapshotCodec {
         checkTargets(s);
         checkGrowth(s);
         TerrainSection.checkChains(s.terrain);
+        JointSection.checkColours(s);
         return length;
     }
 
@@ -320,7 +321,7 @@ public final class SnapshotCodec {
         int flags = getByte(in);
         if ((flags & LIVES) == 0) {
             require((flags & ~HAS_GENERATION) == 0, "a free id has a circle's flags");
-            s.generation[id] = getGeneration(in, flags);
+            s.generation[id] = getGeneration(in, (flags & HAS_GENERATION) != 0);
             return circle;
         }
         require(circle < circles, "there are more circles than it says");
@@ -333,7 +334,7 @@ public final class SnapshotCodec {
         for (int k = 0; k < CircleRow.STRIDE; k++) {
             s.motion[row + k] = in.getFloat();
         }
-        s.generation[id] = getGeneration(in, flags);
+        s.generation[id] = getGeneration(in, (flags & HAS_GENERATION) != 0);
         float worlds = s.parameters().restitution();
         s.traits[row + CircleRow.INVERSE_MASS] = CircleMath.inverseMass(s.circle[row + CircleRow.MASS]);
         s.traits[row + CircleRow.RESTITUTION] = (flags & HAS_RESTITUTION) != 0 ? getFloat(in) : worlds;
@@ -425,8 +426,9 @@ public final class SnapshotCodec {
         }
     }
 
-    private static int getGeneration(ByteBuffer in, int flags) {
-        if ((flags & HAS_GENERATION) == 0) {
+    /** A generation that is 0 unless it is there. */
+    static int getGeneration(ByteBuffer in, boolean has) {
+        if (!has) {
             return 0;
         }
         int generation = Varint.get(in);

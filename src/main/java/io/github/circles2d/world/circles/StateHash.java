@@ -4,6 +4,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
@@ -18,8 +19,9 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * field of a kind with its number, the kind and its value; a pair of kinds with the lesser one, the greater one and 1 for solid, 2 for
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
- * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, its friction and its rolling impulse. All floats
- * enter as their bits.
+ * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, its friction and its rolling impulse; a joint with its id,
+ * form, colour, circles, body, reference angles, values by {@link SavedJoints} and its row of {@link JointState}. All floats enter as their
+ * bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
@@ -36,6 +38,7 @@ public final class StateHash {
     private static final long PIECE = 0x7069656365733264L;
     private static final long BODY = 0x626F646965733264L;
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
+    private static final long JOINT = 0x6A6F696E74733264L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -122,6 +125,20 @@ public final class StateHash {
     static long pieceContact(int circle, int piece, int side, float impulse, float friction, float rolling) {
         long h = absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side);
         return absorb(absorb(absorb(h, impulse), friction), rolling);
+    }
+
+    /** The number of a joint, with what it keeps from step to step; rows of free ids do not count. */
+    static long joint(SavedJoints j, int joint, SavedJointStates states) {
+        long h = absorb(absorb(absorb(JOINT, joint), j.form[joint]), j.colour[joint]);
+        h = absorb(absorb(absorb(h, j.a[joint]), j.b[joint]), j.body[joint]);
+        h = absorb(absorb(h, j.referenceA[joint]), j.referenceB[joint]);
+        for (int k = SavedJoints.VALUES * joint; k < SavedJoints.VALUES * (joint + 1); k++) {
+            h = absorb(h, j.values[k]);
+        }
+        for (int k = JointState.of(joint); k < JointState.of(joint + 1); k++) {
+            h = absorb(h, states.rows[k]);
+        }
+        return h;
     }
 
     public static long absorb(long hash, int word) {

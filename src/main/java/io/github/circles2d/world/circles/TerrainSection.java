@@ -253,23 +253,13 @@ final class TerrainSection {
         SnapshotCodec.require(in.remaining() >= bytes, "it ends early");
     }
 
-    private static int generation(ByteBuffer in, boolean has) {
-        if (!has) {
-            return 0;
-        }
-        int generation = Varint.get(in);
-        SnapshotCodec.require(
-                generation != 0 && generation != Handle.LAST_GENERATION + 1, "a generation is out of range");
-        return generation;
-    }
-
     private static void readBody(ByteBuffer in, SavedTerrain t, int id, Bounds bounds) {
         int flags = SnapshotCodec.getByte(in);
         boolean lives = (flags & LIVES) != 0;
         SnapshotCodec.require(
                 flags <= (LIVES | HAS_GENERATION | MOVES | TRAVELS) && (lives || (flags & ~HAS_GENERATION) == 0),
                 "a body of terrain has no such flags");
-        t.bodyGeneration[id] = generation(in, (flags & HAS_GENERATION) != 0);
+        t.bodyGeneration[id] = SnapshotCodec.getGeneration(in, (flags & HAS_GENERATION) != 0);
         t.bodyLives[id] = lives;
         t.x[id] = 0;
         t.y[id] = 0;
@@ -332,7 +322,7 @@ final class TerrainSection {
                 || form == PieceRow.LINE && (flags & (PieceRow.SOLID_OUTSIDE | HAS_THICKNESS)) == 0
                 || form == PieceRow.ARC && (flags & HAS_THICKNESS) == 0;
         SnapshotCodec.require(fits, "a piece of terrain has no such flags");
-        t.pieceGeneration[piece] = generation(in, (flags & PIECE_GENERATION) != 0);
+        t.pieceGeneration[piece] = SnapshotCodec.getGeneration(in, (flags & PIECE_GENERATION) != 0);
         if ((flags & HAS_KIND) != 0) {
             t.kind[piece] = (byte) SnapshotCodec.getByte(in);
             SnapshotCodec.require(t.kind[piece] != 0, "a piece of terrain has a kind of 0");

@@ -1,6 +1,10 @@
 package io.github.circles2d.world.joints;
 
+import static java.lang.Float.intBitsToFloat;
+
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.Limits;
 
 /** What a joint does, whatever it holds. */
 public final class JointForm {
@@ -13,6 +17,14 @@ public final class JointForm {
     public static final int SERVO = 5;
     public static final int FRICTION = 6;
     public static final int WELD = 7;
+
+    // in a log: the traits, numbers of JointRow from the length to the torque that breaks it, and these
+    private static final int FREQUENCY = 9;
+    private static final int DAMPING_RATIO = 10;
+    private static final int ANGLE = 11;
+
+    /** Ints in a log. */
+    public static final int WORDS = 12;
 
     private static final String[] NAMES = {
         "distance joint", "spring", "joint with limits", "pin", "motor", "servo", "friction joint", "weld"
@@ -92,6 +104,59 @@ public final class JointForm {
         return kind(traits);
     }
 
+    // ---- in logs
+    // -----------------------------------------------------------------------------------------------------------
+
+    /** An int of the form in a log. */
+    public int word(int k) {
+        return switch (k) {
+            case 0 -> traits;
+            case FREQUENCY -> Float.floatToRawIntBits(frequency);
+            case DAMPING_RATIO -> Float.floatToRawIntBits(dampingRatio);
+            case ANGLE -> angle;
+            default -> Float.floatToRawIntBits(row[JointRow.LENGTH + k - 1]);
+        };
+    }
+
+    /** The form that ints of a log make, whose values are checked; null if there is no such form. */
+    public static JointForm of(int[] words) {
+        int traits = words[0];
+        if (!JointRules.isForm(traits)) {
+            return null;
+        }
+        JointForm form = new JointForm(traits & ~(JointRow.LOWER | JointRow.UPPER | JointRow.BREAKABLE));
+        int kind = form.kind();
+        float length = value(words, JointRow.LENGTH);
+        if (Float.isNaN(form.row[JointRow.LENGTH]) && !Float.isNaN(length)) {
+            form.row[JointRow.LENGTH] = Limits.within("the length", length, 0f, JointRules.LENGTH);
+        }
+        if (kind == LIMITS || kind == SPRING) {
+            form.set(JointSetting.LIMITS, value(words, JointRow.MIN_LENGTH), value(words, JointRow.MAX_LENGTH));
+        }
+        if (form.springs()) {
+            form.set(JointSetting.SPRING, intBitsToFloat(words[FREQUENCY]), intBitsToFloat(words[DAMPING_RATIO]));
+        }
+        if (kind == MOTOR) {
+            form.set(JointSetting.SPEED, value(words, JointRow.SPEED), 0);
+        }
+        if (kind == PIN || kind == FRICTION) {
+            form.set(JointSetting.MAX_FORCE, value(words, JointRow.MAX_FORCE), 0);
+        }
+        if (turns(traits) && kind != WELD) {
+            form.set(JointSetting.MAX_TORQUE, value(words, JointRow.MAX_TORQUE), 0);
+        }
+        form.set(JointSetting.BREAKING, value(words, JointRow.BREAK_FORCE), value(words, JointRow.BREAK_TORQUE));
+        form.angle = kind == SERVO ? words[ANGLE] : 0;
+        return form.traits == traits ? form : null;
+    }
+
+    private static float value(int[] words, int which) {
+        return intBitsToFloat(words[1 + which - JointRow.LENGTH]);
+    }
+
+    // ---- for people and for calls
+    // -----------------------------------------------------------------------------------------
+
     /** Whether it takes something from the circles as they are when it comes. */
     public boolean looks() {
         return Float.isNaN(row[JointRow.LENGTH]) || has(traits, JointRow.ACROSS);
@@ -157,23 +222,21 @@ public final class JointForm {
 
     /** Whether it concerns how circles turn. */
     static boolean turns(int traits) {
-        return has(traits, JointRow.ANGULAR | JointRow.ACROSS);
+        return JointRules.turns(traits);
     }
 
     /** Whether it has a place if it holds a circle to none. */
     static boolean takesAnchor(int traits) {
-        boolean isPoint = (traits & JointRow.LINEAR) == JointRow.POINT;
-        return isPoint || isAxial(traits) && !has(traits, JointRow.ACROSS);
+        return JointRules.takesAnchor(traits);
     }
 
     /** Whether it may hold two circles. */
     static boolean takesCircles(int traits) {
-        int linear = traits & JointRow.LINEAR;
-        return linear != JointRow.POINT && linear != JointRow.DRAG;
+        return JointRules.takesCircles(traits);
     }
 
     /** Whether it may hold a circle to the world without a place. */
     static boolean takesNothing(int traits) {
-        return !takesAnchor(traits) && !has(traits, JointRow.ACROSS);
+        return JointRules.takesNothing(traits);
     }
 }

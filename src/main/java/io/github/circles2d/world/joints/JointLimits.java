@@ -1,11 +1,10 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.JointRules;
 
 /** Which joints there can be. */
 public final class JointLimits {
-    public static final int JOINTS = 1 << 20;
-
     private JointLimits() {}
 
     /** Of two circles. */
@@ -51,9 +50,9 @@ public final class JointLimits {
 
     /** So many more. */
     public static void room(int more, int size) {
-        if (more > JOINTS - size) {
+        if (more > JointRules.JOINTS - size) {
             throw new IllegalArgumentException(
-                    "a world has at most " + JOINTS + " joints, not " + ((long) size + more));
+                    "a world has at most " + JointRules.JOINTS + " joints, not " + ((long) size + more));
         }
     }
 }

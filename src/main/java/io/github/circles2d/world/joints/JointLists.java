@@ -58,6 +58,10 @@ final class JointLists {
         }
     }
 
+    void clear() {
+        Arrays.fill(first, NONE);
+    }
+
     long bytes() {
         return (long) Integer.BYTES * (first.length + next.length + previous.length);
     }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
 
@@ -32,9 +33,6 @@ public enum JointSetting {
 
     /** 1 or 0. */
     COLLIDING(10);
-
-    private static final float GREATEST_FREQUENCY = 1e4f;
-    private static final float GREATEST_DAMPING_RATIO = 1e3f;
 
     private static final JointSetting[] BY_NUMBER = new JointSetting[11];
 
@@ -82,8 +80,8 @@ public enum JointSetting {
             }
             case SPRING -> {
                 require(JointForm.has(form, JointRow.ELASTIC), form, "spring");
-                Limits.within("the frequency", a, 0f, GREATEST_FREQUENCY);
-                Limits.within("the damping ratio", b, 0f, GREATEST_DAMPING_RATIO);
+                Limits.within("the frequency", a, 0f, JointRules.FREQUENCY);
+                Limits.within("the damping ratio", b, 0f, JointRules.DAMPING_RATIO);
             }
             case SPEED -> {
                 require(JointForm.kind(form) == JointForm.MOTOR, form, "speed");

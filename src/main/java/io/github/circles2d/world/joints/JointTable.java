@@ -1,6 +1,8 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.IdTable;
+import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.terrain.BodyTable;
@@ -65,14 +67,21 @@ public final class JointTable {
     public void ensure(int more, int circleIds) {
         int needed = ids.size() + more;
         if (needed > ids.room()) {
-            int c = Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1));
-            rows = Arrays.copyOf(rows, JointRow.of(c));
-            traits = Arrays.copyOf(traits, JointRow.traits(c));
-            colour = Arrays.copyOf(colour, c);
-            body = Arrays.copyOf(body, c);
-            onBody = Arrays.copyOf(onBody, 2 * c);
-            ids.setRoom(c);
+            setRoom(Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1)));
         }
+        ensureCircles(circleIds);
+    }
+
+    private void setRoom(int c) {
+        rows = Arrays.copyOf(rows, JointRow.of(c));
+        traits = Arrays.copyOf(traits, JointRow.traits(c));
+        colour = Arrays.copyOf(colour, c);
+        body = Arrays.copyOf(body, c);
+        onBody = Arrays.copyOf(onBody, 2 * c);
+        ids.setRoom(c);
+    }
+
+    private void ensureCircles(int circleIds) {
         ofCircles.ensure(circleIds, ENDS * ids.room());
         if (coloursOfCircle.length < circleIds) {
             coloursOfCircle = Arrays.copyOf(coloursOfCircle, Math.max(circleIds, coloursOfCircle.length * 3 / 2));
@@ -148,7 +157,13 @@ public final class JointTable {
     /** What a joint does. */
     public JointForm formOf(int joint) {
         JointForm form = new JointForm(form(joint));
-        System.arraycopy(rows, JointRow.of(joint), form.row, 0, JointRow.STRIDE);
+        int values = JointRow.BREAK_TORQUE + 1 - JointRow.LENGTH;
+        System.arraycopy(
+                rows,
+                JointRow.of(joint) + JointRow.LENGTH,
+                form.row,
+                JointRow.LENGTH,
+                values); // no place, no direction
         form.frequency = frequency(joint);
         form.dampingRatio = dampingRatio(joint);
         form.angle = form.kind() == JointForm.SERVO ? reference(joint, JointRow.REFERENCE_A) : 0;
@@ -216,14 +231,17 @@ public final class JointTable {
     /** All but the colour, the lists and the id. */
     private void put(int joint, JointForm form, int a, int b) {
         System.arraycopy(form.row, 0, rows, JointRow.of(joint), JointRow.STRIDE);
+        put(joint, form.traits, a, b, springOf(form.traits, form.frequency, form.dampingRatio));
+        setReferences(joint, form.angle, 0);
+    }
+
+    private void put(int joint, int form, int a, int b, int spring) {
         int at = JointRow.traits(joint);
         traits[at + JointRow.A] = a;
         traits[at + JointRow.B] = b;
-        traits[at + JointRow.FORM] = form.traits;
-        traits[at + JointRow.SPRING] = springOf(form.traits, form.frequency, form.dampingRatio);
+        traits[at + JointRow.FORM] = form;
+        traits[at + JointRow.SPRING] = spring;
         traits[at + JointRow.ANCHOR] = 0;
-        traits[at + JointRow.REFERENCE_A] = form.angle;
-        traits[at + JointRow.REFERENCE_B] = 0;
         body[joint] = WORLD;
         renew(joint);
     }
@@ -378,6 +396,136 @@ public final class JointTable {
     private void changed(int joint) {
         changedFrom = Math.min(changedFrom, joint);
         changedTo = Math.max(changedTo, joint + 1);
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    public void save(SavedJoints to) {
+        to.setIds(ids.end());
+        ids.save(to.generation);
+        for (int joint = 0; joint < to.ids; joint++) {
+            to.form[joint] = ids.lives(joint) ? form(joint) : JointRow.NO_JOINT;
+            if (ids.lives(joint)) {
+                save(joint, to);
+            }
+        }
+    }
+
+    private void save(int joint, SavedJoints to) {
+        to.colour[joint] = colour[joint];
+        to.a[joint] = a(joint);
+        to.b[joint] = b(joint);
+        to.body[joint] = body[joint];
+        to.referenceA[joint] = reference(joint, JointRow.REFERENCE_A);
+        to.referenceB[joint] = reference(joint, JointRow.REFERENCE_B);
+        for (int k = 0; k < SavedJoints.VALUES; k++) {
+            to.values[SavedJoints.VALUES * joint + k] = savedValue(joint, k);
+        }
+    }
+
+    /** A value of {@link SavedJoints}. */
+    private float savedValue(int joint, int k) {
+        return switch (k) {
+            case SavedJoints.FREQUENCY -> frequency(joint);
+            case SavedJoints.DAMPING_RATIO -> dampingRatio(joint);
+            case JointRow.ANCHOR_X -> body[joint] == WORLD ? value(joint, k) : onBodyX(joint);
+            case JointRow.ANCHOR_Y -> body[joint] == WORLD ? value(joint, k) : onBodyY(joint);
+            default -> value(joint, k);
+        };
+    }
+
+    /** Leaves what joints of now keep; others have no impulses. */
+    public void keepPresent(SavedJointStates states) {
+        states.extend(ids.end());
+        for (int joint = 0; joint < ids.end(); joint++) {
+            if (!ids.lives(joint) || states.serial[joint] != serial(joint)) {
+                states.clear(joint);
+            }
+        }
+    }
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    public void makeRoom(SavedJoints from, int circleIds) {
+        if (from.ids > ids.room()) {
+            setRoom(from.ids);
+        }
+        if (ids.room() > 0) {
+            ensureCircles(circleIds);
+            springs.ensure(from.ids);
+        }
+    }
+
+    /** Takes over saved joints, whose circles and bodies are there; what they keep gets the serials of now. There is room. */
+    public void load(SavedJoints from, SavedJointStates states) {
+        if (!areThose(from)) {
+            replace(from);
+        }
+        for (int joint = 0; joint < from.ids; joint++) {
+            states.serial[joint] = ids.lives(joint) ? serial(joint) : 0;
+        }
+    }
+
+    /** Whether the saved joints are those that are there, by their bits, as in each rollback: their order stays. */
+    private boolean areThose(SavedJoints from) {
+        boolean same = from.ids == ids.end();
+        for (int joint = 0; same && joint < from.ids; joint++) {
+            same = ids.isSame(joint, from.lives(joint), from.generation[joint])
+                    && (!ids.lives(joint) || isThat(from, joint));
+        }
+        return same;
+    }
+
+    private boolean isThat(SavedJoints from, int joint) {
+        boolean same = from.form[joint] == form(joint)
+                && from.colour[joint] == colour[joint]
+                && from.a[joint] == a(joint)
+                && from.b[joint] == b(joint)
+                && from.body[joint] == body[joint]
+                && from.referenceA[joint] == reference(joint, JointRow.REFERENCE_A)
+                && from.referenceB[joint] == reference(joint, JointRow.REFERENCE_B);
+        for (int k = 0; same && k < SavedJoints.VALUES; k++) {
+            same = Float.floatToRawIntBits(from.values[SavedJoints.VALUES * joint + k])
+                    == Float.floatToRawIntBits(savedValue(joint, k));
+        }
+        return same;
+    }
+
+    private void replace(SavedJoints from) {
+        ofCircles.clear();
+        springs.clear();
+        Arrays.fill(coloursOfCircle, 0);
+        turning = 0;
+        breakable = 0;
+        parting = 0;
+        anchoredOnBodies = 0;
+        orderChanged = true;
+        partnersChanged = true;
+        ids.load(from.generation, from.ids);
+        for (int joint = 0; joint < from.ids; joint++) {
+            traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
+            changed(joint);
+            if (from.lives(joint)) {
+                ids.revive(joint);
+                load(joint, from);
+            }
+        }
+    }
+
+    private void load(int joint, SavedJoints from) {
+        int values = SavedJoints.VALUES * joint;
+        int form = from.form[joint];
+        System.arraycopy(from.values, values, rows, JointRow.of(joint), JointRow.STRIDE);
+        int spring = springOf(
+                form, from.values[values + SavedJoints.FREQUENCY], from.values[values + SavedJoints.DAMPING_RATIO]);
+        put(joint, form, from.a[joint], from.b[joint], spring);
+        setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
+        colour[joint] = from.colour[joint];
+        link(joint);
+        if (from.body[joint] != WORLD) {
+            anchorOn(joint, from.body[joint]);
+            setOnBody(joint, from.values[values + JointRow.ANCHOR_X], from.values[values + JointRow.ANCHOR_Y]);
+        }
     }
 
     /** Tells a step of the rows. */

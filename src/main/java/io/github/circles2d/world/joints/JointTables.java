@@ -1,6 +1,7 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
@@ -139,9 +140,17 @@ public final class JointTables {
         return departures;
     }
 
-    /** Another state has taken the place of all that was. */
-    public void restored() {
-        table.clear();
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    public void makeRoom(SavedState from) {
+        table.makeRoom(from.joints, from.ids);
+    }
+
+    /** Takes over saved joints; circles and terrain are there. There is room. */
+    public void load(SavedState from) {
+        table.load(from.joints, from.jointStates);
         departures.gone().clear();
         anchors.changed();
     }

@@ -13,10 +13,12 @@ import io.github.circles2d.world.shared.LoggedCall;
 final class RepeatedCalls {
     private final Simulation simulation;
     private final RepeatedTerrain terrain;
+    private final RepeatedJoints joints;
 
     RepeatedCalls(Simulation simulation) {
         this.simulation = simulation;
         terrain = new RepeatedTerrain(simulation);
+        joints = new RepeatedJoints(simulation, this, terrain);
     }
 
     /** Makes a call that is neither a step nor a hash. */
@@ -42,6 +44,8 @@ final class RepeatedCalls {
                 terrain.repeatOfPieces(call, words);
             case BODY, REMOVE_BODY, BODY_VELOCITY, BODY_ANGULAR_VELOCITY, MOVE_BODY, TELEPORT_BODY ->
                 terrain.repeatOfBodies(call, words);
+            case JOINT_FORM, JOINT, ANCHORED_JOINT, JOINT_ALONE, JOINT_SETTING, REMOVE_JOINT, CLEAR_JOINTS ->
+                joints.repeat(call, words);
             default -> throw new IllegalStateException("a log has no repetition of " + call);
         }
     }

@@ -107,7 +107,7 @@ final class RepeatedTerrain {
         return word == 1;
     }
 
-    private long body(int id) {
+    long body(int id) {
         long handle = id >= 0 && id < bodies.idLimit() ? bodies.handle(id) : 0;
         if (handle == 0) {
             throw LogReader.refused("no body of terrain has the id " + id);

@@ -156,6 +156,7 @@ public final class Snapshots {
         travels.makeRoom(saved);
         growth.makeRoom(saved);
         terrain.makeRoom(saved.terrain);
+        joints.makeRoom(saved);
         needs.prepare(saved); // first, since the room depends on it
         pipeline.makeRoom(saved);
         events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
@@ -170,10 +171,10 @@ public final class Snapshots {
         kinds.copy(saved.kinds);
         forces.restored(saved);
         pending.restored();
-        joints.restored();
         travels.restored();
         growth.restored();
         terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
+        joints.load(saved);
         pipeline.load(saved);
         settings.set(saved.parameters());
         needs.restored(saved);

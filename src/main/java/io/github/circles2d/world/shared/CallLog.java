@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.log.LogWriter;
 import io.github.circles2d.world.terrain.ChainPath;
 import java.nio.Buffer;
@@ -206,6 +207,17 @@ public final class CallLog {
                 }
             }
             call(LoggedCall.CHAIN, body, kind, closed ? 1 : 0, 0);
+        }
+    }
+
+    /** Joints of a form are to come, until there is another one. */
+    public void joints(JointForm form) {
+        if (log != null) {
+            begin(LoggedCall.JOINT_FORM);
+            for (int k = 0; k < JointForm.WORDS; k++) {
+                log.word(form.word(k));
+            }
+            log.end();
         }
     }
 

@@ -3,9 +3,12 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The copies of the state that hold until it changes: the last bulk reading, and the saved state. Also its hash. */
@@ -17,9 +20,12 @@ public final class Copies {
     private final ContactEvents events;
     private final WorldSettings settings;
     private final TerrainTables terrain;
+    private final JointTables joints;
     private final LastReading last;
     private final SavedState saved = new SavedState();
     private final SavedPieceContacts contacts = new SavedPieceContacts();
+    private final SavedJoints savedJoints = new SavedJoints();
+    private final SavedJointStates jointStates = new SavedJointStates();
 
     /** Whether {@link #saved} is the state as it is now. */
     private boolean savedCurrent;
@@ -32,6 +38,7 @@ public final class Copies {
             ContactEvents events,
             WorldSettings settings,
             TerrainTables terrain,
+            JointTables joints,
             Needs needs) {
         this.pipeline = pipeline;
         this.pending = pending;
@@ -40,6 +47,7 @@ public final class Copies {
         this.events = events;
         this.settings = settings;
         this.terrain = terrain;
+        this.joints = joints;
         last = new LastReading(pipeline, handles, pending, needs);
     }
 
@@ -82,6 +90,7 @@ public final class Copies {
             handles.save(saved);
             pipeline.save(saved);
             saveTerrain();
+            saveJoints(saved.joints, saved.jointStates);
             events.save(saved.touches);
             saved.setParameters(settings.parameters());
             saved.kinds.copy(kinds);
@@ -103,6 +112,15 @@ public final class Copies {
         }
     }
 
+    private void saveJoints(SavedJoints into, SavedJointStates states) {
+        joints.table.save(into);
+        states.begin(0);
+        if (joints.isThere()) {
+            pipeline.saveJoints(states);
+        }
+        joints.table.keepPresent(states);
+    }
+
     /** The same object, which the caller fills with another state: it is none of now. */
     public SavedState other() {
         savedCurrent = false;
@@ -113,11 +131,13 @@ public final class Copies {
     public long hash() {
         pending.settle();
         savePieceContacts(contacts);
+        saveJoints(savedJoints, jointStates);
         return pipeline.hash()
                 + handles.fields().hash()
                 + kinds.hash()
                 + settings.hash()
                 + terrain.hash()
-                + contacts.hash();
+                + contacts.hash()
+                + savedJoints.hash(jointStates);
     }
 }

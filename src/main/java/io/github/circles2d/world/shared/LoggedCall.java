@@ -87,7 +87,28 @@ public enum LoggedCall {
     MOVE_BODY(90, 4),
 
     /** A body is put somewhere: its id, x, y, angle. */
-    TELEPORT_BODY(91, 4);
+    TELEPORT_BODY(91, 4),
+
+    /** What the joints behind it are, as {@link io.github.circles2d.world.joints.JointForm} has it. */
+    JOINT_FORM(92, 12),
+
+    /** A joint between two circles: their ids. */
+    JOINT(93, 2),
+
+    /** A joint of a circle with a place: the circle's id, the body's id, x, y. */
+    ANCHORED_JOINT(94, 4),
+
+    /** A joint of a circle with no place: its id. */
+    JOINT_ALONE(95, 1),
+
+    /** Something of a joint is set: its id, the number of the setting, two values. */
+    JOINT_SETTING(96, 4),
+
+    /** A joint goes: its id. */
+    REMOVE_JOINT(97, 1),
+
+    /** All joints go. */
+    CLEAR_JOINTS(98, 0);
 
     /** Numbers from here on are those of this table; lower ones are operations of commands. */
     public static final int FIRST = 64;

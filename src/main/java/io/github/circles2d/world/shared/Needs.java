@@ -72,7 +72,11 @@ public final class Needs {
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
         boolean before = turns;
-        prepare(next.parameters(), turns || turns(next), hasTerrain || next.terrain.hasPieces(), hasJoints);
+        prepare(
+                next.parameters(),
+                turns || turns(next),
+                hasTerrain || next.terrain.hasPieces(),
+                hasJoints || next.joints.hasJoints());
         turns = before;
     }
 
@@ -91,7 +95,8 @@ public final class Needs {
                 || s.fields.used(CircleField.ROLLING_RESISTANCE) > 0
                 || s.fields.used(CircleField.TORQUE) > 0
                 || s.fields.used(CircleField.APPLIED_TORQUE) > 0
-                || s.pieceContacts.grip();
+                || s.pieceContacts.grip()
+                || s.joints.turn();
     }
 
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */

@@ -6,8 +6,11 @@ import io.github.circles2d.Chain;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.Inertia;
+import io.github.circles2d.Joint;
+import io.github.circles2d.Joints;
 import io.github.circles2d.Response;
 import io.github.circles2d.Terrain;
+import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -73,7 +76,13 @@ class ForgedSnapshotTest {
             world.remove(world.add(50, 20, 1, 1));
             Terrain terrain = world.terrain();
             terrain.addChain(Chain.of(46, 0.5f, 30, 0.5f, 20, 0.4f, 8, 0.5f));
-            terrain.addBody(65, 1, 0.5f).addSegment(-6, 0, 6, 0);
+            TerrainBody slope = terrain.addBody(65, 1, 0.5f);
+            slope.addSegment(-6, 0, 6, 0);
+            long[] jointed = new long[6];
+            for (int i = 0; i < jointed.length; i++) {
+                jointed[i] = world.add(10 + 3 * i, 30 + i % 2, 1, 1 + i);
+            }
+            join(world.joints(), jointed, slope);
             long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
             long touching = world.add(20, 20, 1, 1);
@@ -109,6 +118,21 @@ class ForgedSnapshotTest {
             }
         }
         assertThat(accepted).isBetween(FORGERIES / 20, FORGERIES);
+    }
+
+    /** Joints of all kinds; one goes. */
+    private static void join(Joints joints, long[] circles, TerrainBody body) {
+        joints.add(circles[0], circles[1], Joint.weld().breakingAt(1e6f, 1e5f));
+        joints.add(circles[1], circles[2], Joint.spring(3, 0.5f).withLimits(1, 4));
+        joints.remove(joints.add(circles[1], circles[2], Joint.distance()));
+        joints.add(circles[2], circles[3], Joint.rope(3.2f));
+        joints.add(circles[3], circles[4], Joint.distance().colliding(true));
+        joints.add(circles[4], body, 1, 2, Joint.limits(2, 60));
+        joints.add(circles[0], 9, 33, Joint.pin());
+        joints.add(circles[4], 23, 33, Joint.mouse(4, 0.5f, 1_000));
+        joints.add(circles[5], circles[4], Joint.motor(-3, 20));
+        joints.add(circles[5], Joint.servo(1, 3, 0.7f, 30));
+        joints.add(circles[5], Joint.friction(5, 3));
     }
 
     private static ByteBuffer forge(ByteBuffer good, Random random) {

@@ -262,8 +262,10 @@ public final class DeviceArrays {
             if (table.kept()) {
                 int held = table.words() * jointRoom.capacity(table.count());
                 int words = table.words() * joints.capacity(table.count());
-                before.copyTo(
-                        bytesOf(from + jointRoom.at(table)), tables, bytesOf(to + joints.at(table)), bytesOf(held));
+                if (held > 0) {
+                    long at = bytesOf(from + jointRoom.at(table));
+                    before.copyTo(at, tables, bytesOf(to + joints.at(table)), bytesOf(held));
+                }
                 clear(tables, to + joints.at(table) + held, words - held);
             }
         }

@@ -1,0 +1,125 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.JointStep;
+
+/**
+ * The joints of a saved state, by id: what they are. {@link SavedJointStates} has what they keep from step to step. Arrays are reused, and may be
+ * longer than their contents.
+ */
+public final class SavedJoints {
+    // values: those of JointRow, with the anchor in the frame of its body; and its spring
+    public static final int FREQUENCY = JointRow.STRIDE;
+    public static final int DAMPING_RATIO = JointRow.STRIDE + 1;
+
+    /** Floats of a joint. */
+    public static final int VALUES = JointRow.STRIDE + 2;
+
+    /** The colour of a split joint. */
+    public static final int SPLIT = JointStep.COLOURS;
+
+    /** Ids in use so far. */
+    public int ids;
+
+    public int[] generation = new int[0];
+
+    /** By id: the form, {@link JointRow#NO_JOINT} of a free id. */
+    public int[] form = new int[0];
+
+    /** By id: the colour, or {@link #SPLIT}. */
+    public byte[] colour = new byte[0];
+
+    /** By id: the id of the circle. */
+    public int[] a = new int[0];
+
+    /** By id: the id of the other circle, or {@link JointRow#NONE}. */
+    public int[] b = new int[0];
+
+    /** By id: the body of terrain that has the anchor; 0 is the ground, and the world. */
+    public int[] body = new int[0];
+
+    /** By id: angles of A and B, in units. */
+    public int[] referenceA = new int[0];
+
+    public int[] referenceB = new int[0];
+
+    /** By id: {@link #VALUES} floats. */
+    public float[] values = new float[0];
+
+    public SavedJoints() {}
+
+    /** As it is at first. */
+    public void clear() {
+        ids = 0;
+    }
+
+    boolean isAsAtFirst() {
+        return ids == 0;
+    }
+
+    public boolean lives(int joint) {
+        return form[joint] != JointRow.NO_JOINT;
+    }
+
+    /** Whether there are joints. */
+    public boolean hasJoints() {
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether any joint turns circles. */
+    public boolean turn() {
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint) && JointRules.turns(form[joint])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The part of the joints in the hash of the state. */
+    public long hash(SavedJointStates states) {
+        long sum = 0;
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint)) {
+                sum += StateHash.joint(this, joint, states);
+            }
+        }
+        return sum;
+    }
+
+    /** Makes room, without the contents so far, and sets the number. */
+    public void setIds(int joints) {
+        if (values.length < VALUES * joints) {
+            // The length of the last one tells whether there is room.
+            int c = Math.max(joints, form.length + (form.length >> 1));
+            generation = new int[c];
+            form = new int[c];
+            colour = new byte[c];
+            a = new int[c];
+            b = new int[c];
+            body = new int[c];
+            referenceA = new int[c];
+            referenceB = new int[c];
+            values = new float[VALUES * c];
+        }
+        ids = joints;
+    }
+
+    /** What a value is if it says nothing: what has no limit is infinite. */
+    static float initial(int value) {
+        return switch (value) {
+            case JointRow.MAX_LENGTH,
+                    JointRow.MAX_FORCE,
+                    JointRow.MAX_TORQUE,
+                    JointRow.BREAK_FORCE,
+                    JointRow.BREAK_TORQUE -> Float.POSITIVE_INFINITY;
+            default -> 0f;
+        };
+    }
+}
