@@ -204,6 +204,53 @@ class WorldAllocationTest {
     }
 
     @Test
+    void jointsAllocateNothingOnTheJvm() throws IOException {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        long[] left = new long[300];
+        long[] right = new long[300];
+        long[] added = new long[300];
+        long[] some = new long[40];
+        float[] ends = new float[4 * 1_000];
+        Joint spring = Joint.spring(5, 0.5f);
+        Joint weak = Joint.rope(0).breakingAt(1e-9f, 1e-9f);
+        Joint pin = Joint.pin();
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Joints joints = world.joints();
+            joints.report(true);
+            world.readHandles(handles);
+            System.arraycopy(handles, 0, left, 0, 300);
+            System.arraycopy(handles, 300, right, 0, 300);
+            joints.addAll(left, right, Joint.distance(), added);
+            long motor = joints.add(left[0], Joint.motor(2, 1e-3f));
+            Rewind rewind = new Rewind(world, 3);
+            int[] frames = new int[1];
+            Runnable frame = () -> {
+                long broken = joints.add(left[1], right[2], weak);
+                world.step(scene.timeStep());
+                consume(joints.contains(broken) ? 1 : joints.events().size());
+                rewind.save(frames[0]++);
+                joints.setSpeed(motor, frames[0] % 3);
+                joints.addAll(left, right, spring, added);
+                world.step(scene.timeStep());
+                consume(joints.readEnds(ends) + joints.ofCircle(left[3], some) + joints.force(added[0]));
+                joints.removeAll(added);
+                long guest = world.add(0.5f, 0.5f, scene.radius(0), 1);
+                joints.add(guest, 0.5f, 0.5f, pin);
+                world.step(scene.timeStep());
+                world.remove(guest);
+                JointEvents gone = joints.events();
+                consume(gone.size() + gone.force(0) + gone.circle(0) + world.hash());
+                rewind.restore(frames[0] - 1);
+                consume(joints.size() + joints.idLimit() + joints.length(motor));
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
     void rewindingAllocatesNothingOnTheJvm() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         long[] handles = new long[scene.size()];
