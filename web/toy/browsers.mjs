@@ -102,6 +102,20 @@ async function play(name, program) {
   await sleep(2500);
   await picture('drum');
 
+  await page.select('#stage', 'bridge');
+  await sleep(1500);
+  await picture('bridge');
+  await page.click('[data-tool=rope]');
+  const loose = await circles(page);
+  await drag(page, [20, 98], [50, 85]);
+  assert.ok(await circles(page) > loose + 5, 'a rope is drawn');
+  await page.select('#stage', 'blobs');
+  await sleep(2000);
+  await picture('blobs');
+  await page.select('#stage', 'wrecking');
+  await sleep(1500);
+  await picture('wrecking');
+
   await page.select('#stage', 'marbles');
   await sleep(1500);
   assert.equal(await circles(page), 40);

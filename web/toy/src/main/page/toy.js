@@ -14,6 +14,9 @@ const BELT = '#8a6a3a';
 const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
 const PIECE_STRIDE = 8; // numbers a piece: form, shade, and then ends and thickness, or centre, radius, angles and side
 const [SEGMENT, ARC] = [1, 3]; // forms
+const JOINT_STRIDE = 5; // numbers a joint: ends and shade
+const TENSION = ['#6f8aa3', '#b9c7d3', '#ffd166', '#ff7a45', '#e8505b'];
+const DOT = 2.5; // pixels: the radius of a joint without length
 const BAND = 4; // pixels of the solid side of a chain
 const MARK = 0.3; // of the colour's light
 const MARK_AT = 0.52; // in radii of the circle, from its centre
@@ -40,7 +43,7 @@ let waiting = true; // for the worker
 let owed = 0;
 let last;
 let actions = [];
-let picture = { circles: new Float32Array(0), pieces: new Float32Array(0), steps: 0, hash: '', millis: 0 };
+let picture = { circles: new Float32Array(0), pieces: new Float32Array(0), joints: new Float32Array(0), steps: 0, hash: '', millis: 0 };
 let dirty = true;
 let blasts = [];
 let pointer = null;
@@ -95,7 +98,16 @@ function draw() {
     }
   }
   context.putImageData(discs.image, 0, 0);
+  drawJoints(scale, height, ratio);
   drawTerrain(scale, height, ratio);
+  if (pointer?.joins) {
+    context.strokeStyle = '#ffb454';
+    context.lineWidth = 2 * ratio;
+    context.beginPath();
+    context.moveTo(pointer.x * scale, height - pointer.y * scale);
+    context.lineTo(pointer.toX * scale, height - pointer.toY * scale);
+    context.stroke();
+  }
   for (const blast of blasts) {
     const age = (performance.now() - blast.at) / 400;
     context.strokeStyle = `rgba(255,180,84,${Math.max(0, 1 - age)})`;
@@ -106,6 +118,27 @@ function draw() {
   }
   blasts = blasts.filter(blast => performance.now() - blast.at < 400);
   dirty = blasts.length > 0;
+}
+
+/** All joints of a colour at once. */
+function drawJoints(scale, height, ratio) {
+  const { joints } = picture;
+  context.lineWidth = 1.5 * ratio;
+  TENSION.forEach((colour, shade) => {
+    context.strokeStyle = context.fillStyle = colour;
+    context.beginPath();
+    for (let k = 0; k < joints.length; k += JOINT_STRIDE) {
+      if (Math.round(joints[k + 4] * (TENSION.length - 1)) === shade) {
+        const [x, y, x2, y2] = [joints[k] * scale, height - joints[k + 1] * scale, joints[k + 2] * scale, height - joints[k + 3] * scale];
+        if (Math.hypot(x2 - x, y2 - y) < DOT) {
+          context.fillRect(x - DOT * ratio, y - DOT * ratio, 2 * DOT * ratio, 2 * DOT * ratio);
+        }
+        context.moveTo(x, y);
+        context.lineTo(x2, y2);
+      }
+    }
+    context.stroke();
+  });
 }
 
 function drawTerrain(scale, height, ratio) {
@@ -213,6 +246,9 @@ canvas.addEventListener('pointerdown', event => {
   if (tool === 'explode') {
     blasts.push({ ...at, at: performance.now() });
     act({ what: 'explode' });
+  } else if (tool === 'rope' || tool === 'spring') {
+    pointer = { ...pointer, joins: tool, toX: at.x, toY: at.y };
+    act({ what: 'begin' });
   } else if (tool !== 'wall') {
     act({ what: tool });
   }
@@ -230,11 +266,21 @@ canvas.addEventListener('pointermove', event => {
     }
   } else {
     act({ what: 'move', ...at });
+    if (tool === 'cut') {
+      act({ what: 'cut' });
+    }
+    if (pointer.joins) {
+      pointer = { ...pointer, toX: at.x, toY: at.y };
+      dirty = true;
+    }
   }
 });
 for (const end of ['pointerup', 'pointercancel']) {
   canvas.addEventListener(end, event => {
     if (pointer?.id === event.pointerId) {
+      if (pointer.joins && end === 'pointerup') {
+        act({ what: pointer.joins });
+      }
       pointer = null;
       act({ what: 'release' });
     }

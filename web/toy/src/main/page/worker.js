@@ -12,6 +12,11 @@ const commands = {
   pour: () => toy.pour(),
   explode: () => toy.explode(),
   wall: ({ x, y }) => toy.wallFrom(x, y),
+  begin: () => toy.beginJoint(),
+  rope: () => toy.endJoint(true),
+  spring: () => toy.endJoint(false),
+  pin: () => toy.pin(),
+  cut: () => toy.cut(),
   release: () => toy.release(),
   surface: ({ friction, rolling }) => toy.setSurface(friction, rolling),
 };
@@ -30,9 +35,10 @@ function frame({ steps, actions }) {
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
   const pieces = toy.terrain();
+  const joints = toy.joints();
   const surface = { friction: toy.friction(), rolling: toy.rollingResistance() };
   const figures = { steps: toy.steps(), hash: toy.hash(), millis, made: steps };
-  postMessage({ circles, pieces, surface, ...figures }, [circles.buffer, pieces.buffer]);
+  postMessage({ circles, pieces, joints, surface, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
 }
 
 function sameBits({ scenes }) {

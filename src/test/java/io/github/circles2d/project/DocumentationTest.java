@@ -167,8 +167,9 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String program :
-                new String[] {"playground", "samples/merge", "samples/pinball", "samples/rollback", "samples/swarm"}) {
+        for (String program : new String[] {
+            "playground", "samples/hook", "samples/merge", "samples/pinball", "samples/rollback", "samples/swarm"
+        }) {
             assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
                     .isEqualTo(version);
         }

@@ -15,6 +15,9 @@ final class ReferenceJoints {
     /** The colour of joints that found none. */
     static final int SPLIT = 24;
 
+    /** A circle with more joints with other circles is a hub. */
+    private static final int HUB = 10;
+
     private final List<ReferenceJoint> joints = new ArrayList<>();
 
     /** By id: how many have had it. */
@@ -56,7 +59,19 @@ final class ReferenceJoints {
         }
         joint.become(plan, arena);
         joints.set(id, joint);
+        if (b != null) {
+            splitIfHub(a);
+            splitIfHub(b);
+        }
         return joint;
+    }
+
+    private void splitIfHub(Circle circle) {
+        List<ReferenceJoint> own =
+                all().stream().filter(j -> j.b != null && j.isOf(circle)).toList();
+        if (own.size() > HUB) {
+            own.forEach(j -> j.colour = SPLIT);
+        }
     }
 
     /** Whether a circle of a joint has another joint of a colour. */

@@ -1,7 +1,9 @@
 package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
+import io.github.circles2d.bench.games.BlobSwarm;
 import io.github.circles2d.bench.games.GameCosts;
+import io.github.circles2d.bench.games.JointCosts;
 import io.github.circles2d.bench.games.TerrainCosts;
 import io.github.circles2d.bench.games.TerrainLevels;
 import io.github.circles2d.bench.measure.Measurements;
@@ -82,6 +84,12 @@ public final class Bench {
                     break;
                 case "terrain":
                     TerrainCosts.run(rest, System.out);
+                    break;
+                case "joints":
+                    JointCosts.run(rest, System.out);
+                    break;
+                case "blobs":
+                    BlobSwarm.run(rest, System.out);
                     break;
                 case "levels":
                     TerrainLevels.run(rest, System.out);

@@ -30,7 +30,7 @@ final class Bar extends JPanel {
         this.width = width;
         setBackground(Theme.BAR);
         for (ToolKind kind : ToolKind.values()) {
-            String tip = kind.purpose() + " (" + (kind.ordinal() + 1) + ")";
+            String tip = kind.purpose() + " (" + kind.key() + ")";
             tools.put(kind, button(kind.label(), tip, () -> loop.ask(session -> session.setTool(kind))));
         }
         add(Box.createHorizontalStrut(14));

@@ -29,6 +29,12 @@ final class Frame {
     float[] piece = new float[0];
     int[] pieceColour = new int[0];
 
+    /** Joints, with x and y of both ends, and their colours. */
+    int joints;
+
+    float[] joint = new float[0];
+    int[] jointColour = new int[0];
+
     String stage = "";
     Backend backend = Backend.JVM;
     String device = "";
@@ -63,6 +69,15 @@ final class Frame {
             int room = count + (count >> 1);
             piece = new float[room * stride];
             pieceColour = new int[room];
+        }
+    }
+
+    /** Makes room for so many joints. */
+    void ensureJoints(int count) {
+        if (jointColour.length < count) {
+            int room = count + (count >> 1);
+            joint = new float[4 * room];
+            jointColour = new int[room];
         }
     }
 

@@ -1,20 +1,21 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.Joint;
+import io.github.circles2d.Joints;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
 import java.util.List;
 
-/** A spring from the place where a circle was picked to the mouse. A static circle and a body of terrain are moved along with the mouse. */
+/** A mouse joint on the circle that was picked. A static circle and a body of terrain are moved along with the mouse. */
 final class GrabTool implements Tool {
     /** How many radii beside a circle a click may be. */
     private static final float NEAR = 2;
 
-    /** Of the spring. */
-    private static final double HERTZ = 3;
+    private static final float HERTZ = 4;
 
-    /** A mouse farther away than this part of the arena pulls no harder. */
-    private static final double LONGEST = 0.25;
+    /** The greatest force, in those that bring the circle to a high speed within a second. */
+    private static final float STRENGTH = 150;
 
     /** Radians of a notch of the wheel, and how far a body turns in a step. */
     private static final float NOTCH = (float) Math.toRadians(15);
@@ -22,6 +23,7 @@ final class GrabTool implements Tool {
     private static final float TURN = 0.04f;
 
     private long held;
+    private long joint;
     private TerrainBody body;
     private float bodyAngle;
     private float offsetX;
@@ -32,6 +34,7 @@ final class GrabTool implements Tool {
     @Override
     public void press(Sandbox sandbox, float x, float y, float brush) {
         World world = sandbox.world();
+        let(world.joints());
         long[] found = {world.queries().pick(x, y)};
         float near = NEAR * sandbox.grain().radius();
         long piece = found[0] == 0 ? world.queries().terrain().pick(x, y, near) : 0;
@@ -62,8 +65,35 @@ final class GrabTool implements Tool {
 
     @Override
     public void release(Sandbox sandbox) {
+        let(sandbox.world().joints());
+        forget();
+    }
+
+    private void let(Joints joints) {
+        if (joint != 0 && joints.contains(joint)) {
+            joints.remove(joint);
+        }
+        joint = 0;
+    }
+
+    @Override
+    public void forget() {
         held = 0;
+        joint = 0;
         body = null;
+    }
+
+    /** A world of the past may be held by a hand of then. */
+    @Override
+    public void wentBack(Sandbox sandbox) {
+        Joints joints = sandbox.world().joints();
+        for (int id = 0; id < joints.idLimit(); id++) {
+            long found = joints.handle(id);
+            if (found != 0 && joints.joint(found).maxForce() < Float.POSITIVE_INFINITY) { // no other joint has a limit
+                joints.remove(found);
+            }
+        }
+        joint = 0;
     }
 
     /** Turns the body that is held by notches of the wheel; false if none is. */
@@ -89,20 +119,18 @@ final class GrabTool implements Tool {
         if (!holds(world)) {
             return;
         }
-        double dx = (double) mouseX - offsetX - world.x(held);
-        double dy = (double) mouseY - offsetY - world.y(held);
         float mass = world.mass(held);
         if (mass == Float.POSITIVE_INFINITY) {
-            move(world, dx, dy);
+            move(world, (double) mouseX - offsetX - world.x(held), (double) mouseY - offsetY - world.y(held));
             return;
         }
-        Arena arena = Arena.of(world);
-        double longest = LONGEST * Math.max(arena.width(), arena.height());
-        double cut = Math.min(1, longest / Math.max(Math.hypot(dx, dy), 1e-30));
-        double omega = 2 * Math.PI * HERTZ;
-        double ax = omega * omega * dx * cut - 2 * omega * world.vx(held) - world.gravityX();
-        double ay = omega * omega * dy * cut - 2 * omega * world.vy(held) - world.gravityY();
-        world.applyForce(held, force(mass * ax), force(mass * ay));
+        Joints joints = world.joints();
+        if (joint == 0 || !joints.contains(joint)) {
+            float strength = STRENGTH * sandbox.grain().highSpeed() * mass;
+            joint = joints.add(held, mouseX - offsetX, mouseY - offsetY, Joint.mouse(HERTZ, 1, strength));
+        } else {
+            joints.setAnchor(joint, mouseX - offsetX, mouseY - offsetY);
+        }
     }
 
     /** Not farther in a step than by a radius. */
@@ -128,10 +156,6 @@ final class GrabTool implements Tool {
                 held,
                 Math.min(Math.max(x, world.minX()), world.maxX()),
                 Math.min(Math.max(y, world.minY()), world.maxY()));
-    }
-
-    private static float force(double value) {
-        return (float) Math.min(Math.max(value, -1e18), 1e18);
     }
 
     private boolean holds(World world) {

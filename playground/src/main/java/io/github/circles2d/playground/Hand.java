@@ -29,6 +29,10 @@ final class Hand {
         tools.put(ToolKind.LINE, new ShapeTool(ShapeTool.LINE));
         tools.put(ToolKind.ARC, new ShapeTool(ShapeTool.ARC));
         tools.put(ToolKind.CHAIN, new ChainTool());
+        tools.put(ToolKind.CUT, new CutTool());
+        tools.put(ToolKind.ROPE, new JointTool(JointTool.ROPE));
+        tools.put(ToolKind.SPRING, new JointTool(JointTool.SPRING));
+        tools.put(ToolKind.PIN, new PinTool());
     }
 
     ToolKind kind() {
@@ -90,6 +94,22 @@ final class Hand {
     void letGo(Sandbox sandbox) {
         release(sandbox);
         pour(sandbox, false);
+    }
+
+    /** The same without a look at the world, which has failed. */
+    void forget() {
+        pressed = false;
+        pouring = false;
+        stream.forget();
+        for (Tool tool : tools.values()) {
+            tool.forget();
+        }
+    }
+
+    void wentBack(Sandbox sandbox) {
+        for (Tool tool : tools.values()) {
+            tool.wentBack(sandbox);
+        }
     }
 
     /** Scales the brush, or turns the terrain that is held. */

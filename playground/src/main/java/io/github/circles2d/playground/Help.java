@@ -10,6 +10,7 @@ final class Help {
     static final String[][] LINES = {
         {"1 to 5", "grab, pour, explode, draw, erase"},
         {"6 to 8", "draw a line, an arc, a chain"},
+        {"9  J  K  L", "cut; make a rope, a spring, a pin"},
         {"left button", "use the tool"},
         {"[ ]  shift + wheel", "brush size; turns held terrain"},
         {"F (held)", "pour at the mouse"},

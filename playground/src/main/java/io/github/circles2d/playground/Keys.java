@@ -24,7 +24,7 @@ final class Keys {
     static void bind(JFrame window, PlaygroundCanvas canvas, SessionLoop loop, BackendSwitch backends) {
         Keys keys = new Keys(canvas, loop);
         for (ToolKind kind : ToolKind.values()) {
-            keys.on(() -> loop.ask(session -> session.setTool(kind)), String.valueOf(kind.ordinal() + 1));
+            keys.on(() -> loop.ask(session -> session.setTool(kind)), kind.key());
         }
         keys.on(() -> loop.ask(Session::togglePause), "SPACE", "P");
         keys.on(() -> loop.ask(Session::stepOnce), "PERIOD", "RIGHT");

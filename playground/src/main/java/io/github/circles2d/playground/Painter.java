@@ -8,7 +8,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 
-/** Paints the arena, the circles, the terrain and the marks of the tools. One thread at a time; it keeps its raster between frames. */
+/** Paints the arena, the circles, the joints, the terrain and the marks of the tools. One thread at a time; it keeps its raster between frames. */
 final class Painter {
     /** Where the mark of how a circle has turned is, and how large, in radii of the circle. */
     private static final double MARK_AT = 0.52;
@@ -29,6 +29,7 @@ final class Painter {
         g.drawImage(raster.image(), 0, 0, null);
         g.setTransform(given);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        JointPainter.paint(g, width, height, camera, frame);
         PiecePainter.paint(g, width, height, camera, frame);
         for (Mark mark : frame.marks) {
             paint(g, mark, width, height, camera);

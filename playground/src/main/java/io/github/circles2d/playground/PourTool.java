@@ -38,6 +38,11 @@ final class PourTool implements Tool {
 
     @Override
     public void release(Sandbox sandbox) {
+        forget();
+    }
+
+    @Override
+    public void forget() {
         pouring = false;
     }
 

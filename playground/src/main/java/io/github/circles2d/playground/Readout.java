@@ -1,5 +1,6 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.Joints;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Terrain;
 import io.github.circles2d.World;
@@ -8,6 +9,9 @@ import java.util.Arrays;
 
 /** Reads what a frame shows from a world, in one bulk copy for each field. It keeps its arrays. */
 final class Readout {
+    /** Each force is read by itself. */
+    private static final int MOST_FORCES = 4_000;
+
     private final Shades shades = new Shades();
     private Grain grain;
     private float[] circles = new float[0];
@@ -53,6 +57,7 @@ final class Readout {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
         readPieces(frame, sandbox);
+        readJoints(frame, sandbox, positions);
         measure(world, ids);
         frame.energy = energy;
     }
@@ -89,6 +94,35 @@ final class Readout {
         for (int k = 0; k < frame.pieces; k++) {
             Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + 1]);
             frame.pieceColour[k] = kind.beltSpeed() != 0 ? Theme.BELT : kind.isOneWay() ? Theme.ONE_WAY : Theme.STATIC;
+        }
+    }
+
+    /** Their ends are where their circles are shown. */
+    private void readJoints(Frame frame, Sandbox sandbox, FloatBuffer positions) {
+        World world = sandbox.world();
+        Joints joints = world.joints();
+        frame.ensureJoints(joints.size());
+        frame.joints = joints.readEnds(frame.joint);
+        int count = 0;
+        for (int id = 0; count < frame.joints; id++) {
+            long joint = joints.handle(id);
+            if (joint != 0) {
+                place(frame.joint, 4 * count, joints.circle(joint), positions);
+                place(frame.joint, 4 * count + 2, joints.other(joint), positions);
+                float force = frame.joints > MOST_FORCES ? 0 : joints.force(joint);
+                frame.jointColour[count] = shades.tension(force);
+                count++;
+            }
+        }
+        shades.scaleTension();
+    }
+
+    /** Moves an end as its circle is moved to where it is shown, since an end beyond a seam is an image of its circle. */
+    private void place(float[] ends, int at, long circle, FloatBuffer positions) {
+        int id = World.id(circle);
+        if (circle > 0 && 2 * id < positions.limit() && positions.get(2 * id) == positions.get(2 * id)) {
+            ends[at] += positions.get(2 * id) - circles[4 * id];
+            ends[at + 1] += positions.get(2 * id + 1) - circles[4 * id + 1];
         }
     }
 

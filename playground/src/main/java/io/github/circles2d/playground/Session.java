@@ -68,7 +68,7 @@ final class Session implements AutoCloseable {
         if (rewinding) {
             stepsOwed += seconds * speed / Sandbox.TIME_STEP;
             for (; stepsOwed >= 1; stepsOwed--) {
-                if (!sandbox.back()) {
+                if (!back()) {
                     stepsOwed = 0;
                     break;
                 }
@@ -82,6 +82,12 @@ final class Session implements AutoCloseable {
         int most = (int) Math.min(Math.max(FRAME_MILLIS / Math.max(gauges.stepMillis(), 1e-3), 1), MOST_STEPS);
         sandbox.loop().setMaxSteps(most);
         return sandbox.advance(seconds, beforeStep);
+    }
+
+    private boolean back() {
+        boolean went = sandbox.back();
+        hand.wentBack(sandbox);
+        return went;
     }
 
     private void describe(Frame frame) {
@@ -122,7 +128,7 @@ final class Session implements AutoCloseable {
 
     void stepBack() {
         paused = true;
-        if (!sandbox.back()) {
+        if (!back()) {
             say("there is no earlier step");
         }
         touched = true;
@@ -237,6 +243,7 @@ final class Session implements AutoCloseable {
         hand.letGo(sandbox);
         attempt("opened " + file.getFileName(), () -> {
             sandbox.open(file);
+            hand.wentBack(sandbox);
             restarted();
         });
     }
@@ -280,7 +287,7 @@ final class Session implements AutoCloseable {
 
     /** After a failure that has cost the state: the stage from the start, on the JVM; if memory was short, one that needs none. */
     void recover(Throwable failure) {
-        hand.letGo(sandbox);
+        hand.forget();
         boolean small = failure instanceof OutOfMemoryError;
         sandbox.load(small ? Stages.named("empty") : sandbox.stage(), Backend.JVM);
         restarted();

@@ -29,6 +29,10 @@ final class Stages {
             own("crowd", Stages::crowd),
             own("slopes-and-belts", builder -> builder.friction(0.6f).rollingResistance(0.01f), Stages::slopesAndBelts),
             own("drum", builder -> builder.friction(0.5f), Stages::drum),
+            own("bridge", JointStages::bridge),
+            own("blobs", builder -> builder.friction(0.4f).gravity(0, -28), JointStages::blobs),
+            own("cloth", JointStages::cloth),
+            own("wrecking-ball", builder -> builder.friction(0.6f).rollingResistance(0.05f), JointStages::wreckingBall),
             own("empty", world -> {}),
             Stage.of("thesis", () -> Scenes.thesis(Scenes.THESIS_SIZE, Scenes.SEED)),
             Stage.of("packed", () -> Scenes.packed(10_000, Scenes.SEED)),
@@ -168,8 +172,7 @@ final class Stages {
     }
 
     /** Circles in rows, a little apart and a little out of line. */
-    private static void heap(
-            World world, float left, float bottom, float right, float top, float least, float most, int seed) {
+    static void heap(World world, float left, float bottom, float right, float top, float least, float most, int seed) {
         Random random = new Random(seed);
         float pitch = 2 * most + 0.15f;
         for (float y = bottom + most; y <= top - most; y += pitch * 0.87f) {
@@ -182,7 +185,7 @@ final class Stages {
     }
 
     /** A thick segment, which can be moved and turned around its middle. */
-    private static void wall(World world, float x, float y, float toX, float toY) {
+    static void wall(World world, float x, float y, float toX, float toY) {
         wall(world, x, y, toX, toY, 0);
     }
 

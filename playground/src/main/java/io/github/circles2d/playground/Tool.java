@@ -14,6 +14,12 @@ interface Tool {
     /** Runs before each step. */
     default void beforeStep(Sandbox sandbox) {}
 
+    /** Lets go without a look at the world, which has failed. */
+    default void forget() {}
+
+    /** The world has gone back in time. */
+    default void wentBack(Sandbox sandbox) {}
+
     /** Adds what is to be seen of the tool; once a frame. */
     default void mark(Sandbox sandbox, List<Mark> marks) {}
 

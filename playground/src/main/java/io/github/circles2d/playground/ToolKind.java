@@ -9,7 +9,13 @@ enum ToolKind {
     ERASE("Erase", "remove circles and terrain"),
     LINE("Line", "a straight wall"),
     ARC("Arc", "half a pipe: to the right a bowl, to the left a roof"),
-    CHAIN("Chain", "ground that is smooth: drawn to the left it carries circles");
+    CHAIN("Chain", "ground that is smooth: drawn to the left it carries circles"),
+    CUT("Cut", "remove joints"),
+    ROPE("Rope", "a rope between circles, terrain or places"),
+    SPRING("Spring", "a spring between circles, terrain or places"),
+    PIN("Pin", "hold a circle where it is");
+
+    private static final String KEYS = "123456789JKL";
 
     private final String label;
     private final String purpose;
@@ -17,6 +23,11 @@ enum ToolKind {
     ToolKind(String label, String purpose) {
         this.label = label;
         this.purpose = purpose;
+    }
+
+    /** What takes the tool. */
+    String key() {
+        return KEYS.substring(ordinal(), ordinal() + 1);
     }
 
     String label() {

@@ -237,6 +237,103 @@ class ToolsTest {
     }
 
     @Test
+    void theHandIsAJointThatGoesWhenItLetsGoAndThePastHasNone() {
+        long ball = world().add(80, 50, 2, 4);
+        GrabTool grab = new GrabTool();
+        grab.press(sandbox, 80, 50, 1);
+        run(grab, 3);
+        assertThat(world().joints().size()).isEqualTo(1);
+        grab.release(sandbox);
+        assertThat(world().joints().size()).isZero();
+        run(grab, 3);
+        for (int k = 0; k < 5; k++) {
+            assertThat(sandbox.back()).isTrue();
+            grab.wentBack(sandbox);
+            assertThat(world().joints().size()).isZero();
+        }
+        grab.press(sandbox, world().x(ball), world().y(ball), 1);
+        run(grab, 2);
+        assertThat(sandbox.back()).isTrue();
+        grab.wentBack(sandbox);
+        run(grab, 1);
+        assertThat(world().joints().size()).as("it still holds").isEqualTo(1);
+    }
+
+    @Test
+    void aRopeHoldsABallAndDoesNotStretch() {
+        long ball = world().add(80, 60, 2, 4);
+        Tool rope = new JointTool(JointTool.ROPE);
+        rope.press(sandbox, 80, 90, 1);
+        rope.drag(sandbox, 80.5f, 61);
+        List<Mark> marks = new ArrayList<>();
+        rope.mark(sandbox, marks);
+        assertThat(marks).hasSize(1);
+        rope.release(sandbox);
+        assertThat(world().size()).as("it has links").isGreaterThan(10);
+        assertThat(world().joints().size()).isEqualTo(world().size() + 1);
+        world().setVelocity(ball, 40, 0);
+        for (int k = 0; k < 300; k++) {
+            run(rope, 1);
+            double length = Math.hypot(world().x(ball) - 80, world().y(ball) - 90);
+            assertThat(length).isLessThan(30.3);
+        }
+    }
+
+    @Test
+    void aSpringJoinsTwoCirclesAndACircleAndItselfNot() {
+        long left = world().add(60, 50, 2, 4);
+        long right = world().add(90, 50, 2, 4);
+        Tool spring = new JointTool(JointTool.SPRING);
+        spring.press(sandbox, 60, 50, 1);
+        spring.drag(sandbox, 60.5f, 50);
+        spring.release(sandbox);
+        assertThat(world().joints().size()).isZero();
+        spring.press(sandbox, 60, 50, 1);
+        spring.drag(sandbox, 90, 50);
+        spring.release(sandbox);
+        assertThat(world().joints().size()).isEqualTo(1);
+        world().setVelocity(left, -20, 0);
+        world().setVelocity(right, 20, 0);
+        run(spring, 15);
+        assertThat(world().vx(right)).as("pulled back").isLessThan(10);
+    }
+
+    @Test
+    void aSpringOnTerrainThatMovesPullsABallAlong() {
+        TerrainBody lift = world().terrain().addBody(40, 80, 0.5f);
+        lift.addSegment(-5, 0, 5, 0, 0.5f, 0);
+        long ball = world().add(60, 60, 2, 4);
+        Tool spring = new JointTool(JointTool.SPRING);
+        spring.press(sandbox, 60, 60, 1);
+        spring.drag(sandbox, 43, 81.5f);
+        spring.release(sandbox);
+        assertThat(world().joints().size()).isEqualTo(1);
+        lift.setVelocity(20, 0);
+        run(spring, 180);
+        assertThat(world().x(ball)).isGreaterThan(75);
+        assertThat(world().y(ball)).isGreaterThan(30);
+    }
+
+    @Test
+    void aPinHoldsACircleWhereItIsAndCuttingLetsItFall() {
+        long ball = world().add(80, 50, 2, 4);
+        long other = world().add(100, 50, 2, 4);
+        Tool pin = new PinTool();
+        pin.press(sandbox, 80.5f, 50, 1);
+        pin.press(sandbox, 100, 50, 1);
+        pin.press(sandbox, 20, 50, 1); // where nothing is
+        run(pin, 60);
+        assertThat(world().y(ball)).isCloseTo(50, within(0.05f));
+        Tool cut = new CutTool();
+        cut.press(sandbox, 60, 50, 1);
+        cut.drag(sandbox, 90, 50);
+        assertThat(world().joints().size()).isEqualTo(1);
+        run(cut, 30);
+        assertThat(world().y(ball)).isLessThan(45);
+        assertThat(world().y(other)).isCloseTo(50, within(0.05f));
+    }
+
+    @Test
     void theEraserRemovesAllThatItsWayTouchesAndNothingElse() {
         world().terrain().addSegment(60, 45, 60, 55);
         long kept = world().terrain().addSegment(60, 60, 60, 70);

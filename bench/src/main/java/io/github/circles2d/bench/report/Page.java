@@ -64,6 +64,8 @@ public final class Page {
         part("surfaces engines", () -> beside("surfaces", SurfaceTables::engines));
         part("terrain cost", () -> beside("terrain", TerrainTables::cost));
         part("terrain engines", () -> beside("terrain", TerrainTables::engines));
+        part("joints cost", () -> beside("joints", JointTables::cost));
+        part("joints swarm", () -> beside("joints", JointTables::swarm));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
         parts.put("series outside", () -> SeriesTables.outside(folders));
         parts.put("world chart", () -> chart(folders.get(0).name() + "/", WorldCharts.FILE));

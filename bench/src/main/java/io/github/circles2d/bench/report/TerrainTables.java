@@ -58,11 +58,13 @@ final class TerrainTables {
         return rows.isEmpty() ? "" : text.toString();
     }
 
-    private static String marked(String number, String most) {
+    /** A number, bold if it is greater than it may be. */
+    static String marked(String number, String most) {
         return Numbers.parse(number) > Numbers.parse(most) ? "**" + number + "**" : number;
     }
 
-    private static List<Map<String, String>> rows(Path file, List<String> keys) {
+    /** The rows of a file; none if it is not there. */
+    static List<Map<String, String>> rows(Path file, List<String> keys) {
         try {
             return Files.exists(file)
                     ? Table.parse(Files.readString(file, StandardCharsets.UTF_8), keys)

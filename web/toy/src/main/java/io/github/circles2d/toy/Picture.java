@@ -1,10 +1,11 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.Joints;
 import io.github.circles2d.Terrain;
 import io.github.circles2d.World;
 import org.teavm.jso.typedarrays.Float32Array;
 
-/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned; and terrain. */
+/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned; terrain; and joints. */
 final class Picture {
     static final int PLAIN = 0;
     static final int SPEED = 1;
@@ -12,6 +13,9 @@ final class Picture {
 
     /** Numbers a circle. */
     private static final int STRIDE = 5;
+
+    /** Numbers a joint. */
+    private static final int JOINT_STRIDE = 5;
 
     /** The shade of a circle that nothing moves. */
     private static final float STATIC = -1;
@@ -32,7 +36,9 @@ final class Picture {
     private float[] angles = new float[0];
     private int[] kinds = new int[0];
     private float[] pieces = new float[0];
+    private float[] ends = new float[0];
     private float meanPressure;
+    private float meanTension;
 
     /** The pieces of terrain as they are, with a shade in place of the kind. */
     Float32Array terrainOf(World world) {
@@ -43,6 +49,33 @@ final class Picture {
         for (int k = 0; k < length; k++) {
             boolean isKind = k % Terrain.PIECE_STRIDE == 1;
             rows.set(k, isKind ? world.kind((int) pieces[k]).beltSpeed() != 0 ? BELT : STATIC : pieces[k]);
+        }
+        return rows;
+    }
+
+    /** The ends of the joints as they are, and a shade of the force of each. */
+    Float32Array jointsOf(World world) {
+        Joints joints = world.joints();
+        ends = atLeast(ends, 4 * joints.size());
+        int count = joints.readEnds(ends);
+        Float32Array rows = new Float32Array(JOINT_STRIDE * count);
+        float sum = 0;
+        int at = 0;
+        for (int id = 0; at < count; id++) {
+            long joint = joints.handle(id);
+            if (joint != 0) {
+                for (int k = 0; k < 4; k++) {
+                    rows.set(JOINT_STRIDE * at + k, ends[4 * at + k]);
+                }
+                float force = Math.abs(joints.force(joint));
+                rows.set(JOINT_STRIDE * at + 4, meanTension == 0 ? 0 : Math.min(force / (RANGE * meanTension), 1));
+                sum += force;
+                at++;
+            }
+        }
+        if (sum > 0) {
+            float mean = sum / count;
+            meanTension = meanTension == 0 ? mean : meanTension + 0.05f * (mean - meanTension);
         }
         return rows;
     }

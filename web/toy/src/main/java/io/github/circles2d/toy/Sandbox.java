@@ -1,5 +1,7 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.Joint;
+import io.github.circles2d.Joints;
 import io.github.circles2d.Rewind;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
@@ -19,8 +21,16 @@ final class Sandbox {
 
     private static final int MOST_CIRCLES = 8_000;
 
-    /** Part of the way to the pointer that a grabbed circle goes in a step, as a speed. */
-    private static final float PULL = 15;
+    // Of the joint between the pointer and a grabbed circle.
+    private static final float PULL_HERTZ = 4;
+    private static final float PULL_ACCELERATION = 6_000;
+
+    /** How far beside a circle a finger may be. */
+    private static final float NEAR = 3;
+
+    private static final float LINK = 1.6f;
+    private static final float LINK_RADIUS = 0.5f;
+    private static final float CUT = 0.7f;
 
     private static final int MOST_PIECES = 4_000;
     private static final float SHORTEST_WALL = 0.5f;
@@ -33,6 +43,10 @@ final class Sandbox {
     private final Rewind past;
     private final Random random = new Random(1);
     private long grabbed;
+    private long grip;
+    private long begun;
+    private float begunX;
+    private float begunY;
     private boolean pouring;
     private float x;
     private float y;
@@ -62,12 +76,90 @@ final class Sandbox {
         y = Math.max(0, Math.min(toY, HEIGHT));
     }
 
-    /** Takes the circle under the pointer, or the nearest around it, for fingers are thick. */
+    /** Takes the circle at the pointer. */
     void grab() {
-        long[] nearest = new long[1];
-        grabbed = world.queries().pick(x, y);
-        if (grabbed == 0 && world.queries().nearest(x, y, 3, 1, nearest, new float[1]) > 0) {
-            grabbed = nearest[0];
+        grabbed = circleHere();
+    }
+
+    /** The circle under the pointer, or the nearest around it, for fingers are thick; 0 if there is none. */
+    private long circleHere() {
+        long[] found = {world.queries().pick(x, y)};
+        if (found[0] == 0) {
+            world.queries().nearest(x, y, NEAR, 1, found, null);
+        }
+        return found[0];
+    }
+
+    /** A joint will begin here, at a circle or a place. */
+    void beginJoint() {
+        begun = circleHere();
+        begunX = begun == 0 ? x : world.x(begun);
+        begunY = begun == 0 ? y : world.y(begun);
+    }
+
+    /** It ends here: a spring, or a rope of small circles. */
+    void endJoint(boolean isRope) {
+        long to = circleHere();
+        if (begun != 0 && (!world.contains(begun) || begun == to)) {
+            return;
+        }
+        float toX = to == 0 ? x : world.x(to);
+        float toY = to == 0 ? y : world.y(to);
+        float length = (float) Math.hypot(toX - begunX, toY - begunY);
+        if (!isRope) {
+            join(begun, begunX, begunY, to, toX, toY, Joint.spring(2, 0.2f));
+            return;
+        }
+        int links = (int) (length / LINK);
+        if (links < 2 || world.size() + links > MOST_CIRCLES) {
+            return;
+        }
+        Joint joint = Joint.distance(length / links);
+        long last = begun;
+        float lastX = begunX;
+        float lastY = begunY;
+        for (int k = 1; k < links; k++) {
+            float linkX = begunX + (toX - begunX) * k / links;
+            float linkY = begunY + (toY - begunY) * k / links;
+            long link = world.add(linkX, linkY, LINK_RADIUS, LINK_RADIUS * LINK_RADIUS);
+            join(link, linkX, linkY, last, lastX, lastY, joint);
+            last = link;
+            lastX = linkX;
+            lastY = linkY;
+        }
+        join(last, lastX, lastY, to, toX, toY, joint);
+        join(begun, begunX, begunY, to, toX, toY, Joint.rope(length)); // it does not stretch
+    }
+
+    /** Joins two ends, circles or places, of which one can move. */
+    private void join(long a, float ax, float ay, long b, float bx, float by, Joint joint) {
+        boolean isLoose = isLoose(a);
+        if (isLoose && b != 0) {
+            world.joints().add(a, b, joint);
+        } else if (isLoose) {
+            world.joints().add(a, bx, by, joint);
+        } else if (isLoose(b)) {
+            world.joints().add(b, ax, ay, joint);
+        }
+    }
+
+    private boolean isLoose(long circle) {
+        return circle != 0 && world.mass(circle) < Float.POSITIVE_INFINITY;
+    }
+
+    /** Holds the circle here where it is. */
+    void pin() {
+        long circle = circleHere();
+        if (isLoose(circle)) {
+            world.joints().add(circle, world.x(circle), world.y(circle), Joint.pin());
+        }
+    }
+
+    /** Removes the joints here. */
+    void cut() {
+        Joints joints = world.joints();
+        for (long found = joints.pick(x, y, CUT); found > 0; found = joints.pick(x, y, CUT)) {
+            joints.remove(found);
         }
     }
 
@@ -77,6 +169,10 @@ final class Sandbox {
 
     /** Lets a circle go with the speed that it has, and pours no more. */
     void release() {
+        if (grip != 0 && world.joints().contains(grip)) {
+            world.joints().remove(grip);
+        }
+        grip = 0;
         grabbed = 0;
         pouring = false;
     }
@@ -124,12 +220,14 @@ final class Sandbox {
     }
 
     private void pull() {
-        float dx = (x - world.x(grabbed)) * PULL;
-        float dy = (y - world.y(grabbed)) * PULL;
-        if (world.mass(grabbed) == Float.POSITIVE_INFINITY) {
+        Joints joints = world.joints();
+        float mass = world.mass(grabbed);
+        if (mass == Float.POSITIVE_INFINITY) {
             world.setPosition(grabbed, x, y);
+        } else if (grip != 0 && joints.contains(grip)) {
+            joints.setAnchor(grip, x, y);
         } else {
-            world.setVelocity(grabbed, dx, dy);
+            grip = joints.add(grabbed, x, y, Joint.mouse(PULL_HERTZ, 1, PULL_ACCELERATION * mass));
         }
     }
 
@@ -150,6 +248,19 @@ final class Sandbox {
         if (past.has(steps - 1)) {
             steps--;
             past.restore(steps);
+            letGo();
         }
+    }
+
+    /** A world of the past may be held by a hand of then. */
+    private void letGo() {
+        Joints joints = world.joints();
+        for (int id = 0; id < joints.idLimit(); id++) {
+            long found = joints.handle(id);
+            if (found != 0 && joints.joint(found).maxForce() < Float.POSITIVE_INFINITY) { // no other joint has a limit
+                joints.remove(found);
+            }
+        }
+        grip = 0;
     }
 }

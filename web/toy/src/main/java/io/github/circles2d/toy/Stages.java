@@ -3,6 +3,7 @@ package io.github.circles2d.toy;
 import io.github.circles2d.ArcSide;
 import io.github.circles2d.Backend;
 import io.github.circles2d.Chain;
+import io.github.circles2d.Joint;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
@@ -37,6 +38,9 @@ final class Stages {
             case "marbles" -> marbles(world);
             case "crowd" -> heap(world, 1, 1, 159, 99, 0.62f, 0.82f, 9, 5_000);
             case "ramps" -> ramps(world);
+            case "bridge" -> bridge(world);
+            case "blobs" -> blobs(world);
+            case "wrecking" -> wreckingBall(world);
             case "slopes" -> slopesAndBelts(world);
             default -> throw new IllegalArgumentException("there is no stage " + name);
         }
@@ -92,6 +96,87 @@ final class Stages {
         drum.setAngularVelocity(0.5f);
         world.kind(0).setFriction(0.5f);
         heap(world, 50, 24, 110, 76, 0.8f, 1.1f, 20, 700);
+    }
+
+    /** A bridge between two cliffs, and balls that roll onto it. */
+    private static void bridge(World world) {
+        wall(world, 2, 60, 33, 52, 0);
+        wall(world, 158, 60, 127, 52, 0);
+        int planks = 40;
+        float step = 96f / (planks + 1);
+        long[] bridge = new long[planks];
+        for (int k = 0; k < planks; k++) {
+            bridge[k] = world.add(32 + step * (k + 1), 50, 1, 1.5f);
+        }
+        Joint link = Joint.distance(step);
+        world.joints().add(bridge[0], 32, 50, link);
+        world.joints().add(bridge[planks - 1], 128, 50, link);
+        chain(world, bridge, link);
+        heap(world, 4, 64, 28, 90, 0.9f, 1.3f, 31, 100);
+        heap(world, 132, 64, 156, 90, 0.9f, 1.3f, 32, 100);
+        world.add(60, 70, 4, 24);
+    }
+
+    /** Soft rings fall down a stair of pegs. */
+    private static void blobs(World world) {
+        world.setGravity(0, -28);
+        for (int row = 0; row < 3; row++) {
+            for (float x = 16 + 16 * (row % 2); x < 156; x += 32) {
+                world.terrain().addArc(x, 20 + 17 * row, 3, 0, 2 * (float) Math.PI, ArcSide.OUTER);
+            }
+        }
+        world.kind(0).setFriction(0.4f);
+        for (int k = 0; k < 14; k++) {
+            blob(world, 14 + 22 * (k % 7), 76 + 15 * (k / 7), 5.5f);
+        }
+    }
+
+    private static void blob(World world, float x, float y, float radius) {
+        int count = 24;
+        long[] ring = new long[count];
+        float own = 0.9f * radius * (float) StrictMath.sin(Math.PI / count);
+        for (int k = 0; k < count; k++) {
+            double angle = 2 * Math.PI * k / count;
+            float ringX = x + radius * (float) StrictMath.cos(angle);
+            ring[k] = world.add(ringX, y + radius * (float) StrictMath.sin(angle), own, own * own);
+        }
+        Joint skin = Joint.spring(10, 0.7f);
+        Joint across = Joint.spring(4, 0.7f);
+        for (int k = 0; k < count; k++) {
+            world.joints().add(ring[k], ring[(k + 1) % count], Joint.distance());
+            world.joints().add(ring[k], ring[(k + 2) % count], skin);
+            if (k < count / 2) {
+                world.joints().add(ring[k], ring[k + count / 2], across);
+            }
+        }
+    }
+
+    /** A heavy ball on a chain swings into a wall of balls. */
+    private static void wreckingBall(World world) {
+        world.kind(0).setFriction(0.6f).setRollingResistance(0.05f);
+        int links = 18;
+        long[] chain = new long[links + 1];
+        for (int k = 0; k < links; k++) {
+            chain[k] = world.add(68 - 2.4f * (k + 1), 90, 0.9f, 1);
+        }
+        chain[links] = world.add(62 - 2.4f * (links + 1), 90, 7, 150);
+        Joint link = Joint.distance();
+        world.joints().add(chain[0], 68, 90, link);
+        chain(world, chain, link);
+        world.joints().add(chain[links], 68, 90, Joint.rope(2.4f * (links + 1) + 6)); // the chain does not stretch
+        for (int column = 0; column < 14; column++) {
+            for (int row = 0; row < 16; row++) {
+                world.add(90 + 3 * column + (row % 2 == 0 ? 0 : 1.5f), 1.5f + 2.61f * row, 1.5f, 2.25f);
+            }
+        }
+        wall(world, 86, 0, 86, 8, 0);
+    }
+
+    /** Joins each circle to the next one. */
+    private static void chain(World world, long[] circles, Joint joint) {
+        for (int k = 1; k < circles.length; k++) {
+            world.joints().add(circles[k - 1], circles[k], joint);
+        }
     }
 
     private static void pegs(World world) {

@@ -60,6 +60,30 @@ public final class Toy {
         sandbox.wallFrom(x, y);
     }
 
+    /** Begins a joint at the pointer. */
+    @JSExport
+    public static void beginJoint() {
+        sandbox.beginJoint();
+    }
+
+    /** Ends it at the pointer: a rope, or a spring. */
+    @JSExport
+    public static void endJoint(boolean isRope) {
+        sandbox.endJoint(isRope);
+    }
+
+    /** Holds the circle at the pointer where it is. */
+    @JSExport
+    public static void pin() {
+        sandbox.pin();
+    }
+
+    /** Removes the joints at the pointer. */
+    @JSExport
+    public static void cut() {
+        sandbox.cut();
+    }
+
     /** Makes a step. */
     @JSExport
     public static void step() {
@@ -113,6 +137,12 @@ public final class Toy {
     @JSExport
     public static Float32Array terrain() {
         return picture.terrainOf(sandbox.world());
+    }
+
+    /** Five numbers a joint: x and y of both ends, and a shade of its force. */
+    @JSExport
+    public static Float32Array joints() {
+        return picture.jointsOf(sandbox.world());
     }
 
     /** The hash of a scene on record after some steps. */
