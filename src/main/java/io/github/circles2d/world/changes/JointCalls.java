@@ -199,7 +199,7 @@ public final class JointCalls {
         JointLimits.room(more, table.ids.size());
         table.ensure(more, handles.end());
         if (form.springs()) {
-            table.ensureSprings(more);
+            table.ensureSpring(); // all have the same
         }
         if (form.looks()) {
             circles = copies.last().circles();
@@ -234,7 +234,7 @@ public final class JointCalls {
         int joint = find(handle);
         joints.check(joint, setting, a, b);
         if (setting == JointSetting.SPRING) {
-            table.ensureSprings(1);
+            table.ensureSpring();
         }
         copies.forgetSaved();
         log.call(LoggedCall.JOINT_SETTING, joint, number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
