@@ -5,6 +5,8 @@
 float keptImpulse(float impulse) { return clampf(impulse, -GREATEST_JOINT_IMPULSE, GREATEST_JOINT_IMPULSE); }
 float jointMass(float inverse) { return inverse > 0.0f ? 1.0f / inverse : 0.0f; }
 
+float springShare(float share, float split) { return maxf(split * share, 1.0f); }
+
 float solvedImpulse(float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
     return keptImpulse((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
 }

@@ -115,9 +115,15 @@ float solveRigid(global const JointHead *j, float before, float m, float speed, 
     return solvedImpulse(before, m, speed, c, j->massScale, j->biasRate, j->impulseScale);
 }
 
+float springMass(const JointVisit *v) {
+    return jointMass(springShare(v->a.share, v->SPRING_EXACT) * v->a.inverseMass +
+                     springShare(v->b.share, v->SPRING_EXACT) * v->b.inverseMass);
+}
+
 // One axis with bias.
 float solveAxis(global const JointHead *j, const JointVisit *v, float before, float speed, float begun, float c) {
-    return holds(v, HOLD_RIGID) ? solveRigid(j, before, v->mass, speed, c) : springOf(v, before, v->mass, speed, begun, c);
+    return holds(v, HOLD_RIGID) ? solveRigid(j, before, v->mass, speed, c)
+                                : springOf(v, before, isExact(v) ? springMass(v) : v->mass, speed, begun, c);
 }
 
 // Cuts a force that is too great, and gives the change.

@@ -30,7 +30,7 @@ import java.nio.ByteBuffer;
  * }</pre>
  *
  * <p><b>A frame</b> is one step of the world, with the changes that {@link Game#beforeStep} makes before it by the inputs, and those
- * that {@link Game#afterStep} makes after it by its events. Frames are numbered from 0 on. The prediction for a player whose input has
+ * that {@link Game#afterStep(int, Events)} makes after it by its events. Frames are numbered from 0 on. The prediction for a player whose input has
  * not come is the input of the frame before, or 0 in frame 0. Inputs may come in any order, late, and more than once.
  *
  * <p>A frame is <i>confirmed</i> if it was made with the inputs of all players, and all frames before it were too. It is never made
@@ -47,17 +47,17 @@ import java.nio.ByteBuffer;
  *       without it: circles, tags, kinds, gravity, bounds. Handles repeat, too: a circle that is added again gets the same one ({@link
  *       Rewind}).
  *   <li><b>Random numbers</b> come from {@link #randomLong}, {@link #randomInt} and {@link #randomFloat}, whose state comes back.
- *   <li><b>Events</b> of each frame go to {@link Game#afterStep}, for what they change in the game. Those of confirmed frames go to {@link
- *       Game#confirmed}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Do not take them by
- *       {@link World#events} or {@link World#takeEvents}. Events that wait when a frame begins are dropped.
+ *   <li><b>Events</b> of each frame go to {@link Game#afterStep(int, Events)}, for what they change in the game. Those of confirmed frames go to {@link
+ *       Game#confirmed(int, Events)}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Joints that go by themselves have
+ *       methods of the same names. Do not take events by {@link World#events}, {@link World#takeEvents} or {@link Joints#events}. Events that wait when a frame begins are dropped.
  *   <li><b>The reported types of events and the hit speed</b> come back with a frame, so a frame may change them by {@link World#report}, {@link
- *       World#reportWalls} and {@link World#setHitSpeed}. Snapshots and frames of {@link Rewind} do not have them.
+ *       World#reportWalls}, {@link World#setHitSpeed} and {@link Joints#report}. Snapshots and frames of {@link Rewind} do not have them.
  *   <li><b>Arithmetic</b> has the same bits on all machines by {@code + - * /}, {@code Math.sqrt} and {@code StrictMath}. Other functions
  *       of {@code Math} may differ. Nothing depends on a clock, on the order of a HashMap, or on another thread.
  * </ol>
  *
- * <p>To find out whether a game keeps these rules, note {@link World#hash} in {@link Game#afterStep}, by the number of the frame, and
- * compare it with that of the other machines in {@link Game#confirmed}.
+ * <p>To find out whether a game keeps these rules, note {@link World#hash} in {@link Game#afterStep(int, Events)}, by the number of the frame, and
+ * compare it with that of the other machines in {@link Game#confirmed(int, Events)}.
  *
  * <p><b>Failures.</b> If a method of the game throws, the caller of {@link #advance} or {@link #reconcile} gets its exception. Nothing is
  * lost: the next call makes the frame again, from its start. Until then the world is in the middle of the frame.
@@ -102,6 +102,15 @@ public final class Rollback {
         default void afterStep(int frame, Events events) {}
 
         /**
+         * Makes the changes of a frame by the joints that went by themselves in it, behind {@link #afterStep(int, Events)}. There are some only if
+         * {@link Joints#report} says so. Of joints that go by this call no event tells.
+         *
+         * @param frame its number
+         * @param gone those of its changes and of its step, valid during the call
+         */
+        default void afterStep(int frame, JointEvents gone) {}
+
+        /**
          * Writes the state of the game, at the start of a frame. If the buffer is too short, let its BufferOverflowException pass: the
          * method is called again, with a longer one.
          *
@@ -124,6 +133,14 @@ public final class Rollback {
          * @param events those of its step, valid during the call
          */
         default void confirmed(int frame, Events events) {}
+
+        /**
+         * Takes note of the joints that went by themselves in a confirmed frame, behind {@link #confirmed(int, Events)} and under the same rules.
+         *
+         * @param frame its number
+         * @param gone those of its changes and of its step, valid during the call
+         */
+        default void confirmed(int frame, JointEvents gone) {}
     }
 
     private final World world;
@@ -141,10 +158,19 @@ public final class Rollback {
     private final long[] randoms;
     private final ReportSettings[] reported;
 
+    /** By place: whether the world told of joints that go. */
+    private final boolean[] reportedJoints;
+
+    /** By place: the joints that have gone. */
+    private final JointEvents[] keptJoints;
+
     /** The number of frames that have been made, and the next one to confirm. */
     private int frame;
 
     private int confirmed;
+
+    /** Whether the game has been told of the events of the next frame to confirm, but not of its joints. */
+    private boolean isHalfConfirmed;
 
     /** The next frame to make: one that was made with a wrong prediction, or the next new one. */
     private int next;
@@ -185,6 +211,11 @@ public final class Rollback {
         }
         randoms = new long[window];
         reported = new ReportSettings[window];
+        reportedJoints = new boolean[window];
+        keptJoints = new JointEvents[window];
+        for (int place = 0; place < window; place++) {
+            keptJoints[place] = new JointEvents();
+        }
     }
 
     /**
@@ -197,7 +228,7 @@ public final class Rollback {
     }
 
     /**
-     * The number of confirmed frames that {@link Game#confirmed} has been told of.
+     * The number of confirmed frames that {@link Game#confirmed(int, Events)} has been told of.
      *
      * @return at least 0, at most {@link #frame}
      */
@@ -250,7 +281,7 @@ public final class Rollback {
     }
 
     /**
-     * Makes frames again, from the first one on whose prediction was wrong, and tells {@link Game#confirmed} of those that have all
+     * Makes frames again, from the first one on whose prediction was wrong, and tells {@link Game#confirmed(int, Events)} of those that have all
      * their inputs now.
      *
      * @throws IllegalStateException if a method of the game calls this
@@ -263,12 +294,17 @@ public final class Rollback {
         while (confirmed < end) {
             isInGame = true;
             try {
-                game.confirmed(confirmed, events.of(kept.at(confirmed % window)));
+                if (!isHalfConfirmed) {
+                    game.confirmed(confirmed, events.of(kept.at(confirmed % window)));
+                    isHalfConfirmed = true;
+                }
+                game.confirmed(confirmed, keptJoints[confirmed % window]);
             } finally {
                 isInGame = false;
             }
             inputs.dropFirst();
             confirmed++;
+            isHalfConfirmed = false;
         }
     }
 
@@ -300,6 +336,7 @@ public final class Rollback {
     private void goBack() {
         int place = next % window;
         world.simulation().reports().restore(reported[place]); // first: it decides which pairs that touch are restored
+        world.joints().report(reportedJoints[place]);
         rewind.restore(next);
         random = randoms[place];
         ByteBuffer state = states[place];
@@ -321,7 +358,9 @@ public final class Rollback {
         }
         randoms[place] = random;
         reported[place] = world.simulation().reports().settings();
+        reportedJoints[place] = world.simulation().joints().reports();
         world.events();
+        world.joints().events();
         rewind.save(next);
         isSaved = true;
     }
@@ -349,7 +388,10 @@ public final class Rollback {
             world.step(timeStep);
             Events happened = world.events();
             game.afterStep(next, happened);
+            JointEvents gone = world.joints().events();
+            game.afterStep(next, gone);
             kept.keep(next % window, happened.rows());
+            gone.rows().moveTo(keptJoints[next % window].rows());
         } finally {
             isInFrame = false;
         }
@@ -442,6 +484,9 @@ public final class Rollback {
      */
     public long bytes() {
         long sum = rewind.bytes() + kept.bytes();
+        for (JointEvents gone : keptJoints) {
+            sum += gone.rows().bytes();
+        }
         for (ByteBuffer state : states) {
             sum += state.capacity();
         }

@@ -156,6 +156,57 @@ class NullArgumentsTest {
         }));
         calls.put(
                 "TerrainBody.addSegments", Map.of("ends", () -> terrain.ground().addSegments(null, 0, null)));
+        Joints joints = world.joints();
+        calls.put(
+                "Joints.add",
+                Map.of(
+                        "joint",
+                                () -> {
+                                    refusal(() -> joints.add(1, 2, null), "joint");
+                                    refusal(() -> joints.add(1, 0, 0, null), "joint");
+                                    refusal(() -> joints.add(1, terrain.ground(), 0, 0, null), "joint");
+                                    joints.add(1, null);
+                                },
+                        "body", () -> joints.add(1, null, 0, 0, Joint.pin())));
+        calls.put(
+                "Joints.addAll",
+                Map.of(
+                        "circles", () -> joints.addAll(null, handles, Joint.weld(), null),
+                        "others", () -> joints.addAll(handles, null, Joint.weld(), null),
+                        "joint", () -> joints.addAll(handles, handles, null, null)));
+        calls.put("Joints.removeAll", Map.of("joints", () -> joints.removeAll(null)));
+        calls.put("Joints.ofCircle", Map.of("joints", () -> joints.ofCircle(world.handle(0), null)));
+        calls.put("Joints.readEnds", Map.of("ends", () -> joints.readEnds(null)));
+        Ropes.End end = Ropes.at(0, 0);
+        calls.put("Ropes.on", Map.of("body", () -> Ropes.on(null, 0, 0)));
+        calls.put(
+                "Ropes.rope",
+                Map.of(
+                        "world",
+                                () -> {
+                                    refusal(() -> Ropes.rope(null, end, end, 3, 1, 1, 0), "world");
+                                    Ropes.rope(null, end, end, 3, 1, 1, 0, Joint.distance());
+                                },
+                        "from",
+                                () -> {
+                                    refusal(() -> Ropes.rope(world, null, end, 3, 1, 1, 0), "from");
+                                    Ropes.rope(world, null, end, 3, 1, 1, 0, Joint.distance());
+                                },
+                        "to",
+                                () -> {
+                                    refusal(() -> Ropes.rope(world, end, null, 3, 1, 1, 0), "to");
+                                    Ropes.rope(world, end, null, 3, 1, 1, 0, Joint.distance());
+                                },
+                        "link", () -> Ropes.rope(world, end, end, 3, 1, 1, 0, null)));
+        calls.put(
+                "Ropes.bridge",
+                Map.of(
+                        "world", () -> Ropes.bridge(null, end, end, 3, 1, 1, 0),
+                        "from", () -> Ropes.bridge(world, null, end, 3, 1, 1, 0),
+                        "to", () -> Ropes.bridge(world, end, null, 3, 1, 1, 0)));
+        calls.put("Blobs.ring", Map.of("world", () -> Blobs.ring(null, 0, 0, 1, 9, 0.1f, 1, 5, 1)));
+        calls.put("Blobs.lattice", Map.of("world", () -> Blobs.lattice(null, 0, 0, 3, 3, 1, 0.1f, 1, 5, 1)));
+        calls.put("Blobs.cloth", Map.of("world", () -> Blobs.cloth(null, 0, 0, 3, 3, 1, 0.1f, 1, 5, 1)));
         calls.put("World.snapshot", Map.of("to", () -> world.snapshot(null)));
         calls.put("World.restore", Map.of("from", () -> world.restore(null)));
         calls.put("Builder.backend", Map.of("backend", () -> World.builder().backend(null)));
@@ -207,6 +258,9 @@ class NullArgumentsTest {
                         Kind.class,
                         Terrain.class,
                         TerrainBody.class,
+                        Joints.class,
+                        Ropes.class,
+                        Blobs.class,
                         Chain.class,
                         FixedStep.class,
                         Rewind.class,

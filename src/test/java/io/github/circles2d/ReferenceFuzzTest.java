@@ -4,15 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
+import io.github.circles2d.reference.JointPlan;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.reference.Settings;
 import io.github.circles2d.reference.Surfaces;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -41,6 +44,7 @@ class ReferenceFuzzTest {
         private final boolean turns;
         private final Surfaces surfaces;
         private final boolean terrain;
+        private final boolean joints;
         private final List<Long> bodies = new ArrayList<>();
         private final float size;
         private final float fastest;
@@ -68,6 +72,7 @@ class ReferenceFuzzTest {
             turns = ofSurfaces.nextInt(4) > 0;
             surfaces = turns && ofSurfaces.nextBoolean() ? surfaces(ofSurfaces) : Surfaces.NONE;
             terrain = new SplittableRandom(~(5 * seed)).nextInt(2) == 0;
+            joints = new SplittableRandom(~(7 * seed)).nextInt(2) == 0;
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
@@ -100,6 +105,9 @@ class ReferenceFuzzTest {
                 addSome(random.nextInt(6) == 0 ? 60 : 12);
                 for (int k = 0; k < (terrain ? 6 : 0); k++) {
                     changeTerrain();
+                }
+                for (int k = 0; k < (joints ? 10 : 0); k++) {
+                    changeJoints();
                 }
                 int count = 10 + random.nextInt(30);
                 for (int k = 0; k < count; k++) {
@@ -139,6 +147,9 @@ class ReferenceFuzzTest {
         private void call() {
             if (terrain && random.nextInt(3) == 0) {
                 changeTerrain();
+            }
+            if (joints && random.nextInt(2) == 0) {
+                changeJoints();
             }
             switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
@@ -773,6 +784,186 @@ class ReferenceFuzzTest {
                     both("remove body", c -> c.removeBody(body));
                     bodies.remove(body);
                 });
+            }
+        }
+
+        // ---- joints
+        // -----------------------------------------------------------------------------------------------
+
+        private void changeJoints() {
+            switch (random.nextInt(24)) {
+                case 0, 1, 2 -> withSome(circle -> withSome(other -> joinCircles(circle, other)));
+                case 3, 4 -> withSome(this::joinToPlace);
+                case 5 -> withSome(this::joinToBody);
+                case 6, 7 -> withSome(this::joinAlone);
+                case 8 -> joinChain();
+                case 9 -> withSome(this::joinHub);
+                case 10 -> withSomeJoint(joint -> both("remove joint", c -> c.removeJoint(joint)));
+                case 11 -> removeSomeJoints();
+                default -> withSomeJoint(this::setJoint);
+            }
+        }
+
+        private void withSomeJoint(Consumer<Long> change) {
+            int limit = world.joints().idLimit();
+            long joint = limit == 0 ? 0 : world.joints().handle(random.nextInt(limit));
+            if (joint != 0) {
+                change.accept(joint);
+            }
+        }
+
+        /** One in a few breaks, some are apart, and some let their circles collide. */
+        private JointPlan plan(JointPlan.Kind... kinds) {
+            JointPlan.Kind kind = kinds[random.nextInt(kinds.length)];
+            float[] numbers =
+                    switch (kind) {
+                        case SPRING, SOFT_PIN -> new float[] {frequency(), dampingRatio()};
+                        case MOUSE -> new float[] {frequency(), dampingRatio(), most()};
+                        case MOTOR -> new float[] {angularVelocity(), most()};
+                        case SERVO -> new float[] {value(-5f, 5f), frequency(), dampingRatio(), most()};
+                        case FRICTION -> new float[] {most(), most()};
+                        default -> new float[0];
+                    };
+            JointPlan plan = JointPlan.of(kind, numbers);
+            if (kind == JointPlan.Kind.LIMITS || kind == JointPlan.Kind.SPRING && random.nextInt(3) == 0) {
+                float least = random.nextInt(3) == 0 ? 0f : value(0f, 0.2f * size);
+                plan = plan.withLimits(
+                        least, random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : value(least, least + 0.2f * size));
+            }
+            boolean sets = kind == JointPlan.Kind.DISTANCE || kind == JointPlan.Kind.SPRING;
+            plan = sets && random.nextBoolean() ? plan.withLength(length()) : plan;
+            plan = random.nextInt(3) == 0 ? plan.breakingAt(most(), most()) : plan;
+            return random.nextInt(4) == 0 ? plan.colliding(true) : plan;
+        }
+
+        private float length() {
+            return random.nextInt(6) == 0 ? 0f : value(0f, random.nextInt(6) == 0 ? 3f * size : 0.2f * size);
+        }
+
+        private float frequency() {
+            return switch (random.nextInt(8)) {
+                case 0 -> -0f;
+                case 1 -> 1e4f;
+                case 2 -> value(0f, 200f);
+                default -> value(0.1f, 20f);
+            };
+        }
+
+        private float dampingRatio() {
+            return random.nextInt(4) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1000f : 2f);
+        }
+
+        /** A greatest force or torque. */
+        private float most() {
+            return random.nextInt(4) == 0
+                    ? Float.POSITIVE_INFINITY
+                    : random.nextInt(8) == 0 ? 0f : 10f * size * mass(2f) * value(0f, 3f);
+        }
+
+        private void joinCircles(long circle, long other) {
+            JointPlan plan = plan(JointPlan.Kind.values());
+            bothIfAllowed("add joint", c -> c.addJoint(circle, other, plan));
+        }
+
+        private void joinToPlace(long circle) {
+            JointPlan plan = plan(JointPlan.Kind.values());
+            float x = x();
+            float y = y();
+            bothIfAllowed("add joint at a place", c -> c.addJoint(circle, x, y, plan));
+        }
+
+        private void joinToBody(long circle) {
+            JointPlan plan =
+                    plan(JointPlan.Kind.PIN, JointPlan.Kind.SOFT_PIN, JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING);
+            long body = someBody();
+            float x = x(body);
+            float y = y(body);
+            bothIfAllowed("add joint on a body", c -> c.addJointToBody(circle, body, x, y, plan));
+        }
+
+        private void joinAlone(long circle) {
+            JointPlan plan = plan(JointPlan.Kind.MOTOR, JointPlan.Kind.SERVO, JointPlan.Kind.FRICTION);
+            bothIfAllowed("add joint of one circle", c -> c.addJoint(circle, plan));
+        }
+
+        /** A chain of the circles behind one. */
+        private void joinChain() {
+            long[] all = new long[world.size()];
+            world.readHandles(all);
+            int from = random.nextInt(all.length + 1);
+            int count = Math.max(Math.min(all.length - from - 1, random.nextInt(12)), 0);
+            long[] circles = Arrays.copyOfRange(all, from, from + count);
+            long[] others =
+                    Arrays.copyOfRange(all, Math.min(from + 1, all.length), Math.min(from + 1, all.length) + count);
+            JointPlan plan =
+                    plan(JointPlan.Kind.DISTANCE, JointPlan.Kind.SPRING, JointPlan.Kind.WELD, JointPlan.Kind.LIMITS);
+            bothIfAllowed("add chain", c -> c.addJoints(circles, others, plan, new long[count]));
+        }
+
+        /** More joints of a circle than there are colours. */
+        private void joinHub(long hub) {
+            long[] all = new long[world.size()];
+            world.readHandles(all);
+            JointPlan plan = plan(
+                    JointPlan.Kind.DISTANCE,
+                    JointPlan.Kind.SPRING,
+                    JointPlan.Kind.WELD,
+                    JointPlan.Kind.MOTOR,
+                    JointPlan.Kind.SERVO);
+            boolean twice = random.nextBoolean();
+            long[] others = Arrays.stream(all)
+                    .filter(other -> other != hub && !isStatic(other))
+                    .toArray();
+            long[] spokes = new long[twice ? 2 * others.length : others.length];
+            long[] hubs = new long[spokes.length];
+            for (int k = 0; k < spokes.length; k++) {
+                spokes[k] = others[k % others.length];
+                hubs[k] = hub;
+            }
+            bothIfAllowed("add hub", c -> c.addJoints(hubs, spokes, plan, new long[hubs.length]));
+        }
+
+        private boolean isStatic(long circle) {
+            return world.mass(circle) == Float.POSITIVE_INFINITY;
+        }
+
+        private void removeSomeJoints() {
+            if (random.nextInt(4) == 0) {
+                both("clear joints", WorldCalls::clearJoints);
+                return;
+            }
+            long[] some = IntStream.range(0, world.joints().idLimit())
+                    .filter(id -> random.nextInt(3) == 0)
+                    .mapToLong(world.joints()::handle)
+                    .filter(handle -> handle != 0)
+                    .toArray();
+            both("remove joints", c -> c.removeJoints(some));
+        }
+
+        /** Sets something of a joint, which may not have it. */
+        private void setJoint(long joint) {
+            float a = random.nextBoolean() ? 0f : value(0f, 0.2f * size);
+            float b = random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : a + value(0f, 0.2f * size);
+            float x = x();
+            float y = y();
+            float most = most();
+            float other = most();
+            float frequency = frequency();
+            float ratio = dampingRatio();
+            float omega = angularVelocity();
+            float angle = value(-10f, 10f);
+            boolean collide = random.nextBoolean();
+            bothIfAllowed("setAnchor", c -> c.setJointAnchor(joint, x, y));
+            switch (random.nextInt(9)) {
+                case 0 -> bothIfAllowed("setLength", c -> c.setJointLength(joint, a));
+                case 1 -> bothIfAllowed("setLimits", c -> c.setJointLimits(joint, a, b));
+                case 2 -> bothIfAllowed("setSpring", c -> c.setJointSpring(joint, frequency, ratio));
+                case 3 -> bothIfAllowed("setSpeed", c -> c.setJointSpeed(joint, omega));
+                case 4 -> bothIfAllowed("setAngle", c -> c.setJointAngle(joint, angle));
+                case 5 -> bothIfAllowed("setMaxForce", c -> c.setJointMaxForce(joint, most));
+                case 6 -> bothIfAllowed("setMaxTorque", c -> c.setJointMaxTorque(joint, most));
+                case 7 -> bothIfAllowed("setBreaking", c -> c.setJointBreaking(joint, most, other));
+                default -> bothIfAllowed("setColliding", c -> c.setJointColliding(joint, collide));
             }
         }
 

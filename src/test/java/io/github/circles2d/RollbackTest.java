@@ -23,7 +23,10 @@ class RollbackTest {
 
     /** The confirmed frames of a game without predictions, which does not use Rollback. */
     private static List<String> straight() {
-        RollbackGame game = new RollbackGame(Backend.JVM);
+        return straight(new RollbackGame(Backend.JVM));
+    }
+
+    private static List<String> straight(RollbackGame game) {
         SplittableRandom random = new SplittableRandom(42);
         game.random = bound -> (int) ((random.nextLong() >>> 32) * bound >>> 32);
         try (game.world) {
@@ -32,7 +35,10 @@ class RollbackTest {
                 game.world.step(RollbackGame.STEP);
                 Events events = game.world.events();
                 game.afterStep(frame, events);
+                JointEvents gone = game.world.joints().events();
+                game.afterStep(frame, gone);
                 game.confirmed(frame, events);
+                game.confirmed(frame, gone);
             }
         }
         return game.frames;
@@ -69,6 +75,75 @@ class RollbackTest {
         play(game, throwing, seed, 20_000);
         assertThat(game.frames).isEqualTo(straight());
         assertThat(throwing.thrown).isGreaterThan(50);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {21, 22})
+    void jointsThatGoAreToldOfOnceInTheFrameInWhichTheyWent(int seed) {
+        JointedGame game = new JointedGame();
+        Throwing throwing = new Throwing(game, seed);
+        play(game, throwing, seed, 20_000);
+        List<String> straight = straight(new JointedGame());
+        assertThat(game.frames).isEqualTo(straight);
+        assertThat(straight.toString()).contains("BROKEN", "CIRCLE_REMOVED");
+        assertThat(throwing.thrown).isGreaterThan(50);
+    }
+
+    /** A game with joints, some of which break. */
+    private static final class JointedGame extends RollbackGame {
+        private int gone;
+
+        JointedGame() {
+            super(Backend.JVM);
+            world.joints().report(true);
+            for (int k = 0; k < 60; k++) {
+                world.joints()
+                        .add(
+                                world.handle(k),
+                                world.handle(k + 1 + k % 13),
+                                Joint.rope(2 + k % 3).breakingAt(20 + 5 * k, Float.POSITIVE_INFINITY));
+            }
+        }
+
+        @Override
+        public void beforeStep(int frame, long[] inputs) {
+            super.beforeStep(frame, inputs);
+            for (long input : inputs) {
+                long one = world.handle((int) (input % world.idLimit()));
+                long other = world.handle((int) (input / 7 % world.idLimit()));
+                if (input % 5 == 1) {
+                    world.joints().report(input % 3 != 0);
+                }
+                if (input != 0 && one != 0 && other != 0 && one != other) {
+                    world.joints().add(one, other, Joint.spring(2, 0.5f).breakingAt(30 + gone, 9));
+                }
+            }
+        }
+
+        @Override
+        public void afterStep(int frame, JointEvents events) {
+            gone += events.size();
+        }
+
+        @Override
+        public void save(ByteBuffer to) {
+            super.save(to);
+            to.putInt(gone);
+        }
+
+        @Override
+        public void restore(ByteBuffer from) {
+            super.restore(from);
+            gone = from.getInt();
+        }
+
+        @Override
+        public void confirmed(int frame, JointEvents events) {
+            for (int i = 0; i < events.size(); i++) {
+                frames.add(frame + ": " + events.reason(i) + " " + events.joint(i) + " " + events.circle(i) + " "
+                        + events.other(i) + " " + events.force(i) + " " + events.torque(i));
+            }
+        }
     }
 
     /** Plays with a network that delays, repeats and reorders inputs. Calls that a game has made fail are made again. */
@@ -148,6 +223,12 @@ class RollbackTest {
         }
 
         @Override
+        public void afterStep(int frame, JointEvents gone) {
+            game.afterStep(frame, gone);
+            mayThrow();
+        }
+
+        @Override
         public void save(ByteBuffer to) {
             mayThrow();
             game.save(to);
@@ -165,6 +246,12 @@ class RollbackTest {
         public void confirmed(int frame, Events events) {
             mayThrow();
             game.confirmed(frame, events);
+        }
+
+        @Override
+        public void confirmed(int frame, JointEvents gone) {
+            mayThrow();
+            game.confirmed(frame, gone);
         }
     }
 

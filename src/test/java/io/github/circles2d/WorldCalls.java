@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.reference.ChainShape;
+import io.github.circles2d.reference.JointPlan;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -149,6 +150,104 @@ public interface WorldCalls {
 
     default void removeBody(long body) {
         body(body).remove();
+    }
+
+    Joints joints();
+
+    /** What a plan says, as callers say it. */
+    static Joint joint(JointPlan plan) {
+        float[] n = plan.numbers();
+        Joint joint =
+                switch (plan.kind()) {
+                    case DISTANCE -> Joint.distance();
+                    case SPRING -> Joint.spring(n[0], n[1]);
+                    case LIMITS -> Joint.limits(plan.leastLength(), plan.greatestLength());
+                    case PIN -> Joint.pin();
+                    case SOFT_PIN -> Joint.pin(n[0], n[1]);
+                    case MOUSE -> Joint.mouse(n[0], n[1], n[2]);
+                    case MOTOR -> Joint.motor(n[0], n[1]);
+                    case SERVO -> Joint.servo(n[0], n[1], n[2], n[3]);
+                    case FRICTION -> Joint.friction(n[0], n[1]);
+                    case WELD -> Joint.weld();
+                };
+        joint = Float.isNaN(plan.length()) ? joint : joint.withLength(plan.length());
+        boolean limits = plan.kind() == JointPlan.Kind.SPRING
+                && (plan.leastLength() > 0f || plan.greatestLength() < Float.POSITIVE_INFINITY);
+        joint = limits ? joint.withLimits(plan.leastLength(), plan.greatestLength()) : joint;
+        return joint.breakingAt(plan.breakForce(), plan.breakTorque()).colliding(plan.collides());
+    }
+
+    default long addJoint(long circle, long other, JointPlan plan) {
+        return joints().add(circle, other, joint(plan));
+    }
+
+    default long addJoint(long circle, float x, float y, JointPlan plan) {
+        return joints().add(circle, x, y, joint(plan));
+    }
+
+    default long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
+        return joints().add(circle, body(body), x, y, joint(plan));
+    }
+
+    /** Of one circle, or of none but the world. */
+    default long addJoint(long circle, JointPlan plan) {
+        return joints().add(circle, joint(plan));
+    }
+
+    default int addJoints(long[] circles, long[] others, JointPlan plan, long[] handles) {
+        return joints().addAll(circles, others, joint(plan), handles);
+    }
+
+    default void removeJoints(long[] them) {
+        joints().removeAll(them);
+    }
+
+    default void removeJoint(long joint) {
+        joints().remove(joint);
+    }
+
+    default void clearJoints() {
+        joints().clear();
+    }
+
+    default void setJointAnchor(long joint, float x, float y) {
+        joints().setAnchor(joint, x, y);
+    }
+
+    default void setJointLength(long joint, float length) {
+        joints().setLength(joint, length);
+    }
+
+    default void setJointLimits(long joint, float least, float greatest) {
+        joints().setLimits(joint, least, greatest);
+    }
+
+    default void setJointSpring(long joint, float frequency, float damping) {
+        joints().setSpring(joint, frequency, damping);
+    }
+
+    default void setJointSpeed(long joint, float speed) {
+        joints().setSpeed(joint, speed);
+    }
+
+    default void setJointAngle(long joint, float angle) {
+        joints().setAngle(joint, angle);
+    }
+
+    default void setJointMaxForce(long joint, float force) {
+        joints().setMaxForce(joint, force);
+    }
+
+    default void setJointMaxTorque(long joint, float torque) {
+        joints().setMaxTorque(joint, torque);
+    }
+
+    default void setJointBreaking(long joint, float force, float torque) {
+        joints().setBreaking(joint, force, torque);
+    }
+
+    default void setJointColliding(long joint, boolean collides) {
+        joints().setColliding(joint, collides);
     }
 
     void applyImpulse(long handle, float x, float y);

@@ -163,7 +163,13 @@ class SessionTest {
             int[] result = new int[3];
             target.read(IntBuffer.wrap(result));
             assertThat(result).containsExactly(1, 2, 7);
+            source.copyTo(8, target, 4, 8);
+            int[] last = new int[2];
+            target.read(4, IntBuffer.wrap(last));
+            assertThat(last).containsExactly(3, 4);
             assertThatThrownBy(() -> source.copyTo(target, 16)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> source.copyTo(8, target, 8, 8)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> source.copyTo(12, target, 0, 8)).isInstanceOf(IndexOutOfBoundsException.class);
             try (Session other = Session.open(device)) {
                 DeviceBuffer foreign = other.allocate("foreign", 16);
                 assertThatThrownBy(() -> source.copyTo(foreign, 8)).isInstanceOf(IllegalArgumentException.class);

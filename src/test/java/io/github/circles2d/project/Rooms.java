@@ -60,6 +60,7 @@ final class Rooms {
                     "world.replay",
                     "world",
                     "world.changes",
+                    "world.reads",
                     "world.shared",
                     "world.terrain",
                     "world.joints",

@@ -49,8 +49,12 @@ final class Body {
 
     /** A direction of the body's frame, in the world. */
     double[] turned(double[] v) {
-        double cos = Angles.cos(angle);
-        double sin = Angles.sin(angle);
+        return turned(angle, v);
+    }
+
+    private static double[] turned(int by, double[] v) {
+        double cos = Angles.cos(by);
+        double sin = Angles.sin(by);
         return new double[] {cos * v[0] - sin * v[1], sin * v[0] + cos * v[1]};
     }
 
@@ -117,22 +121,21 @@ final class Body {
 
     /** How a place of its frame moves in this step. */
     AnchorMotion motionOf(float[] at, StepParameters k) {
-        double[] arm = turned(new double[] {at[0], at[1]});
+        double[] arm = turned(angle, new double[] {at[0], at[1]});
         int n = k.subSteps();
         float[][] ways = new float[n + 1][];
         float[][] velocities = new float[n + 1][];
         for (int i = 0; i <= n; i++) {
             double share = (double) i / n;
             int turnedSoFar = (int) Math.round(turn * share);
-            double cos = Angles.cos(turnedSoFar);
-            double sin = Angles.sin(turnedSoFar);
-            double x = cos * arm[0] - sin * arm[1];
-            double y = sin * arm[0] + cos * arm[1];
-            ways[i] = new float[] {(float) (way[0] * share + (x - arm[0])), (float) (way[1] * share + (y - arm[1]))};
-            double omegaNow = turn * Angles.UNIT / k.dt();
+            double[] now = turned(angle + turnedSoFar, new double[] {at[0], at[1]});
+            ways[i] = new float[] {
+                (float) (way[0] * share + (now[0] - arm[0])), (float) (way[1] * share + (now[1] - arm[1]))
+            };
+            double speed = turn * Angles.UNIT / k.dt();
             velocities[i] = new float[] {
-                Numbers.limitSpeed((float) (way[0] / k.dt() - omegaNow * y)),
-                Numbers.limitSpeed((float) (way[1] / k.dt() + omegaNow * x))
+                Numbers.limitSpeed((float) (way[0] / k.dt() - speed * now[1])),
+                Numbers.limitSpeed((float) (way[1] / k.dt() + speed * now[0]))
             };
         }
         return new AnchorMotion(ways, velocities);

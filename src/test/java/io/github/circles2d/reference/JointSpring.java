@@ -7,9 +7,10 @@ package io.github.circles2d.reference;
  * @param now of an exact one, what the speed counts
  * @param begun what the speed counts with which the sub-step began
  * @param way what the way counts
+ * @param split of an exact one, how much of the share of a split joint counts
  * @param soft an implicit one
  */
-record JointSpring(boolean exact, float now, float begun, float way, JointSoftness soft) {
+record JointSpring(boolean exact, float now, float begun, float way, float split, JointSoftness soft) {
     private static final double FULL_TURN = 6.283185307179586;
     private static final double LN_2 = 0.6931471805599453;
     private static final double GREATEST_EXACT = 0.55;
@@ -21,7 +22,7 @@ record JointSpring(boolean exact, float now, float begun, float way, JointSoftne
             double a2 = w * (2 * z + w);
             float rate = (float) (w / (2 * z + w) / h);
             JointSoftness soft = new JointSoftness((float) (a2 / (1 + a2)), rate, (float) (1 / (1 + a2)));
-            return new JointSpring(false, 0f, 0f, 0f, soft);
+            return new JointSpring(false, 0f, 0f, 0f, 0f, soft);
         }
         double a = exp(-2 * z * w);
         double b;
@@ -34,7 +35,8 @@ record JointSpring(boolean exact, float now, float begun, float way, JointSoftne
             b = (1 - exp(x - z * w)) * (1 - exp(-x - z * w));
         }
         double c = w > 1e-6 ? b / (w * w) : 1;
-        return new JointSpring(true, (float) (1 - c), (float) (c - a), (float) (b / h), null);
+        float split = (float) Math.max(1e-6, Math.min(b + (1 - a), 1));
+        return new JointSpring(true, (float) (1 - c), (float) (c - a), (float) (b / h), split, null);
     }
 
     /** Nine terms of the series. */

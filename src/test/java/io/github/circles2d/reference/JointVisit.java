@@ -3,6 +3,7 @@ package io.github.circles2d.reference;
 import static io.github.circles2d.reference.Numbers.clamp;
 import static io.github.circles2d.reference.Numbers.dot;
 import static io.github.circles2d.reference.Numbers.length;
+import static io.github.circles2d.reference.Numbers.max;
 import static io.github.circles2d.reference.Numbers.minus;
 import static io.github.circles2d.reference.Numbers.plus;
 
@@ -202,9 +203,20 @@ final class JointVisit {
                 : spring.soft().solve(impulse, m, v, way);
     }
 
+    private float springMass() {
+        float sum = springShare(a) * inverseMass(a);
+        return mass(sum + (b == null ? 1f : springShare(b)) * inverseMass(b));
+    }
+
+    private float springShare(Circle c) {
+        return isSplit() ? max(spring.split() * c.splitJoints, 1f) : 1f;
+    }
+
     private float byAxis(float impulse, float v, float vBegun, float way) {
         float m = mass(inverse);
-        return joint.rigid ? rigid.solve(impulse, m, v, way) : bySpring(impulse, m, v, vBegun, way);
+        return joint.rigid
+                ? rigid.solve(impulse, m, v, way)
+                : bySpring(impulse, spring.exact() ? springMass() : m, v, vBegun, way);
     }
 
     /** At a limit, from which B is away by a gap. */

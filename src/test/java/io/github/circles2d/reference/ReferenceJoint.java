@@ -16,6 +16,8 @@ final class ReferenceJoint {
         RIGID
     }
 
+    private static final long JOINT = 0x6A6F696E74733264L;
+
     final int id;
     final long handle;
     final Circle a;
@@ -48,7 +50,6 @@ final class ReferenceJoint {
     float mostForce = Float.POSITIVE_INFINITY;
     float mostTorque = Float.POSITIVE_INFINITY;
     float speed;
-    float angle;
     float breakForce = Float.POSITIVE_INFINITY;
     float breakTorque = Float.POSITIVE_INFINITY;
 
@@ -79,8 +80,136 @@ final class ReferenceJoint {
         this.anchor = anchor;
     }
 
+    /** Makes it what a plan says, of ends as they are now. */
+    void become(JointPlan plan, Arena arena) {
+        float[] n = plan.numbers();
+        switch (plan.kind()) {
+            case DISTANCE -> {
+                linear = Linear.ALONG;
+                rigid = true;
+            }
+            case SPRING -> {
+                linear = Linear.ALONG;
+                spring(n[0], n[1]);
+            }
+            case LIMITS -> linear = Linear.ALONG;
+            case PIN -> {
+                linear = Linear.POINT;
+                rigid = true;
+            }
+            case SOFT_PIN -> {
+                linear = Linear.POINT;
+                spring(n[0], n[1]);
+            }
+            case MOUSE -> {
+                linear = Linear.POINT;
+                spring(n[0], n[1]);
+                mostForce = n[2] + 0f;
+            }
+            case MOTOR -> {
+                angular = Angular.SPEED;
+                speed = n[0] + 0f;
+                mostTorque = n[1] + 0f;
+            }
+            case SERVO -> {
+                angular = Angular.ANGLE;
+                referenceOfA = (int) Angles.units(n[0]);
+                spring(n[1], n[2]);
+                mostTorque = n[3] + 0f;
+            }
+            case FRICTION -> {
+                linear = Linear.DRAG;
+                angular = Angular.SPEED;
+                mostForce = n[0] + 0f;
+                mostTorque = n[1] + 0f;
+            }
+            case WELD -> {
+                linear = Linear.ALONG;
+                rigid = true;
+                keepsDirection = true;
+                angular = Angular.RIGID;
+                float[] way = way(arena);
+                float between = lengthOf(way);
+                direction = between > 0f ? new float[] {way[0] / between, way[1] / between} : new float[] {1f, 0f};
+                referenceOfA = a.angle;
+                referenceOfB = b.angle;
+            }
+        }
+        if (linear == Linear.ALONG && (rigid || elastic)) {
+            length = Float.isNaN(plan.length()) ? lengthOf(way(arena)) : plan.length() + 0f;
+        }
+        limit(plan.leastLength(), plan.greatestLength());
+        breakForce = plan.breakForce() + 0f;
+        breakTorque = plan.breakTorque() + 0f;
+        collides = plan.collides();
+    }
+
+    private void spring(float itsFrequency, float itsDamping) {
+        elastic = true;
+        frequency = itsFrequency + 0f;
+        damping = itsDamping + 0f;
+    }
+
+    /** All impulses go if a limit comes or goes. */
+    void limit(float least, float most) {
+        if (hasLeast != least > 0f || hasGreatest != most < Float.POSITIVE_INFINITY) {
+            forgetImpulses();
+        }
+        leastLength = least + 0f;
+        greatestLength = most + 0f;
+        hasLeast = least > 0f;
+        hasGreatest = most < Float.POSITIVE_INFINITY;
+    }
+
+    private void forgetImpulses() {
+        along = 0f;
+        across = 0f;
+        least = 0f;
+        greatest = 0f;
+        turning = 0f;
+        sum[0] = 0f;
+        sum[1] = 0f;
+        sumOfTurning = 0f;
+    }
+
+    /** From A to B, or to the anchor, by the bases as they are now. */
+    private float[] way(Arena arena) {
+        return arena.way(a.base, b == null ? anchorPlace(arena) : b.base);
+    }
+
+    private static float lengthOf(float[] way) {
+        return (float) Math.sqrt((double) way[0] * way[0] + (double) way[1] * way[1]);
+    }
+
     boolean isOf(Circle c) {
         return a == c || b == c;
+    }
+
+    /** Whether it may break. */
+    private boolean isBreakable() {
+        return breakForce < Float.POSITIVE_INFINITY || breakTorque < Float.POSITIVE_INFINITY;
+    }
+
+    /** A bit for each of what it has. */
+    private int form() {
+        boolean[] has = {rigid, elastic, hasLeast, hasGreatest, keepsDirection};
+        int form = linear.ordinal() | angular.ordinal() << 7;
+        for (int k = 0; k < has.length; k++) {
+            form |= has[k] ? 4 << k : 0;
+        }
+        return form | (collides ? 1 << 9 : 0) | (isBreakable() ? 1 << 10 : 0);
+    }
+
+    long hash() {
+        long h = ReferenceWorld.absorb(ReferenceWorld.absorb(ReferenceWorld.absorb(JOINT, id), form()), colour);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, a.id), b == null ? -1 : b.id);
+        h = ReferenceWorld.absorb(h, body == null ? 0 : body.id);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, referenceOfA), referenceOfB);
+        h = ReferenceWorld.absorb(h, anchor == null ? new float[2] : anchor);
+        h = ReferenceWorld.absorb(h, length, leastLength, greatestLength, mostForce, mostTorque, speed);
+        h = ReferenceWorld.absorb(h, breakForce, breakTorque, direction[0], direction[1], frequency, damping);
+        h = ReferenceWorld.absorb(h, along, across, least, greatest, turning);
+        return ReferenceWorld.absorb(h, sum[0], sum[1], sumOfTurning);
     }
 
     /** Whether its spring pushes. */
@@ -96,7 +225,7 @@ final class ReferenceJoint {
         double[] at = body.place(anchor);
         float[] place = new float[2];
         for (int axis = 0; axis < 2; axis++) {
-            place[axis] = (float) (at[axis] - arena.laps(axis, at[axis]));
+            place[axis] = arena.inside(axis, (float) (at[axis] - arena.laps(axis, at[axis])));
         }
         return place;
     }

@@ -13,6 +13,9 @@ final class ReferenceJoints {
     /** The colour of joints that found none. */
     static final int SPLIT = 24;
 
+    /** A circle with more joints with other circles is a hub. */
+    private static final int HUB = 10;
+
     private final List<ReferenceJoint> joints = new ArrayList<>();
 
     /** By id: how many have had it. */
@@ -38,8 +41,8 @@ final class ReferenceJoints {
     // ---- calls
     // -----------------------------------------------------------------------------------------------
 
-    /** Adds a joint that does nothing yet; to a circle, to a place, or to neither. */
-    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor) {
+    /** Adds a joint to a circle, or to a place. */
+    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor, JointPlan plan, Arena arena) {
         if (!joints.contains(null)) {
             joints.add(null);
         }
@@ -49,8 +52,21 @@ final class ReferenceJoints {
         while (joint.colour < SPLIT && isTaken(joint.colour, joint)) {
             joint.colour++;
         }
+        joint.become(plan, arena);
         joints.set(id, joint);
+        if (b != null) {
+            splitIfHub(a);
+            splitIfHub(b);
+        }
         return joint;
+    }
+
+    private void splitIfHub(Circle circle) {
+        List<ReferenceJoint> own =
+                all().stream().filter(j -> j.b != null && j.isOf(circle)).toList();
+        if (own.size() > HUB) {
+            own.forEach(j -> j.colour = SPLIT);
+        }
     }
 
     /** Whether a circle of a joint has another joint of a colour. */
@@ -62,6 +78,10 @@ final class ReferenceJoints {
 
     void remove(ReferenceJoint joint) {
         joints.set(joint.id, null);
+    }
+
+    long hash() {
+        return all().stream().mapToLong(ReferenceJoint::hash).sum();
     }
 
     // ---- a step

@@ -3,6 +3,7 @@ package io.github.circles2d.reference;
 import io.github.circles2d.ArcSide;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Inertia;
+import io.github.circles2d.Joints;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
@@ -194,6 +195,8 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
+        Circle gone = find(handle);
+        joints.all().stream().filter(joint -> joint.isOf(gone)).forEach(joints::remove);
         events.removed(find(handle));
         forgetImpulses(find(handle));
         byId.set((int) handle, null);
@@ -429,6 +432,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clearTerrain() {
+        joints.all().stream().filter(joint -> joint.body != null).forEach(joints::remove);
         terrain.pieces().forEach(events::removed);
         terrain.clear();
     }
@@ -454,8 +458,120 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void removeBody(long body) {
         Body removed = terrain.body(body);
+        joints.all().stream().filter(joint -> joint.body == removed).forEach(joints::remove);
         terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
         terrain.removeBody(removed);
+    }
+
+    // ---- joints
+    // -------------------------------------------------------------------------------------------------------------
+
+    @Override
+    public Joints joints() {
+        throw new UnsupportedOperationException("joints belong to a World");
+    }
+
+    @Override
+    public long addJoint(long circle, long other, JointPlan plan) {
+        return joints.add(find(circle), find(other), null, null, plan, arena).handle;
+    }
+
+    @Override
+    public long addJoint(long circle, float x, float y, JointPlan plan) {
+        return joints.add(find(circle), null, null, place(x, y), plan, arena).handle;
+    }
+
+    @Override
+    public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
+        boolean onGround = terrain.body(body).id == 0;
+        float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
+        return joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
+    }
+
+    /** A zero is always +0. */
+    private float[] place(float x, float y) {
+        return new float[] {arena.inside(0, x + 0f), arena.inside(1, y + 0f)};
+    }
+
+    @Override
+    public long addJoint(long circle, JointPlan plan) {
+        return joints.add(find(circle), null, null, new float[2], plan, arena).handle;
+    }
+
+    @Override
+    public int addJoints(long[] circles, long[] others, JointPlan plan, long[] handles) {
+        for (int k = 0; k < circles.length; k++) {
+            handles[k] = addJoint(circles[k], others[k], plan);
+        }
+        return circles.length;
+    }
+
+    @Override
+    public void removeJoints(long[] them) {
+        Arrays.stream(them).forEach(this::removeJoint);
+    }
+
+    @Override
+    public void removeJoint(long joint) {
+        joints.remove(joints.find(joint));
+    }
+
+    @Override
+    public void clearJoints() {
+        joints.all().forEach(joints::remove);
+    }
+
+    @Override
+    public void setJointAnchor(long joint, float x, float y) {
+        ReferenceJoint found = joints.find(joint);
+        found.anchor = found.body != null ? new float[] {x + 0f, y + 0f} : place(x, y);
+    }
+
+    @Override
+    public void setJointLength(long joint, float length) {
+        joints.find(joint).length = length + 0f;
+    }
+
+    @Override
+    public void setJointLimits(long joint, float least, float greatest) {
+        joints.find(joint).limit(least, greatest);
+    }
+
+    @Override
+    public void setJointSpring(long joint, float frequency, float damping) {
+        joints.find(joint).frequency = frequency + 0f;
+        joints.find(joint).damping = damping + 0f;
+    }
+
+    @Override
+    public void setJointSpeed(long joint, float speed) {
+        joints.find(joint).speed = speed + 0f;
+    }
+
+    @Override
+    public void setJointAngle(long joint, float angle) {
+        joints.find(joint).referenceOfA = (int) Angles.units(angle);
+    }
+
+    @Override
+    public void setJointMaxForce(long joint, float force) {
+        joints.find(joint).mostForce = force + 0f;
+    }
+
+    @Override
+    public void setJointMaxTorque(long joint, float torque) {
+        joints.find(joint).mostTorque = torque + 0f;
+    }
+
+    @Override
+    public void setJointBreaking(long joint, float force, float torque) {
+        joints.find(joint).breakForce = force + 0f;
+        joints.find(joint).breakTorque = torque + 0f;
+    }
+
+    @Override
+    public void setJointColliding(long joint, boolean collides) {
+        joints.find(joint).collides = collides;
     }
 
     @Override
@@ -704,7 +820,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash();
+        sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash() + joints.hash();
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);

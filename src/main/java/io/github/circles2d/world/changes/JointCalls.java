@@ -340,6 +340,12 @@ public final class JointCalls {
         joints.departures().report(on);
     }
 
+    /** Whether somebody is told of joints that go by themselves. */
+    public boolean reports() {
+        guard.check();
+        return joints.departures().reports();
+    }
+
     /** Gives those that went since the last call. */
     public void take(GoneJoints to) {
         guard.change(this, to, TAKE);

@@ -79,6 +79,11 @@ public final class GoneJoints {
         reason = reasons;
     }
 
+    /** Memory of the arrays. */
+    public long bytes() {
+        return 8L * (joint.length + circle.length + other.length) + 4L * (force.length + torque.length) + reason.length;
+    }
+
     public int count() {
         return count;
     }

@@ -44,6 +44,9 @@ public final class JointTable {
     /** By circle: a bit for each colour that one of its joints has. */
     private int[] coloursOfCircle = new int[0];
 
+    /** By circle: its joints with other circles. */
+    private int[] partnersOfCircle = new int[0];
+
     private int lastSerial;
 
     // joints by what they have
@@ -84,7 +87,8 @@ public final class JointTable {
     private void ensureCircles(int circleIds) {
         ofCircles.ensure(circleIds, ENDS * ids.room());
         if (coloursOfCircle.length < circleIds) {
-            coloursOfCircle = Arrays.copyOf(coloursOfCircle, Math.max(circleIds, coloursOfCircle.length * 3 / 2));
+            partnersOfCircle = Arrays.copyOf(partnersOfCircle, Math.max(circleIds, coloursOfCircle.length * 3 / 2));
+            coloursOfCircle = Arrays.copyOf(coloursOfCircle, partnersOfCircle.length);
         }
     }
 
@@ -157,13 +161,9 @@ public final class JointTable {
     /** What a joint does. */
     public JointForm formOf(int joint) {
         JointForm form = new JointForm(form(joint));
-        int values = JointRow.BREAK_TORQUE + 1 - JointRow.LENGTH;
-        System.arraycopy(
-                rows,
-                JointRow.of(joint) + JointRow.LENGTH,
-                form.row,
-                JointRow.LENGTH,
-                values); // no place, no direction
+        for (int k = JointRow.LENGTH; k <= JointRow.BREAK_TORQUE; k++) { // not where the anchor is, nor the direction
+            form.row[k] = value(joint, k);
+        }
         form.frequency = frequency(joint);
         form.dampingRatio = dampingRatio(joint);
         form.angle = form.kind() == JointForm.SERVO ? reference(joint, JointRow.REFERENCE_A) : 0;
@@ -225,7 +225,30 @@ public final class JointTable {
         put(joint, form, a, b);
         colour[joint] = (byte) freeColour(a, b);
         link(joint);
+        if (b != JointRow.NONE) {
+            splitIfHub(joint, a);
+            splitIfHub(joint, b);
+        }
         return joint;
+    }
+
+    /** Splits the joints of a circle with others that has so many. It does so once for all; then a new joint alone has a colour. */
+    private void splitIfHub(int joint, int circle) {
+        if (partnersOfCircle[circle] == JointStep.HUB + 1) {
+            for (int place = firstOfCircle(circle); place >= 0; place = nextOfCircle(place)) {
+                if (b(jointAt(place)) != JointRow.NONE) {
+                    split(jointAt(place));
+                }
+            }
+        } else if (partnersOfCircle[circle] > JointStep.HUB) {
+            split(joint);
+        }
+    }
+
+    private void split(int joint) {
+        coloursOfCircle[a(joint)] &= ~bit(joint);
+        coloursOfCircle[b(joint)] &= ~bit(joint);
+        colour[joint] = SPLIT;
     }
 
     /** All but the colour, the lists and the id. */
@@ -271,6 +294,7 @@ public final class JointTable {
         if (circle != JointRow.NONE) {
             ofCircles.add(circle, ENDS * joint + end);
             coloursOfCircle[circle] |= bit(joint);
+            partnersOfCircle[circle] += b(joint) == JointRow.NONE ? 0 : 1;
         }
     }
 
@@ -278,6 +302,7 @@ public final class JointTable {
         if (circle != JointRow.NONE) {
             ofCircles.remove(circle, ENDS * joint + end);
             coloursOfCircle[circle] &= ~bit(joint);
+            partnersOfCircle[circle] -= b(joint) == JointRow.NONE ? 0 : 1;
         }
     }
 
@@ -495,6 +520,7 @@ public final class JointTable {
         ofCircles.clear();
         springs.clear();
         Arrays.fill(coloursOfCircle, 0);
+        Arrays.fill(partnersOfCircle, 0);
         turning = 0;
         breakable = 0;
         parting = 0;
@@ -547,7 +573,7 @@ public final class JointTable {
 
     /** Bytes of the table. */
     long bytes() {
-        return 4L * (rows.length + traits.length + body.length + onBody.length + coloursOfCircle.length)
+        return 4L * (rows.length + traits.length + body.length + onBody.length + 2 * coloursOfCircle.length)
                 + colour.length
                 + ofCircles.bytes()
                 + springs.bytes();

@@ -387,14 +387,14 @@ final class JointVisits {
 
     /** Speed of B across, against the direction that turns with both. */
     private float speedAcross() {
-        float along = CircleMath.dot(-work[o + NORMAL_Y], work[o + NORMAL_X], vx, vy);
+        float along = CircleMath.dot(-1f * work[o + NORMAL_Y], work[o + NORMAL_X], vx, vy);
         return along - 0.5f * work[o + DISTANCE] * (omegaA + omegaB);
     }
 
     private void giveAcross(float before, float next) {
         states.rows[kept + JointState.ACROSS] = next;
         float change = next - before;
-        pushX += -work[o + NORMAL_Y] * change;
+        pushX -= work[o + NORMAL_Y] * change;
         pushY += work[o + NORMAL_X] * change;
         both = -0.5f * work[o + DISTANCE] * change;
     }
@@ -407,10 +407,17 @@ final class JointVisits {
             Softness soft = k.jointSoftness;
             next = JointMath.solve(before, mass, v, c, soft.massScale, soft.biasRate, soft.impulseScale);
         } else {
-            next = spring(before, mass, v, begun, c);
+            next = spring(before, isExact() ? springMass() : mass, v, begun, c);
         }
         states.rows[kept + which] = next;
         return next - before;
+    }
+
+    /** As {@link #mass}, but of an exact spring, which a hub must not make weaker than it has to. */
+    private float springMass() {
+        float split = joints.springs[JointSpring.of(joints.traits[traits + JointRow.SPRING]) + JointSpring.EXACT];
+        return JointMath.mass(JointMath.springShare(work[o + SHARE_A], split) * work[o + INV_MASS_A]
+                + JointMath.springShare(work[o + SHARE_B], split) * work[o + INV_MASS_B]);
     }
 
     private boolean isExact() {

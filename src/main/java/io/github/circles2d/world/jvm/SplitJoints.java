@@ -16,7 +16,7 @@ import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
- * Joints that found no colour, for a circle has so many. All of them see the circles as before the pass, and circles take the sums of what they get:
+ * Joints of a circle that has many. All of them see the circles as before the pass, and circles take the sums of what they get:
  * whole numbers, which need no order, as those of {@link CrossRule}. Each circle counts as lighter by how many of its joints are split.
  */
 final class SplitJoints {
@@ -134,7 +134,7 @@ final class SplitJoints {
         if (wA != 0f) {
             float by = speeds ? wA : 1f;
             float bySpin = speeds ? work[o + JointWork.INV_INERTIA_A] : 1f;
-            add(a, speeds, -(by * visits.pushX), -(by * visits.pushY), bySpin * visits.spinOfA());
+            add(a, speeds, -1f * (by * visits.pushX), -1f * (by * visits.pushY), bySpin * visits.spinOfA());
         }
         if (b >= 0 && wB != 0f) {
             float by = speeds ? wB : 1f;

@@ -21,6 +21,11 @@ public final class JointMath {
         return inverse > 0f ? 1f / inverse : 0f;
     }
 
+    /** By how much a circle counts as lighter for a spring: as much of its share as keeps the spring stable. */
+    public static float springShare(float share, float split) {
+        return CircleMath.max(split * share, 1f);
+    }
+
     /** With bias. */
     public static float solve(
             float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {

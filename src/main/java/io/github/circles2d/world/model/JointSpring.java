@@ -21,8 +21,10 @@ public final class JointSpring {
     public static final int BIAS_RATE = 1;
     public static final int IMPULSE_SCALE = 2;
 
-    /** 1, or 0 if it is implicit. */
+    /** Of an exact spring: how much of the share of a split joint counts, more than 0 and at most 1; 0 if it is implicit. */
     public static final int EXACT = 3;
+
+    private static final double LEAST_SPLIT = 1e-6;
 
     /** Angular frequency times h up to which a spring is exact: several that are not damped and faster, at one circle, burst. */
     private static final double MOST_EXACT = 0.55;
@@ -58,7 +60,8 @@ public final class JointSpring {
         rows[row + NOW] = (float) (1 - c);
         rows[row + BEGUN] = (float) (c - a);
         rows[row + WAY] = (float) (bh / h);
-        rows[row + EXACT] = 1f;
+        // what it takes of the speed in a sub-step: so many springs, divided by that, are stable at one circle
+        rows[row + EXACT] = (float) Math.max(LEAST_SPLIT, Math.min(bh + (1 - a), 1));
     }
 
     private static double under(double a, double z, double w) {

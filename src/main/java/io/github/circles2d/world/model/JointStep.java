@@ -4,13 +4,19 @@ package io.github.circles2d.world.model;
  * The joints as a step begins. Meaningless unless {@link StepConstants#joints}. The arrays belong to the host's tables, which change them between
  * steps; those that devices copy say by a version whether they have changed.
  *
- * <p>Joints of one colour share no circle. A pass visits joints colour by colour. Joints that found no colour are <em>split</em>, and come last.
+ * <p>Joints of one colour share no circle. A pass visits joints colour by colour. Joints of hubs, and those that found no colour, are <em>split</em>, and come last.
  * Joints that circles connect are a component. Several small components are a batch, which one worker visits, colour by colour, without waiting for
  * others; the rest is visited by all workers, with a barrier behind each colour.
  */
 public final class JointStep {
     /** Of a circle: no two of its joints have one colour. Joints beyond are split. */
     public static final int COLOURS = 24;
+
+    /**
+     * The most joints of a circle with other ones that have colours. A circle with more is a hub: all of these are split, for visited by turns, many
+     * heavy circles throw a light one about until all burst.
+     */
+    public static final int HUB = 10;
 
     /** Elements of {@link #starts} of a batch. */
     public static final int BATCH_STRIDE = COLOURS + 1;

@@ -189,6 +189,53 @@ class JointsAgreeTest {
         }
     }
 
+    /** Joints are made by calls, in mid-life, also on bodies that move; states are exchanged, and restored into worlds without joints. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void callsHaveTheSameBits(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(200, 5), Scenes.mixed(200, 5)}) {
+            SplittableRandom random = new SplittableRandom(11);
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.step(scene.timeStep(), 3);
+                int most = 0;
+                for (int k = 0; k < TestScale.of(30, 100); k++) {
+                    if (k == 12) {
+                        twins.letChangesTurn();
+                    }
+                    for (int changes = 0; changes < 12; changes++) {
+                        twins.changeJoints(random);
+                    }
+                    if (k > 4) {
+                        twins.changeTerrain(random);
+                    }
+                    if (k > 15) {
+                        twins.change(scene, random);
+                    }
+                    twins.assertEqual(scene.name() + " behind change " + k);
+                    twins.step(k % 7 == 6 ? 0.1f : scene.timeStep(), 1 + k % 3);
+                    twins.assertEqual(scene.name() + " after change " + k);
+                    if (k % 5 == 4) {
+                        twins.exchange();
+                        twins.assertEqual(scene.name() + " exchanged " + k);
+                    }
+                    most = Math.max(most, twins.joints());
+                }
+                assertThat(most).as(scene.name()).isGreaterThan(30);
+                goOn(twins, scene, pipelines(device));
+            }
+        }
+    }
+
+    private static void goOn(Twins before, Scene scene, Pipeline... pipelines) {
+        try (Twins twins = Twins.load(scene, pipelines)) {
+            twins.takeOver(before);
+            twins.step(scene.timeStep(), 3);
+            before.step(scene.timeStep(), 3);
+            twins.assertEqual(scene.name() + " in other worlds");
+            assertThat(twins.hash()).as(scene.name()).isEqualTo(before.hash());
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("devices")
     void onlyAWorldWithJointsHasMemoryForThem(Device device) {

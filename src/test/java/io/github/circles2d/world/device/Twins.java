@@ -702,6 +702,26 @@ final class Twins implements AutoCloseable {
         return random.nextInt(3) == 0 || body == 0 ? bodies.ground() : body;
     }
 
+    /** Adds a joint, changes or removes one; of a circle of a low id, so that it has many. Some calls are refused. */
+    void changeJoints(SplittableRandom random) {
+        long circle = handles[random.nextInt(3) == 0 ? random.nextInt(3) : random.nextInt(ids)];
+        long other = handles[random.nextInt(ids)];
+        long body = anyBody(random);
+        long seed = random.nextLong();
+        Boolean done = null;
+        for (Simulation simulation : simulations) {
+            RandomJoints joints = new RandomJoints(simulation, new SplittableRandom(seed), turns);
+            boolean isDone = joints.change(circle, other, body);
+            assertThat(done == null || done == isDone).isTrue();
+            done = isDone;
+        }
+    }
+
+    /** Number of joints. */
+    int joints() {
+        return simulations[0].jointReads().size();
+    }
+
     /** 0 if there is none. */
     private long anyPiece(SplittableRandom random) {
         Pieces pieces = simulations[0].pieces();

@@ -258,7 +258,7 @@ public final class DeviceArrays {
 
     /** Takes along what joints keep, and gives those that there is new room for nothing. */
     private void keepJoints(DeviceBuffer before, int from, DeviceBuffer tables, int to, JointRoom joints) {
-        for (JointTable table : JointTable.ALL) {
+        for (JointArray table : JointArray.ALL) {
             if (table.kept()) {
                 int held = table.words() * jointRoom.capacity(table.count());
                 int words = table.words() * joints.capacity(table.count());
@@ -305,8 +305,8 @@ public final class DeviceArrays {
 
     /** Makes room for so many joints; what they keep is there. */
     public void ensureJoints(int joints) {
-        int[] needed = new int[JointTable.Count.COUNT];
-        needed[JointTable.Count.JOINTS.ordinal()] = joints;
+        int[] needed = new int[JointArray.Count.COUNT];
+        needed[JointArray.Count.JOINTS.ordinal()] = joints;
         ensureJoints(needed);
     }
 
@@ -315,7 +315,7 @@ public final class DeviceArrays {
     }
 
     /** Words before a table of joints in the buffer of tables. */
-    int at(JointTable table) {
+    int at(JointArray table) {
         return terrainRoom.floats() + jointRoom.at(table);
     }
 

@@ -7,7 +7,7 @@ final class JointHead {
     static final HostStruct<JointHead> STRUCT = struct();
 
     /** By table: words from {@link DeviceArray#JOINTS}. */
-    final int[] at = new int[JointTable.ALL.length];
+    final int[] at = new int[JointArray.ALL.length];
 
     /** 1 where the step has joints. */
     int any;
@@ -24,7 +24,7 @@ final class JointHead {
 
     private static HostStruct<JointHead> struct() {
         HostStruct<JointHead> struct = new HostStruct<>(NAME);
-        for (JointTable table : JointTable.ALL) {
+        for (JointArray table : JointArray.ALL) {
             int k = table.ordinal();
             struct.field("int", table.kernelName(), (head, to) -> to.put(head.at[k]), table.comment());
         }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-import io.github.circles2d.world.device.memory.JointTable.Count;
+import io.github.circles2d.world.device.memory.JointArray.Count;
 
 /** How much room the tables of joints have. They lie one behind the other, behind those of terrain. */
 final class JointRoom {
@@ -41,18 +41,18 @@ final class JointRoom {
 
     /** Words of all tables. */
     int words() {
-        return at(JointTable.ALL.length);
+        return at(JointArray.ALL.length);
     }
 
     /** Words from the first table to another one: a multiple of 4, for kernels that read vectors. */
-    int at(JointTable table) {
+    int at(JointArray table) {
         return at(table.ordinal());
     }
 
     private int at(int tables) {
         long sum = 0;
         for (int k = 0; k < tables; k++) {
-            JointTable table = JointTable.ALL[k];
+            JointArray table = JointArray.ALL[k];
             sum += (long) table.words() * capacity(table.count()) + 3 & ~3L;
         }
         return Math.toIntExact(sum);

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
-import io.github.circles2d.world.device.memory.JointTable.Count;
+import io.github.circles2d.world.device.memory.JointArray.Count;
 import io.github.circles2d.world.model.JointState;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -24,8 +24,10 @@ public final class JointStates {
 
     /** Reads serials and {@link JointState}s of the first joints. */
     public void read(int[] serial, float[] rows, int joints) {
-        tables().read(at(JointTable.SERIAL), IntBuffer.wrap(serial, 0, joints));
-        tables().read(at(JointTable.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+        if (joints > 0) {
+            tables().read(at(JointArray.SERIAL), IntBuffer.wrap(serial, 0, joints));
+            tables().read(at(JointArray.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+        }
     }
 
     /** Writes those of the first joints, for which there is room, and lets the others have none. */
@@ -33,16 +35,18 @@ public final class JointStates {
         if (count() > 0) {
             for (int from = joints; from < count(); from += none.length) {
                 int some = Math.min(none.length, count() - from);
-                tables().write(at(JointTable.SERIAL) + (long) Integer.BYTES * from, IntBuffer.wrap(none, 0, some));
+                tables().write(at(JointArray.SERIAL) + (long) Integer.BYTES * from, IntBuffer.wrap(none, 0, some));
             }
-            tables().write(at(JointTable.SERIAL), IntBuffer.wrap(serial, 0, joints));
-            tables().write(at(JointTable.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
+            tables().write(at(JointArray.SERIAL), IntBuffer.wrap(serial, 0, joints));
+            tables().write(at(JointArray.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
         }
     }
 
     /** Reads the first entries of the list of joints that have broken: steps made before, joint. */
     public void readBroken(int[] list, int count) {
-        tables().read(at(JointTable.BROKEN), IntBuffer.wrap(list, 0, JointTable.BROKEN.words() * count));
+        if (count > 0) {
+            tables().read(at(JointArray.BROKEN), IntBuffer.wrap(list, 0, JointArray.BROKEN.words() * count));
+        }
     }
 
     private DeviceBuffer tables() {
@@ -50,7 +54,7 @@ public final class JointStates {
     }
 
     /** In bytes. */
-    private long at(JointTable table) {
+    private long at(JointArray table) {
         return (long) Integer.BYTES * arrays.at(table);
     }
 }

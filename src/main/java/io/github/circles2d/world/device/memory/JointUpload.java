@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-import io.github.circles2d.world.device.memory.JointTable.Count;
+import io.github.circles2d.world.device.memory.JointArray.Count;
 import io.github.circles2d.world.model.AnchorRow;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
@@ -179,7 +179,7 @@ public final class JointUpload {
     }
 
     private void sendHead(DeviceArrays arrays) {
-        for (JointTable table : JointTable.ALL) {
+        for (JointArray table : JointArray.ALL) {
             head.at[table.ordinal()] = arrays.at(table) - DeviceArray.JOINTS_AT;
         }
         JointHead.STRUCT.pack(head, words);
@@ -194,49 +194,49 @@ public final class JointUpload {
             boolean some = sentRows != NEVER && sentRows == version - 1;
             int from = some ? tables.changedFrom : 0;
             int to = some ? tables.changedTo : tables.joints;
-            write(arrays, JointTable.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
-            write(arrays, JointTable.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
+            write(arrays, JointArray.ROWS, tables.rows, JointRow.of(from), JointRow.of(to));
+            write(arrays, JointArray.TRAITS, tables.traits, JointRow.traits(from), JointRow.traits(to));
             sentRows = version;
         }
     }
 
     private void sendOrder(DeviceArrays arrays) {
         if (sentOrder != orderVersion) {
-            write(arrays, JointTable.ORDER, tables.order, 0, head.count);
-            write(arrays, JointTable.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
-            write(arrays, JointTable.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
-            write(arrays, JointTable.SPLIT_ENDS, tables.splitEnds, 0, JointTable.SPLIT_ENDS.words() * split());
+            write(arrays, JointArray.ORDER, tables.order, 0, head.count);
+            write(arrays, JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
+            write(arrays, JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
+            write(arrays, JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
             sentOrder = orderVersion;
         }
     }
 
     private void sendSprings(DeviceArrays arrays) {
         if (sentSprings != springsVersion) {
-            write(arrays, JointTable.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
+            write(arrays, JointArray.SPRINGS, tables.springs, 0, JointSpring.of(tables.springCount));
             sentSprings = springsVersion;
         }
         if (sentAnchors != anchorsVersion) {
-            write(arrays, JointTable.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
+            write(arrays, JointArray.ANCHORS, tables.anchors, 0, AnchorRow.of(tables.anchorCount, 0, subSteps));
             sentAnchors = anchorsVersion;
         }
     }
 
     private void sendPartners(DeviceArrays arrays) {
         if (parts && sentPartners != partnersVersion) {
-            write(arrays, JointTable.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
-            write(arrays, JointTable.PARTNERS, tables.partners, 0, JointTable.PARTNERS.words() * partners());
+            write(arrays, JointArray.PARTNER_STARTS, tables.partnerStart, 0, tables.partnered + 1);
+            write(arrays, JointArray.PARTNERS, tables.partners, 0, JointArray.PARTNERS.words() * partners());
             sentPartners = partnersVersion;
         }
     }
 
     /** Writes a part of a table. */
-    private static void write(DeviceArrays arrays, JointTable table, float[] values, int from, int to) {
+    private static void write(DeviceArrays arrays, JointArray table, float[] values, int from, int to) {
         if (from < to) {
             arrays.writeTable(arrays.at(table) + from, FloatBuffer.wrap(values, from, to - from));
         }
     }
 
-    private static void write(DeviceArrays arrays, JointTable table, int[] values, int from, int to) {
+    private static void write(DeviceArrays arrays, JointArray table, int[] values, int from, int to) {
         if (from < to) {
             arrays.writeTable(arrays.at(table) + from, IntBuffer.wrap(values, from, to - from));
         }

@@ -5,7 +5,7 @@ import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointState;
 
 /** The tables of joints on a device: those of the host's {@code JointStep}, what joints keep, and what they need within a step. */
-enum JointTable {
+enum JointArray {
     ROWS("rows", Count.JOINTS, JointRow.STRIDE, "by joint: three float4"),
     TRAITS("traits", Count.JOINTS, JointRow.TRAITS, "by joint: two int4"),
     STATE("state", Count.JOINTS, JointState.STRIDE, "by joint: two float4, kept from step to step"),
@@ -45,14 +45,14 @@ enum JointTable {
         static final int COUNT = values().length;
     }
 
-    static final JointTable[] ALL = values();
+    static final JointArray[] ALL = values();
 
     private final String kernelName;
     private final Count count;
     private final int words;
     private final String comment;
 
-    JointTable(String kernelName, Count count, int words, String comment) {
+    JointArray(String kernelName, Count count, int words, String comment) {
         this.kernelName = kernelName;
         this.count = count;
         this.words = words;
