@@ -1585,8 +1585,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, and of terrain. Equal states
-     * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, of terrain, and of joints.
+     * Equal states have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
      * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
      *
@@ -1758,8 +1758,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, bounds, gravity,
-     * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, joints, bounds,
+     * gravity, restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
      * equal bytes, on every back end.
      *
      * <pre>{@code

@@ -243,7 +243,9 @@ final class JointSection {
             float value = SavedJoints.initial(k);
             if ((values & 1 << k) != 0) {
                 value = in.getFloat();
-                SnapshotCodec.require(!isSame(value, SavedJoints.initial(k)), "it has an initial value of a joint");
+                SnapshotCodec.require(
+                        !isSame(value, SavedJoints.initial(k)) && (!isSame(value, -0f) || isDirection(k)),
+                        "it has an initial value of a joint");
                 check(k, value);
             }
             j.values[SavedJoints.VALUES * joint + k] = value;
@@ -272,6 +274,10 @@ final class JointSection {
                         && greatest < Float.POSITIVE_INFINITY == ((form & JointRow.UPPER) != 0)
                         && least <= greatest,
                 "the lengths of a joint are out of order");
+    }
+
+    private static boolean isDirection(int k) {
+        return k == JointRow.DIRECTION_X || k == JointRow.DIRECTION_Y;
     }
 
     /** A bit for each value that a form has. */
