@@ -219,7 +219,7 @@ class WorldFuzzTest {
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
             hasTerrain = traced == null && new Random(~seed).nextInt(3) == 0;
-            hasJoints = traced == null && new Random(seed + 99).nextInt(3) == 0;
+            hasJoints = new Random(seed + 99).nextInt(3) == 0;
         }
 
         void run() {
