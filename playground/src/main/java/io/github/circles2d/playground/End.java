@@ -1,6 +1,7 @@
 package io.github.circles2d.playground;
 
 import io.github.circles2d.Joint;
+import io.github.circles2d.Ropes;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 
@@ -60,6 +61,10 @@ record End(long circle, TerrainBody body, float x, float y) {
     /** Whether a joint can move it. */
     boolean isLoose(World world) {
         return circle != 0 && world.mass(circle) < Float.POSITIVE_INFINITY;
+    }
+
+    Ropes.End ofRope() {
+        return circle != 0 ? Ropes.circle(circle) : body != null ? Ropes.on(body, x, y) : Ropes.at(x, y);
     }
 
     /** Joins two ends; false if nothing could move, or if both are one circle. */

@@ -1,6 +1,7 @@
 package io.github.circles2d.playground;
 
 import io.github.circles2d.Joint;
+import io.github.circles2d.Ropes;
 import io.github.circles2d.World;
 import java.util.List;
 
@@ -14,7 +15,7 @@ final class JointTool implements Tool {
     /** One spring, which is as long as it is. */
     static final Link SPRING = (sandbox, from, to) -> End.join(sandbox.world(), from, to, Joint.spring(2, 0.2f));
 
-    /** Small circles in a row, and a joint from end to end that keeps them from stretching. */
+    /** Small circles in a row; between ends that nothing moves it is a bridge. */
     static final Link ROPE = JointTool::rope;
 
     /** Of a link, in radii of a circle. */
@@ -34,14 +35,15 @@ final class JointTool implements Tool {
 
     @Override
     public void press(Sandbox sandbox, float x, float y, float brush) {
-        from = End.at(sandbox, x, y);
         drag(sandbox, x, y);
+        from = End.at(sandbox, mouseX, mouseY);
     }
 
     @Override
     public void drag(Sandbox sandbox, float x, float y) {
-        mouseX = x;
-        mouseY = y;
+        Arena arena = Arena.of(sandbox.world());
+        mouseX = Math.min(Math.max(x, arena.minX()), arena.maxX());
+        mouseY = Math.min(Math.max(y, arena.minY()), arena.maxY());
     }
 
     @Override
@@ -77,30 +79,18 @@ final class JointTool implements Tool {
 
     private static void rope(Sandbox sandbox, End from, End to) {
         World world = sandbox.world();
-        Arena arena = Arena.of(world);
-        float x = from.worldX(world);
-        float y = from.worldY(world);
-        float dx = to.worldX(world) - x;
-        float dy = to.worldY(world) - y;
-        float length = (float) Math.hypot(dx, dy);
         float unit = sandbox.grain().radius();
-        int links = (int) Math.min(length / (LENGTH * unit), MOST_LINKS);
-        if (links < 2 || world.size() + links > PourTool.GREATEST_WORLD || !arena.contains(x, y)) {
+        double length = Math.hypot(to.worldX(world) - from.worldX(world), to.worldY(world) - from.worldY(world));
+        int circles = (int) Math.min(length / (LENGTH * unit), MOST_LINKS) - 1;
+        if (circles < 1 || world.size() + circles > PourTool.GREATEST_WORLD) {
             return;
         }
-        float radius = arena.radius(THICKNESS * unit);
-        Joint joint = Joint.distance(length / links);
-        End last = from;
-        for (int k = 1; k < links; k++) {
-            float share = (float) k / links;
-            float linkX = Math.min(Math.max(x + share * dx, arena.minX()), arena.maxX());
-            float linkY = Math.min(Math.max(y + share * dy, arena.minY()), arena.maxY());
-            long circle = world.add(linkX, linkY, radius, sandbox.grain().mass(radius));
-            End next = new End(circle, null, linkX, linkY);
-            End.join(world, next, last, joint);
-            last = next;
+        float radius = Arena.of(world).radius(THICKNESS * unit);
+        float mass = sandbox.grain().mass(radius);
+        if (from.isLoose(world) || to.isLoose(world)) {
+            Ropes.rope(world, from.ofRope(), to.ofRope(), circles, radius, mass, 0);
+        } else {
+            Ropes.bridge(world, from.ofRope(), to.ofRope(), circles, radius, mass, 0);
         }
-        End.join(world, last, to, joint);
-        End.join(world, from, to, Joint.rope(length));
     }
 }

@@ -61,10 +61,10 @@ class JointStagesTest {
         try (Sandbox sandbox = after("cloth", 200)) {
             World world = sandbox.world();
             int whole = world.joints().size();
-            assertThat(whole).as("no thread breaks by itself").isEqualTo(23 * 44 + 24 * 43 + 12);
+            assertThat(whole).as("no thread breaks by itself").isEqualTo(35 * 20 + 36 * 19 + 2 * 35 * 19 + 8);
             GrabTool grab = new GrabTool();
             float[] circles = circles(world);
-            int low = 4 * (20 * 44 + 22);
+            int low = 4 * 18; // in the lowest row
             grab.press(sandbox, circles[low], circles[low + 1], 1);
             grab.drag(sandbox, 80, -200);
             for (int k = 0; k < 120; k++) {
@@ -83,9 +83,9 @@ class JointStagesTest {
                 farthest = Math.max(farthest, circles[4 * k]);
             }
             assertThat(farthest).isGreaterThan(145);
-            float x = circles[4 * 18] - 68;
-            float y = circles[4 * 18 + 1] - 90;
-            assertThat(Math.hypot(x, y)).as("the chain holds").isLessThan(52.5);
+            assertThat(Math.hypot(circles[0] - 68, circles[1] - 90))
+                    .as("the chain holds")
+                    .isLessThan(52.5);
         }
     }
 }

@@ -3,6 +3,7 @@ package io.github.circles2d.toy;
 import io.github.circles2d.Joint;
 import io.github.circles2d.Joints;
 import io.github.circles2d.Rewind;
+import io.github.circles2d.Ropes;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.util.Random;
@@ -110,25 +111,18 @@ final class Sandbox {
             join(begun, begunX, begunY, to, toX, toY, Joint.spring(2, 0.2f));
             return;
         }
-        int links = (int) (length / LINK);
-        if (links < 2 || world.size() + links > MOST_CIRCLES) {
+        int count = (int) (length / LINK) - 1;
+        if (count < 1 || world.size() + count > MOST_CIRCLES) {
             return;
         }
-        Joint joint = Joint.distance(length / links);
-        long last = begun;
-        float lastX = begunX;
-        float lastY = begunY;
-        for (int k = 1; k < links; k++) {
-            float linkX = begunX + (toX - begunX) * k / links;
-            float linkY = begunY + (toY - begunY) * k / links;
-            long link = world.add(linkX, linkY, LINK_RADIUS, LINK_RADIUS * LINK_RADIUS);
-            join(link, linkX, linkY, last, lastX, lastY, joint);
-            last = link;
-            lastX = linkX;
-            lastY = linkY;
+        Ropes.End from = begun == 0 ? Ropes.at(begunX, begunY) : Ropes.circle(begun);
+        Ropes.End end = to == 0 ? Ropes.at(toX, toY) : Ropes.circle(to);
+        float mass = LINK_RADIUS * LINK_RADIUS;
+        if (isLoose(begun) || isLoose(to)) {
+            Ropes.rope(world, from, end, count, LINK_RADIUS, mass, 0);
+        } else {
+            Ropes.bridge(world, from, end, count, LINK_RADIUS, mass, 0);
         }
-        join(last, lastX, lastY, to, toX, toY, joint);
-        join(begun, begunX, begunY, to, toX, toY, Joint.rope(length)); // it does not stretch
     }
 
     /** Joins two ends, circles or places, of which one can move. */

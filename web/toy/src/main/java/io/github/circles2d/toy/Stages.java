@@ -2,8 +2,10 @@ package io.github.circles2d.toy;
 
 import io.github.circles2d.ArcSide;
 import io.github.circles2d.Backend;
+import io.github.circles2d.Blobs;
 import io.github.circles2d.Chain;
-import io.github.circles2d.Joint;
+import io.github.circles2d.JointedCircles;
+import io.github.circles2d.Ropes;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
@@ -102,16 +104,7 @@ final class Stages {
     private static void bridge(World world) {
         wall(world, 2, 60, 33, 52, 0);
         wall(world, 158, 60, 127, 52, 0);
-        int planks = 40;
-        float step = 96f / (planks + 1);
-        long[] bridge = new long[planks];
-        for (int k = 0; k < planks; k++) {
-            bridge[k] = world.add(32 + step * (k + 1), 50, 1, 1.5f);
-        }
-        Joint link = Joint.distance(step);
-        world.joints().add(bridge[0], 32, 50, link);
-        world.joints().add(bridge[planks - 1], 128, 50, link);
-        chain(world, bridge, link);
+        Ropes.bridge(world, Ropes.at(32, 50), Ropes.at(128, 50), 40, 1, 1.5f, 0);
         heap(world, 4, 64, 28, 90, 0.9f, 1.3f, 31, 100);
         heap(world, 132, 64, 156, 90, 0.9f, 1.3f, 32, 100);
         world.add(60, 70, 4, 24);
@@ -126,27 +119,13 @@ final class Stages {
             }
         }
         world.kind(0).setFriction(0.4f);
-        for (int k = 0; k < 14; k++) {
-            blob(world, 14 + 22 * (k % 7), 76 + 15 * (k / 7), 5.5f);
-        }
-    }
-
-    private static void blob(World world, float x, float y, float radius) {
         int count = 24;
-        long[] ring = new long[count];
-        float own = 0.9f * radius * (float) StrictMath.sin(Math.PI / count);
-        for (int k = 0; k < count; k++) {
-            double angle = 2 * Math.PI * k / count;
-            float ringX = x + radius * (float) StrictMath.cos(angle);
-            ring[k] = world.add(ringX, y + radius * (float) StrictMath.sin(angle), own, own * own);
-        }
-        Joint skin = Joint.spring(10, 0.7f);
-        Joint across = Joint.spring(4, 0.7f);
-        for (int k = 0; k < count; k++) {
-            world.joints().add(ring[k], ring[(k + 1) % count], Joint.distance());
-            world.joints().add(ring[k], ring[(k + 2) % count], skin);
-            if (k < count / 2) {
-                world.joints().add(ring[k], ring[k + count / 2], across);
+        float side = 2 * 5.5f * (float) StrictMath.sin(Math.PI / count); // from circle to circle
+        for (int k = 0; k < 14; k++) {
+            float y = 76 + 15 * (k / 7);
+            JointedCircles blob = Blobs.ring(world, 14 + 22 * (k % 7), y, 5.5f, count, 0.45f * side, 0.4f, 10, 0.7f);
+            for (int skin = 0; skin < count; skin++) { // nothing slips between its circles
+                world.joints().setLimits(blob.joints()[skin], side, side);
             }
         }
     }
@@ -154,29 +133,14 @@ final class Stages {
     /** A heavy ball on a chain swings into a wall of balls. */
     private static void wreckingBall(World world) {
         world.kind(0).setFriction(0.6f).setRollingResistance(0.05f);
-        int links = 18;
-        long[] chain = new long[links + 1];
-        for (int k = 0; k < links; k++) {
-            chain[k] = world.add(68 - 2.4f * (k + 1), 90, 0.9f, 1);
-        }
-        chain[links] = world.add(62 - 2.4f * (links + 1), 90, 7, 150);
-        Joint link = Joint.distance();
-        world.joints().add(chain[0], 68, 90, link);
-        chain(world, chain, link);
-        world.joints().add(chain[links], 68, 90, Joint.rope(2.4f * (links + 1) + 6)); // the chain does not stretch
+        long ball = world.add(16, 90, 7, 150);
+        Ropes.rope(world, Ropes.at(68, 90), Ropes.circle(ball), 18, 0.9f, 1, 0);
         for (int column = 0; column < 14; column++) {
             for (int row = 0; row < 16; row++) {
                 world.add(90 + 3 * column + (row % 2 == 0 ? 0 : 1.5f), 1.5f + 2.61f * row, 1.5f, 2.25f);
             }
         }
         wall(world, 86, 0, 86, 8, 0);
-    }
-
-    /** Joins each circle to the next one. */
-    private static void chain(World world, long[] circles, Joint joint) {
-        for (int k = 1; k < circles.length; k++) {
-            world.joints().add(circles[k - 1], circles[k], joint);
-        }
     }
 
     private static void pegs(World world) {
