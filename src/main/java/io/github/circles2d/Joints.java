@@ -185,7 +185,7 @@ public final class Joints {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.jointReads().idLimit();
+        return simulation.joints().idLimit();
     }
 
     /**
@@ -196,7 +196,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.jointReads().handle(id);
+        return simulation.joints().handle(id);
     }
 
     /**

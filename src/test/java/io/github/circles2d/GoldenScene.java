@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.reference.Surfaces;
 import io.github.circles2d.scenes.HardScenes;
+import io.github.circles2d.scenes.JointedScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
 import io.github.circles2d.scenes.Scenes;
@@ -17,7 +18,7 @@ import java.util.SplittableRandom;
  * @param edgeX what there is at the left and the right edge
  * @param edgeY what there is at the lower and the upper edge
  * @param surfaces what circles and walls touch each other with
- * @param terrain what there is besides circles
+ * @param terrain what there is besides circles: terrain, joints
  */
 record GoldenScene(
         String name,
@@ -180,7 +181,51 @@ record GoldenScene(
                         Edge.WRAP,
                         Edge.WRAP,
                         Surfaces.NONE,
-                        GoldenTerrain::seams));
+                        GoldenTerrain::seams),
+                new GoldenScene(
+                        "bridge",
+                        JointedScenes.bridge(GoldenJoints.PLANKS, 400),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.5f, 0f),
+                        GoldenJoints::bridge),
+                new GoldenScene(
+                        "blobs",
+                        JointedScenes.blobs(300, GoldenJoints.OF_BLOB),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.3f, 0f),
+                        GoldenJoints::blobs),
+                new GoldenScene(
+                        "ropes",
+                        JointedScenes.ropes(40, GoldenJoints.LINKS),
+                        GoldenChange.NONE,
+                        Surfaces.NONE,
+                        GoldenJoints::ropes),
+                new GoldenScene(
+                        "wheel",
+                        JointedScenes.wheel(100),
+                        GoldenChange::timeStep,
+                        Surfaces.of(0.4f, 0f),
+                        GoldenJoints::wheel),
+                new GoldenScene(
+                        "wrapped-joints",
+                        Scenes.gas(1_000, Scenes.SEED),
+                        GoldenChange.NONE,
+                        Edge.WRAP,
+                        Edge.WRAP,
+                        Surfaces.NONE,
+                        GoldenJoints::seams),
+                new GoldenScene(
+                        "carts",
+                        JointedScenes.carts(40),
+                        GoldenChange.NONE,
+                        Surfaces.of(0.8f, 0f),
+                        GoldenJoints::carts),
+                new GoldenScene(
+                        "nets-churned",
+                        HardScenes.pile(40, 30, Scenes.SEED),
+                        GoldenJoints::rejoin,
+                        Surfaces.of(0.3f, 0f),
+                        GoldenJoints::net));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */

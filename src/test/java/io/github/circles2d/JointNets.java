@@ -82,7 +82,7 @@ final class JointNets {
     }
 
     private static RowFigure stretch(String row, String what, double box2d, double most, double relative) {
-        return new RowFigure(row, what, 0, box2d, -1, most, NONE, 100 * (relative - 1));
+        return JointRows.atMost(row, what, box2d, most, 100 * (relative - 1));
     }
 
     /** A bridge of 40 balls, and perhaps a ball of 50 masses on it. */

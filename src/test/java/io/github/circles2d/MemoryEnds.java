@@ -81,6 +81,44 @@ final class MemoryEnds {
             }
             world.terrain().readPieces(pieces, null);
         });
+        long[] firsts = new long[CIRCLES - 1];
+        long[] others = new long[CIRCLES - 1];
+        for (int k = 0; k < firsts.length; k++) {
+            firsts[k] = 1L << 32 | k;
+            others[k] = 1L << 32 | k + 1;
+        }
+        Joint spring = Joint.spring(3, 1).withLength(1);
+        calls.put("addAll of joints", world -> world.joints().addAll(firsts, others, spring, null));
+        calls.put("a step of joints", world -> {
+            if (world.joints().size() == 0) {
+                world.joints().addAll(firsts, others, spring, null);
+            }
+            world.step(STEP);
+        });
+        Joint weak = Joint.distance(5).breakingAt(0, 0);
+        calls.put("joints that break", world -> {
+            if (world.joints().size() == 0 && world.joints().idLimit() == 0) {
+                world.joints().report(true);
+                world.joints().addAll(firsts, others, weak, null);
+                world.step(STEP);
+            }
+            world.joints().size();
+        });
+        calls.put("a circle with joints goes", world -> {
+            if (world.joints().size() == 0 && world.contains(1L << 32)) {
+                world.joints().report(true);
+                world.joints().addAll(firsts, others, spring, null);
+            }
+            world.clear();
+        });
+        float[] ends = new float[4 * CIRCLES];
+        calls.put("readEnds", world -> {
+            if (world.joints().size() == 0) {
+                world.joints().addAll(firsts, others, spring, null);
+            }
+            world.joints().readEnds(ends);
+            world.joints().force(world.joints().handle(0));
+        });
         calls.put("queries", world -> world.queries().overlapBox(0, 0, 100, 100, new long[0]));
         calls.forEach((name, call) -> {
             for (int spare : SPARES) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
+import io.github.circles2d.reference.JointEvent;
+import io.github.circles2d.reference.JointLoad;
 import io.github.circles2d.reference.JointPlan;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.reference.Settings;
@@ -127,6 +129,7 @@ class ReferenceFuzzTest {
                     .subSteps(subSteps);
             WorldScenes.with(surfaces, with(settings, builder));
             World built = WorldScenes.onThreads(threads[(int) (seed % threads.length)], builder);
+            built.joints().report(true);
             reports.forEach(report -> report.accept(WorldCalls.of(built)));
             return built;
         }
@@ -220,6 +223,15 @@ class ReferenceFuzzTest {
                     .isEqualTo(reference.takeEvents());
         }
 
+        private void compareJoints(String when) {
+            assertThat(JointEvent.of(world.joints().events()))
+                    .as("joints that went in the program of seed %d after call %d: %s", seed, calls.size(), when)
+                    .isEqualTo(reference.takeJointEvents());
+            assertThat(JointLoad.of(world.joints()))
+                    .as("forces of joints of the program of seed %d after call %d: %s", seed, calls.size(), when)
+                    .isEqualTo(reference.jointLoads());
+        }
+
         /** What is reported is in no snapshot: so not after one has been taken. */
         private void report() {
             if (snapshot == null) {
@@ -280,6 +292,9 @@ class ReferenceFuzzTest {
             both("step " + dt + " " + steps, c -> c.step(dt, steps));
             if (random.nextInt(3) > 0) {
                 compareEvents("step");
+            }
+            if (random.nextInt(3) > 0) {
+                compareJoints("step");
             }
         }
 
@@ -1033,6 +1048,8 @@ class ReferenceFuzzTest {
             reference.takeEvents();
             compare("restore");
             compareEvents("restore");
+            reference.takeJointEvents();
+            compareJoints("restore");
         }
 
         // ---- values

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Measures scenes on the JVM back end, and prints the file that the page on the physics is made of: those in which surfaces grip, or those of
- * terrain.
+ * Measures scenes on the JVM back end, and prints the file that the page on the physics is made of: those in which surfaces grip, those of
+ * terrain, or those of joints.
  */
 final class RowFigures {
     private RowFigures() {}
@@ -43,7 +43,11 @@ final class RowFigures {
                 rows.addAll(TerrainShots.all());
                 rows.addAll(TerrainCrowds.slow());
             }
-            default -> throw new IllegalArgumentException("surfaces or terrain, not " + of);
+            case "joints" -> {
+                rows.addAll(JointRows.all());
+                rows.addAll(JointNets.all());
+            }
+            default -> throw new IllegalArgumentException("surfaces, terrain or joints, not " + of);
         }
         return rows;
     }

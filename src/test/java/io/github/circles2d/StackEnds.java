@@ -132,6 +132,14 @@ final class StackEnds {
                     world.terrain().addChain(CHAIN);
                     world.step(STEP);
                 }),
+                Call.change("joints", world -> {
+                    world.joints().report(true);
+                    world.joints().add(1L << 32, 1L << 32 | 9, Joint.spring(3, 1));
+                    world.joints().add(1L << 32, Joint.friction(1, 1).breakingAt(0, 0));
+                    world.joints().addAll(one, new long[] {1L << 32 | 2}, Joint.weld(), null);
+                    world.step(STEP);
+                    world.joints().events();
+                }),
                 Call.change("clear", World::clear),
                 Call.change("setBounds", world -> world.setBounds(0, 0, 9, 9)),
                 Call.change("restore", world -> world.restore(snapshot.duplicate())));

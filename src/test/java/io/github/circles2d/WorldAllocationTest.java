@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** A game that runs leaves no garbage. */
 class WorldAllocationTest {
+    private static final float STEP = 1 / 60f;
     private static final int SENSOR = 9;
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -196,6 +197,53 @@ class WorldAllocationTest {
                 terrain.remove(segment);
                 consume(terrain.contains(segment) ? 1 : world.hash());
                 consume(terrain.bodyOf(terrain.handle(0)) == terrain.ground() ? 1 : 0);
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
+    void jointsAllocateNothingOnTheJvm() throws IOException {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        long[] left = new long[300];
+        long[] right = new long[300];
+        long[] added = new long[300];
+        long[] some = new long[40];
+        float[] ends = new float[4 * 1_000];
+        Joint spring = Joint.spring(5, 0.5f);
+        Joint weak = Joint.rope(0).breakingAt(1e-9f, 1e-9f);
+        Joint pin = Joint.pin();
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Joints joints = world.joints();
+            joints.report(true);
+            world.readHandles(handles);
+            System.arraycopy(handles, 0, left, 0, 300);
+            System.arraycopy(handles, 300, right, 0, 300);
+            joints.addAll(left, right, Joint.distance(), added);
+            long motor = joints.add(left[0], Joint.motor(2, 1e-3f));
+            Rewind rewind = new Rewind(world, 3);
+            int[] frames = new int[1];
+            Runnable frame = () -> {
+                long broken = joints.add(left[1], right[2], weak);
+                world.step(scene.timeStep());
+                consume(joints.contains(broken) ? 1 : joints.events().size());
+                rewind.save(frames[0]++);
+                joints.setSpeed(motor, frames[0] % 3);
+                joints.addAll(left, right, spring, added);
+                world.step(scene.timeStep());
+                consume(joints.readEnds(ends) + joints.ofCircle(left[3], some) + joints.force(added[0]));
+                joints.removeAll(added);
+                long guest = world.add(0.5f, 0.5f, scene.radius(0), 1);
+                joints.add(guest, 0.5f, 0.5f, pin);
+                world.step(scene.timeStep());
+                world.remove(guest);
+                JointEvents gone = joints.events();
+                consume(gone.size() + gone.force(0) + gone.circle(0) + world.hash());
+                rewind.restore(frames[0] - 1);
+                consume(joints.size() + joints.idLimit() + joints.length(motor));
             };
             assertAllocatesNothing(frame);
             assertThat(recording.hasFailed()).isFalse();
@@ -383,6 +431,87 @@ class WorldAllocationTest {
                         + queries.circleCastAll(0, 0, 0.1f, 1, 1, found, hits)
                         + queries.nearest(numbers, batch, 0.1f, 9, found, hits)
                         + queries.circleCastAll(numbers, batch, ends, found, hits));
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void jointsAllocateNothing(int threads) {
+        World.Builder builder = WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10);
+        try (World world = WorldScenes.onThreads(threads, builder)) {
+            Joints joints = world.joints();
+            joints.report(true);
+            long[] circles = new long[1000];
+            long[] some = new long[900];
+            long[] others = new long[900];
+            long[] added = new long[900];
+            long[] found = new long[50];
+            for (int k = 0; k < circles.length; k++) {
+                circles[k] = world.add(1 + k % 50 * 1.9f, 1 + k / 50 * 1.9f, 0.4f, k == 999 ? 10 : 1);
+                if (k < 900) {
+                    some[k] = circles[k];
+                } else {
+                    joints.add(circles[k], circles[k - 900], Joint.spring(2, 1));
+                }
+            }
+            System.arraycopy(circles, 50, others, 0, others.length);
+            for (int k = 0; k < 40; k++) {
+                joints.add(circles[999], circles[500 + k], Joint.rope(90)); // more than colours
+            }
+            TerrainBody lift = world.terrain().addBody(50, 50, 0);
+            lift.setAngularVelocity(1);
+            long mouse = joints.add(circles[7], 3, 3, Joint.mouse(5, 1, 100));
+            long pin = joints.add(circles[8], lift, 3, 3, Joint.pin());
+            long motor = joints.add(circles[9], Joint.motor(1, 1));
+            long servo = joints.add(circles[10], Joint.servo(1, 1, 1, 1));
+            Joint link = Joint.distance().breakingAt(1e6f, 1e6f);
+            Joint weak = Joint.distance(9).breakingAt(1, 1);
+            Joint weld = Joint.weld();
+            Joint slow = Joint.friction(1, 1);
+            float[] ends = new float[4000 * 4];
+            int[] frames = new int[1];
+            Runnable frame = () -> {
+                float turn = frames[0]++ % 3;
+                joints.addAll(some, others, link, added);
+                long soft = joints.add(circles[11], circles[12], weak);
+                long body = joints.add(circles[13], circles[14], weld);
+                long alone = joints.add(circles[15], slow);
+                consume(soft);
+                joints.setAnchor(mouse, 3 + turn, 4);
+                joints.setMaxForce(mouse, 100 + turn);
+                joints.setSpring(mouse, 5 + turn, 1);
+                joints.setSpeed(motor, turn);
+                joints.setMaxTorque(motor, 1 + turn);
+                joints.setAngle(servo, turn);
+                joints.setLength(added[3], 1 + turn);
+                joints.setBreaking(added[4], 1e5f, 1e5f);
+                joints.setColliding(added[5], true);
+                joints.setAnchor(pin, turn, 3);
+                world.step(STEP);
+                world.step(STEP, 2);
+                consume(joints.size() + joints.idLimit() + joints.handle(7));
+                consume(joints.force(added[6]) + joints.forceX(pin) + joints.forceY(pin) + joints.torque(motor));
+                consume(joints.length(added[7]) + joints.anchorX(pin) + joints.anchorY(mouse));
+                consume(joints.readEnds(ends) + joints.pick(5, 5, 3) + joints.ofCircle(circles[999], found));
+                consume(joints.circle(pin) + joints.other(added[8]));
+                joints.remove(body);
+                joints.remove(alone);
+                world.remove(circles[20]);
+                circles[20] = world.add(50, 90, 0.4f, 1);
+                some[20] = circles[20]; // it is none of the others
+                JointEvents gone = joints.events();
+                for (int k = 0; k < gone.size(); k++) {
+                    consume(gone.joint(k) + gone.circle(k) + gone.other(k) + gone.force(k) + gone.torque(k));
+                    consume(gone.reason(k) == JointEvents.Reason.BROKEN ? 1 : 0);
+                }
+                consume(world.hash());
+                for (int k = 0; k < added.length; k++) {
+                    if (joints.contains(added[k])) {
+                        joints.remove(added[k]);
+                    }
+                }
             };
             assertAllocatesNothing(frame);
         }

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** A world with joints that is saved, restored, recorded or rolled back goes on as if nothing had been. */
 class WorldJointStatesTest {
@@ -15,11 +17,19 @@ class WorldJointStatesTest {
     private static final int PLAYED = 30;
 
     private static World.Builder builder(Edge x) {
-        return WorldScenes.jvm()
+        return builder(x, Backend.JVM).threads(1);
+    }
+
+    private static World.Builder builder(Edge x, Backend backend) {
+        return World.builder()
+                .backend(backend)
                 .bounds(0, 0, 60, 40)
                 .edges(x, Edge.WALL)
-                .gravity(0, -10)
-                .threads(1);
+                .gravity(0, -10);
+    }
+
+    static Backend[] backends() {
+        return RewindTest.backends();
     }
 
     /** A rope that breaks, a ring of springs, a bridge, a hub with more spokes than colours, pins on a body that moves; balls that fall on all that. */
@@ -152,6 +162,46 @@ class WorldJointStatesTest {
                 assertThat(snapshot(other)).isEqualTo(snapshot(world));
                 assertThat(world.joints().size()).as("joints have broken").isLessThan(joints);
             }
+        }
+    }
+
+    /** It goes there and back, and is rolled back there. */
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aSnapshotGoesOnTheSameOnEveryBackEnd(Backend backend) {
+        try (World world = world(Edge.WRAP);
+                World other = builder(Edge.WRAP, backend).build();
+                World back = builder(Edge.WRAP).build()) {
+            Rewind rewind = new Rewind(other, 5);
+            for (int frame = 0; frame < 60; frame++) {
+                play(world, frame, frame);
+                world.step(STEP);
+                if (frame % 20 == 4) {
+                    ByteBuffer saved = snapshot(world);
+                    other.restore(saved);
+                    assertThat(snapshot(other)).isEqualTo(saved.rewind());
+                    rewind.save(frame);
+                } else if (frame > 4) {
+                    play(other, frame, frame);
+                    other.step(STEP);
+                }
+                if (frame % 20 == 9) {
+                    rewind.restore(frame - 5);
+                    for (int k = frame - 4; k <= frame; k++) {
+                        play(other, k, frame);
+                        other.step(STEP);
+                    }
+                }
+                if (frame >= 4) {
+                    assertThat(other.hash()).as("frame %d", frame).isEqualTo(world.hash());
+                }
+            }
+            ByteBuffer saved = snapshot(other);
+            assertThat(saved).isEqualTo(snapshot(world));
+            back.restore(saved);
+            back.step(STEP, 20);
+            world.step(STEP, 20);
+            assertThat(snapshot(back)).isEqualTo(snapshot(world));
         }
     }
 

@@ -217,6 +217,25 @@ final class ReferenceJoint {
         return elastic || angular == Angular.ANGLE;
     }
 
+    // ---- what it did in the last step, which had a length; on A
+    // ---------------------------------------------------------------------
+
+    float forceX(float dt) {
+        return -sum[0] / dt + 0f;
+    }
+
+    float forceY(float dt) {
+        return -sum[1] / dt + 0f;
+    }
+
+    float force(float dt) {
+        return Numbers.length(forceX(dt), forceY(dt));
+    }
+
+    float torque(float dt) {
+        return sumOfTurning / dt + 0f;
+    }
+
     /** Where the anchor is now, in the world. */
     float[] anchorPlace(Arena arena) {
         if (body == null) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.JointEvents;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** The joints between circles, and between circles and places. */
 final class ReferenceJoints {
@@ -20,6 +22,9 @@ final class ReferenceJoints {
 
     /** By id: how many have had it. */
     private final Map<Integer, Integer> generations = new HashMap<>();
+
+    /** Of joints that went by themselves, and that nobody has taken yet. */
+    private List<JointEvent> events = new ArrayList<>();
 
     /** Of the step: in the order in which they are visited. */
     private List<JointVisit> visits = List.of();
@@ -78,6 +83,32 @@ final class ReferenceJoints {
 
     void remove(ReferenceJoint joint) {
         joints.set(joint.id, null);
+    }
+
+    /** Removes the joints of circles that go. */
+    void removedCircles(Predicate<Circle> gone) {
+        all().stream()
+                .filter(joint -> gone.test(joint.a) || joint.b != null && gone.test(joint.b))
+                .forEach(joint -> go(joint, JointEvents.Reason.CIRCLE_REMOVED, 0f, 0f));
+    }
+
+    /** Removes the joints of bodies of terrain that go. */
+    void removedBodies(Predicate<Body> gone) {
+        all().stream()
+                .filter(joint -> joint.body != null && gone.test(joint.body))
+                .forEach(joint -> go(joint, JointEvents.Reason.BODY_REMOVED, 0f, 0f));
+    }
+
+    private void go(ReferenceJoint joint, JointEvents.Reason reason, float force, float torque) {
+        long other = joint.b == null ? -1 : joint.b.handle;
+        events.add(new JointEvent(joint.handle, joint.a.handle, other, force, torque, reason));
+        remove(joint);
+    }
+
+    List<JointEvent> takeEvents() {
+        List<JointEvent> taken = events;
+        events = new ArrayList<>();
+        return taken;
     }
 
     long hash() {
@@ -173,8 +204,12 @@ final class ReferenceJoints {
     }
 
     /** Ends a step: some break. */
-    void end() {
-        visits.stream().filter(JointVisit::breaks).forEach(visit -> remove(visit.joint));
+    void end(float dt) {
+        visits.stream()
+                .filter(JointVisit::breaks)
+                .map(visit -> visit.joint)
+                .sorted(Comparator.comparingInt(joint -> joint.id))
+                .forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));
         visits = List.of();
     }
 }

@@ -195,8 +195,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
-        Circle gone = find(handle);
-        joints.all().stream().filter(joint -> joint.isOf(gone)).forEach(joints::remove);
+        joints.removedCircles(find(handle)::equals);
         events.removed(find(handle));
         forgetImpulses(find(handle));
         byId.set((int) handle, null);
@@ -283,6 +282,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clear() {
+        joints.removedCircles(circle -> true);
         circles().forEach(c -> remove(c.handle));
     }
 
@@ -432,7 +432,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clearTerrain() {
-        joints.all().stream().filter(joint -> joint.body != null).forEach(joints::remove);
+        joints.removedBodies(body -> true);
         terrain.pieces().forEach(events::removed);
         terrain.clear();
     }
@@ -458,7 +458,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void removeBody(long body) {
         Body removed = terrain.body(body);
-        joints.all().stream().filter(joint -> joint.body == removed).forEach(joints::remove);
+        joints.removedBodies(removed::equals);
         terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
         terrain.removeBody(removed);
     }
@@ -677,6 +677,19 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void requestEvents() {
         events.request();
+    }
+
+    /** Of joints that went by themselves since the last call. */
+    public List<JointEvent> takeJointEvents() {
+        return joints.takeEvents();
+    }
+
+    /** The joints in the order of their ids: of each the handle, and with which force and torque it acted on its first circle in the last step. */
+    public List<JointLoad> jointLoads() {
+        return joints.all().stream()
+                .map(joint -> new JointLoad(
+                        joint.handle, joint.forceX(previousDt), joint.forceY(previousDt), joint.torque(previousDt)))
+                .toList();
     }
 
     /** The events that were requested. */

@@ -63,7 +63,7 @@ final class Step {
         circles.forEach(this::finalizePositions);
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache);
-        joints.end();
+        joints.end(k.dt());
     }
 
     /** The contacts of the step. */

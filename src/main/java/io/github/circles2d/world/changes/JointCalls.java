@@ -26,6 +26,8 @@ public final class JointCalls {
     private static final Guard.CircleChange<JointCalls> REPORT = (joints, h, on, a, b) -> joints.tell(on != 0);
     private static final Guard.ChangeWith<JointCalls, GoneJoints> TAKE = JointCalls::give;
 
+    private static final Guard.Numbers<JointCalls, Void> HANDLE = (joints, none, id, n) -> joints.handleOf((int) id);
+
     private final Guard guard;
     private final HandleTable handles;
     private final TerrainTables terrain;
@@ -61,6 +63,22 @@ public final class JointCalls {
         this.pending = pending;
         this.copies = copies;
         table = joints.table;
+    }
+
+    /** One more than the greatest id that a joint has had. */
+    public int idLimit() {
+        guard.check();
+        return table.ids.end();
+    }
+
+    /** The handle of the joint that has an id; 0 if there is none. */
+    public long handle(int id) {
+        return guard.read(this, null, id, 0, HANDLE);
+    }
+
+    private long handleOf(int id) {
+        pending.settleJoints();
+        return table.ids.handleOrNone(id);
     }
 
     // ---- joints come
@@ -199,7 +217,7 @@ public final class JointCalls {
         JointLimits.room(more, table.ids.size());
         table.ensure(more, handles.end());
         if (form.springs()) {
-            table.ensureSprings(more);
+            table.ensureSpring(); // all have the same
         }
         if (form.looks()) {
             circles = copies.last().circles();
@@ -234,7 +252,7 @@ public final class JointCalls {
         int joint = find(handle);
         joints.check(joint, setting, a, b);
         if (setting == JointSetting.SPRING) {
-            table.ensureSprings(1);
+            table.ensureSpring();
         }
         copies.forgetSaved();
         log.call(LoggedCall.JOINT_SETTING, joint, number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));

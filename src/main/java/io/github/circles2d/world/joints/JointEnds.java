@@ -1,6 +1,7 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Wrapping;
@@ -86,10 +87,9 @@ public final class JointEnds {
     public double distanceTo(float px, float py) {
         double halfX = 0.5 * dx;
         double halfY = 0.5 * dy;
-        double wayX =
-                Wrapping.shortWay(px - (float) (x + halfX), terrain.bounds().periodX());
-        double wayY =
-                Wrapping.shortWay(py - (float) (y + halfY), terrain.bounds().periodY());
+        Bounds bounds = terrain.bounds();
+        double wayX = Wrapping.shortWay(bounds.placeX(px) - (float) (x + halfX), bounds.periodX());
+        double wayY = Wrapping.shortWay(bounds.placeY(py) - (float) (y + halfY), bounds.periodY());
         double square = halfX * halfX + halfY * halfY;
         double share = square > 0 ? (wayX * halfX + wayY * halfY) / square : 0;
         share = Math.max(-1, Math.min(1, share));

@@ -92,9 +92,9 @@ public final class JointTable {
         }
     }
 
-    /** Makes room for springs of so many more joints. */
-    public void ensureSprings(int more) {
-        springs.ensure(more);
+    /** Makes room for one more spring. */
+    public void ensureSpring() {
+        springs.ensure(1);
     }
 
     // ---- what there is

@@ -22,7 +22,6 @@ public final class JointReads {
     // The functions of the calls. They are linked before memory, or the stack, may end in a call.
     private static final Guard.Numbers<JointReads, Void> FIND = (joints, none, handle, n) -> joints.lookFor(handle);
     private static final Guard.Numbers<JointReads, Void> SIZE = (joints, none, m, n) -> joints.count();
-    private static final Guard.Numbers<JointReads, Void> HANDLE = (joints, none, id, n) -> joints.handleOf((int) id);
     private static final Guard.Numbers<JointReads, Void> CIRCLE =
             (joints, none, handle, n) -> joints.circleOf(handle, n != 0);
     private static final Guard.Numbers<JointReads, JointForm[]> FORM =
@@ -92,22 +91,6 @@ public final class JointReads {
     private int count() {
         pending.settleJoints();
         return table.ids.size();
-    }
-
-    /** One more than the greatest id that a joint has had. */
-    public int idLimit() {
-        guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the joint that has an id; 0 if there is none. */
-    public long handle(int id) {
-        return guard.read(this, null, id, 0, HANDLE);
-    }
-
-    private long handleOf(int id) {
-        pending.settleJoints();
-        return table.ids.handleOrNone(id);
     }
 
     /** The handle of the first circle of a joint, or of the other one; -1 if there is none. */

@@ -7,13 +7,11 @@ import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.log.LogReader;
-import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.shared.LoggedCall;
 
 /** Makes the calls on joints again, which check all values. */
 final class RepeatedJoints {
     private final JointCalls joints;
-    private final JointReads reads;
     private final RepeatedCalls circles;
     private final RepeatedTerrain terrain;
 
@@ -22,7 +20,6 @@ final class RepeatedJoints {
 
     RepeatedJoints(Simulation simulation, RepeatedCalls circles, RepeatedTerrain terrain) {
         joints = simulation.joints();
-        reads = simulation.jointReads();
         this.circles = circles;
         this.terrain = terrain;
     }
@@ -71,7 +68,7 @@ final class RepeatedJoints {
     }
 
     private long joint(int id) {
-        long handle = id >= 0 && id < reads.idLimit() ? reads.handle(id) : 0;
+        long handle = id >= 0 && id < joints.idLimit() ? joints.handle(id) : 0;
         if (handle == 0) {
             throw LogReader.refused("no joint has the id " + id);
         }

@@ -81,7 +81,7 @@ public final class Needs {
     }
 
     private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
-        pipeline.prepare(p.contacts(), new Features(!p.bounds().isWalled(), turning, withTerrain, withJoints));
+        pipeline.prepare(p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints));
         turns = turning;
         hasTerrain = withTerrain;
         hasJoints = withJoints;

@@ -46,9 +46,10 @@ final class OclgrindWorlds {
 
     /**
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
-     * circles are loaded or pairs that touch are sent, or a world begins to turn or gets terrain; and all that comes of it.
+     * circles are loaded or pairs that touch are sent, or a world begins to turn or gets terrain or joints; and all that comes of it.
      */
-    static final Set<String> MISJUDGED = Set.of("changes", "edges", "turning", "terrain", "terrain of tiles");
+    static final Set<String> MISJUDGED =
+            Set.of("changes", "edges", "turning", "terrain", "terrain of tiles", "joints", "joints of tiles");
 
     private final Device device;
     private final boolean small;
@@ -140,6 +141,13 @@ final class OclgrindWorlds {
             case "terrain of tiles":
                 kernels.addAll(terrain(Plans.TILES, Scenes.thesis(20, 1), false));
                 kernels.addAll(terrain(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
+                break;
+            case "joints":
+                kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
+                break;
+            case "joints of tiles":
+                kernels.addAll(joints(Plans.TILES, Scenes.thesis(20, 1), false));
+                kernels.addAll(joints(Plans.TILES, Scenes.mixed(20, 1), true));
                 break;
             default:
                 throw new IllegalArgumentException(world);
@@ -321,6 +329,47 @@ final class OclgrindWorlds {
             }
             return pipeline.kernelNanos().keySet();
         }
+    }
+
+    /** Joints of every form: in batches, in none, and split ones; some break. */
+    private Set<String> joints(Plans plans, Scene scene, boolean turns) {
+        DevicePipeline pipeline = pipeline(plans);
+        SplittableRandom random = new SplittableRandom(6);
+        Bounds bounds = new Bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
+        JointTwins joints = new JointTwins(bounds, scene.radius(0));
+        int split = 0;
+        int batches = 0;
+        int inNoBatch = 0;
+        int broken = 0;
+        Set<String> kernels;
+        try (Twins twins = Twins.load(scene, subSteps, joints.on(jvm(), pipeline))) {
+            for (int k = 0; k < 3; k++) {
+                if (turns && k == 1) {
+                    twins.letChangesTurn();
+                    twins.changeSurfaces(random);
+                    joints.turning = true;
+                }
+                joints.fragile = k == 1;
+                joints.make(k == 0 ? 8 : 60 + 30 * k, scene.size(), 1, random);
+                split += joints.split();
+                batches += joints.batches();
+                inNoBatch += joints.inNoBatch();
+                for (int step = 0; step < 2; step++) {
+                    joints.moveAnchors(random);
+                    twins.step(scene.timeStep(), 1);
+                    String when = scene.name() + " with joints, step " + k;
+                    twins.assertEqual(when);
+                    joints.assertSameStates(when);
+                    broken += joints.assertSameBroken(when, scene.size());
+                }
+            }
+            kernels = pipeline.kernelNanos().keySet();
+        }
+        if (split == 0 || batches == 0 || inNoBatch == 0 || broken == 0) {
+            throw new IllegalStateException(
+                    split + " split joints, " + batches + " batches, " + inNoBatch + " in none, " + broken + " broken");
+        }
+        return kernels;
     }
 
     /** Fast circles in a world of which one axis wraps and the other is open. */

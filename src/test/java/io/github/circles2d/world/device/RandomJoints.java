@@ -120,8 +120,8 @@ final class RandomJoints {
     }
 
     private long anyJoint() {
-        int ids = simulation.jointReads().idLimit();
-        return ids == 0 ? 0 : simulation.jointReads().handle(random.nextInt(ids));
+        int ids = simulation.joints().idLimit();
+        return ids == 0 ? 0 : simulation.joints().handle(random.nextInt(ids));
     }
 
     private float at(float from) {

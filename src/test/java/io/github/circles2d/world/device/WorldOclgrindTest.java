@@ -61,6 +61,7 @@ class WorldOclgrindTest {
                         "levels in an arena that is not folded",
                         "turning",
                         "terrain",
+                        "joints",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
                 .contains(
@@ -73,6 +74,7 @@ class WorldOclgrindTest {
                         "events_move",
                         "sensing_find",
                         "pieces_find",
+                        "joints_takeSums",
                         "readback_turns");
     }
 
@@ -96,6 +98,8 @@ class WorldOclgrindTest {
                         "turning",
                         "terrain",
                         "terrain of tiles",
+                        "joints",
+                        "joints of tiles",
                         "queries"))
                 .containsAll(kernelsIn(""));
     }

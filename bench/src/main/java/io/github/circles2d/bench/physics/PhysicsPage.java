@@ -28,6 +28,7 @@ final class PhysicsPage {
                 .replace("{{table}}\n", table(table))
                 .replace("{{surfaces}}\n", FigureTable.of(folder, "surfaces.csv"))
                 .replace("{{terrain}}\n", FigureTable.of(folder, "terrain.csv"))
+                .replace("{{joints}}\n", FigureTable.of(folder, "joints.csv"))
                 .replace("{{charts}}\n", charts(folder));
     }
 
