@@ -4,10 +4,6 @@
 // classes JointPasses and SplitJoints do the same.
 
 #ifdef JOINTS
-#define JOINT_PREPARE 0
-#define JOINT_SOLVE 1
-#define JOINT_RELAX 2
-
 // A table, by the words before it.
 global int *jointTable(const World *w, int at) { return (global int *) w->joints + at; }
 global float4 *jointVectors(const World *w, int at) { return (global float4 *) jointTable(w, at); }

@@ -240,11 +240,16 @@ public final class DeviceArrays {
             return;
         }
         DeviceBuffer tables = session.allocate("tables of kinds", bytesOf(end));
-        before.copyTo(tables, Math.min(before.bytes(), bytesOf(terrainRoom.floats())));
-        if (features.joints()) {
-            keepJoints(before, terrainRoom.floats(), tables, behind, joints);
+        try {
+            before.copyTo(tables, Math.min(before.bytes(), bytesOf(terrainRoom.floats())));
+            if (features.joints()) {
+                keepJoints(before, terrainRoom.floats(), tables, behind, joints);
+            }
+            session.finish();
+        } catch (RuntimeException | Error e) {
+            tables.close();
+            throw e;
         }
-        session.finish();
         arrays.put(DeviceArray.KIND_MOTION, tables).close();
         version++;
         if (moves) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.JointUpload;
 import io.github.circles2d.world.device.memory.StageKernels;
 
@@ -9,9 +10,9 @@ import io.github.circles2d.world.device.memory.StageKernels;
  */
 final class JointKernels {
     /** Work-items that visit a batch. */
-    static final int GROUP = StageKernels.SMALL_GROUPS ? 4 : 128;
+    private static final int GROUP = StageKernels.SMALL_GROUPS ? 4 : 128;
 
-    // what a pass does, as in Joints.cl
+    // what a pass does
     private static final int PREPARE = 0;
     private static final int SOLVE = 1;
     private static final int RELAX = 2;
@@ -33,6 +34,14 @@ final class JointKernels {
         passColour = kernels.staged("joints_passColour");
         passSplit = kernels.staged("joints_passSplit");
         takeSums = kernels.staged("joints_takeSums");
+    }
+
+    /** Adds the numbers that the kernels share with the host. */
+    static KernelSource define(KernelSource source) {
+        return source.define("JOINT_GROUP", GROUP)
+                .define("JOINT_PREPARE", PREPARE)
+                .define("JOINT_SOLVE", SOLVE)
+                .define("JOINT_RELAX", RELAX);
     }
 
     /** Finds the circles of joints, once circles are sorted. */

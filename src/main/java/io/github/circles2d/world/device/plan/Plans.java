@@ -93,9 +93,8 @@ public enum Plans {
 
     /** The same, with what they must know of a device. */
     public static KernelSource source(List<Plan> plans, Device device) {
-        return source(plans)
+        return JointKernels.define(source(plans))
                 .define("PTX", ResidentGroups.fit(device))
-                .define("JOINT_GROUP", JointKernels.GROUP)
                 .define("EVENT_GROUP", Tiles.eventGroup(device.maxWorkGroupSize()));
     }
 
