@@ -282,7 +282,6 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clear() {
-        joints.removedCircles(circle -> true);
         circles().forEach(c -> remove(c.handle));
     }
 
