@@ -59,9 +59,9 @@ final class TerrainRoom {
         return version;
     }
 
-    /** Floats of all tables, with those before these. */
+    /** Floats of all tables, with those before these: a multiple of 4, since kernels read vectors behind them. */
     int floats() {
-        return DeviceArray.TERRAIN_AT + at(MOTION) + motionFloats;
+        return DeviceArray.TERRAIN_AT + at(MOTION) + motionFloats + 3 & ~3;
     }
 
     /** Floats from {@link DeviceArray#TERRAIN} to one of these. */
