@@ -9,7 +9,7 @@ import io.github.circles2d.world.model.Limits;
  * JointedCircles ball = Blobs.ring(world, 50, 40, 2, 24, 0.24f, 1, 10, 0.7f);
  * JointedCircles jelly = Blobs.lattice(world, 20, 40, 8, 6, 0.5f, 0.25f, 0.2f, 15, 0.5f);
  * JointedCircles flag = Blobs.cloth(world, 70, 40, 20, 12, 0.4f, 0.15f, 0.05f, 20, 0.5f);
- * world.joints().add(flag.circles()[0], 66.2f, 42.2f, Joint.pin()); // a corner
+ * world.joints().add(flag.circles()[20 * 11], 66.2f, 42.2f, Joint.pin()); // its upper left corner
  * }</pre>
  *
  * <p><b>Springs:</b> a frequency in hertz says how stiff they are, whatever the masses: 2 is jelly, 10 a ball, 30 almost rigid. A damping ratio of 0 rings on, of

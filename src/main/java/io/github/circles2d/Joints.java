@@ -27,8 +27,11 @@ import io.github.circles2d.world.model.Limits;
  *
  * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor.
  *
- * <p><b>Limits:</b> a world has at most 2^20 joints. A circle may have any number; from the 25th on, its joints are softer. A world without joints
- * pays nothing for this. A change acts from the next step on. Joints are in snapshots, in logs and in the hash. The rules of {@link World} for
+ * <p><b>Lengths that nobody gives</b>, and welds, take them from the circles as they are now, which are read for that if they have changed. So add
+ * circles first and joints then, many by {@link #addAll}, or give lengths.
+ *
+ * <p><b>Limits:</b> a world has at most 2^20 joints. A circle may have any number; those of a circle that has more than ten with other circles
+ * are a little softer. A world without joints pays nothing for this. A change acts from the next step on. Joints are in snapshots, in logs and in the hash. The rules of {@link World} for
  * threads, failures and closed worlds hold here, too.
  */
 public final class Joints {

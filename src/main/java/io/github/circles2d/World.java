@@ -278,7 +278,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Removes a circle. Its handle is stale from now on.
+     * Removes a circle, and its {@link Joints}. Its handle is stale from now on.
      *
      * @param handle the circle
      * @throws IllegalArgumentException if the handle is stale
@@ -288,7 +288,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Removes many circles: all of them, or none if one is refused. A handle that occurs again is stale by then.
+     * Removes many circles with their {@link Joints}: all of them, or none if one is refused. A handle that occurs again is stale by then.
      *
      * @param handles the circles
      * @param count how many of them, from the first element on; 0 to the length of the array
@@ -301,7 +301,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Removes all circles, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
+     * Removes all circles and joints, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
      * are free, and pairs that touched end. It takes about as long as a read. Changes of circles that still wait for a step are dropped.
      *
      * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, kinds and
@@ -1585,7 +1585,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, and of terrain. Equal states
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, of terrain and of joints. Equal states
      * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
      * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
@@ -1758,7 +1758,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, bounds, gravity,
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, joints, bounds, gravity,
      * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
      * equal bytes, on every back end.
      *

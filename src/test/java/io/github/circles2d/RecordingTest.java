@@ -60,6 +60,20 @@ class RecordingTest {
     }
 
     /** Sixty steps, in calls of one to three, with a change before each, a rewind and a restore. */
+    /** Joints come and go. */
+    private static void join(World world, long circle, long other, int call) {
+        if (call % 5 == 1 && circle != other) {
+            world.joints()
+                    .add(
+                            circle,
+                            other,
+                            Joint.spring(4, 0.5f).withLimits(0, 0.6f).breakingAt(300, 5));
+            world.joints().add(circle, 0.5f, 0.5f, Joint.rope(0.9f));
+        } else if (call % 10 == 4) {
+            world.joints().clear();
+        }
+    }
+
     private static byte[] record(World world, int hashEvery) throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         Rewind rewind = new Rewind(world, 8);
@@ -74,6 +88,7 @@ class RecordingTest {
                 long some = handles[random.nextInt(handles.length)];
                 world.setTag(some, call);
                 world.applyImpulse(some, 0.001f * random.nextFloat(), 0.001f);
+                join(world, some, handles[call % handles.length], call);
                 world.step(1 / 60f, (int) Math.min(1 + call % 3, STEPS - recording.steps()));
                 if (call % 10 == 9) {
                     rewind.restore(call - 5);

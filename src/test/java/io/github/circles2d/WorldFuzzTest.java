@@ -164,6 +164,7 @@ class WorldFuzzTest {
         private final long seed;
         private final Random random;
         private final boolean hasTerrain;
+        private final boolean hasJoints;
         private final List<Long> bodies = new ArrayList<>(List.of(0L, -1L, 77L));
         private List<Long> stale = new ArrayList<>(List.of(0L, -1L, 77L));
 
@@ -218,6 +219,7 @@ class WorldFuzzTest {
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
             hasTerrain = traced == null && new Random(~seed).nextInt(3) == 0;
+            hasJoints = new Random(seed + 99).nextInt(3) == 0;
         }
 
         void run() {
@@ -341,6 +343,9 @@ class WorldFuzzTest {
             if (hasTerrain && random.nextInt(3) == 0) {
                 changeTerrain();
             }
+            if (hasJoints && random.nextInt(2) == 0) {
+                changeJoints();
+            }
             switch (random.nextInt(38)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
@@ -413,6 +418,100 @@ class WorldFuzzTest {
             });
             last = "one-way " + kind;
             ask(!isKind(kind), () -> world.kind(kind).setOneWay(random.nextBoolean()));
+        }
+
+        // ---- joints
+        // ------------------------------------------------------------------------------------------------
+
+        private void changeJoints() {
+            Joints joints = world.joints();
+            long a = handle();
+            long b = handle();
+            long body = bodies.get(random.nextInt(bodies.size()));
+            long joint = random.nextInt(8) == 0 || joints.idLimit() == 0
+                    ? random.nextLong()
+                    : joints.handle(random.nextInt(joints.idLimit()));
+            float x = value(model.minX, model.maxX);
+            float y = value(model.minY, model.maxY);
+            float size = value(0, model.maxX - model.minX);
+            float force = random.nextInt(3) == 0 ? value(0, 1e18f) : value(0, 100);
+            last = "joints " + a + " " + b + " " + joint + " " + x + " " + y + " " + size + " " + force;
+            refuseOrTake(() -> {
+                switch (random.nextInt(16)) {
+                    case 0, 1, 2, 3 -> joints.add(a, b, joint(size, force));
+                    case 4, 5 -> joints.add(a, x, y, joint(size, force));
+                    case 6 -> joints.add(a, joint(size, force));
+                    case 7 -> joints.add(a, world.terrain().body(body), x, y, joint(size, force));
+                    case 8 ->
+                        joints.addAll(new long[] {a, b, a}, new long[] {b, a, handle()}, joint(size, force), null);
+                    case 9 -> joints.remove(joint);
+                    case 10 -> joints.removeAll(new long[] {joint, random.nextBoolean() ? joint : 0});
+                    case 11 -> setJoint(joints, joint, size, force);
+                    case 12 -> joints.report(random.nextBoolean());
+                    case 13 -> readJoints(joints, a);
+                    case 14 -> joints.setBreaking(joint, force, value(0, 10));
+                    default -> {
+                        if (random.nextInt(4) == 0) {
+                            joints.clear();
+                        }
+                    }
+                }
+            });
+        }
+
+        private Joint joint(float size, float force) {
+            float hertz = value(0, 60);
+            float damping = value(0, 2);
+            Joint joint =
+                    switch (random.nextInt(10)) {
+                        case 0 -> Joint.distance();
+                        case 1 -> Joint.distance(size);
+                        case 2 -> Joint.spring(hertz, damping).withLimits(0.5f * size, size);
+                        case 3 -> Joint.rope(size);
+                        case 4 -> Joint.pin();
+                        case 5 -> Joint.mouse(hertz, damping, force);
+                        case 6 -> Joint.motor(value(-100, 100), force);
+                        case 7 -> Joint.servo(value(-7, 7), hertz, damping, force);
+                        case 8 -> Joint.friction(force, size);
+                        default -> Joint.weld();
+                    };
+            if (random.nextInt(4) == 0) {
+                joint = joint.breakingAt(force, value(0, 100));
+            }
+            return random.nextInt(4) == 0 ? joint.colliding(true) : joint;
+        }
+
+        private void setJoint(Joints joints, long joint, float size, float force) {
+            switch (random.nextInt(9)) {
+                case 0 -> joints.setAnchor(joint, size, force);
+                case 1 -> joints.setLength(joint, size);
+                case 2 -> joints.setLimits(joint, 0.5f * size, size);
+                case 3 -> joints.setSpring(joint, size, force);
+                case 4 -> joints.setSpeed(joint, force);
+                case 5 -> joints.setAngle(joint, size);
+                case 6 -> joints.setMaxForce(joint, force);
+                case 7 -> joints.setMaxTorque(joint, force);
+                default -> joints.setColliding(joint, random.nextBoolean());
+            }
+        }
+
+        private void readJoints(Joints joints, long circle) {
+            float[] ends = new float[4 * joints.size()];
+            joints.readEnds(ends);
+            for (float each : ends) {
+                assertThat(each).isFinite();
+            }
+            for (int id = 0; id < joints.idLimit(); id++) {
+                long joint = joints.handle(id);
+                if (joint != 0) {
+                    assertThat(joints.force(joint)).isNotNaN();
+                    assertThat(joints.torque(joint)).isNotNaN();
+                    assertThat(joints.length(joint)).isFinite();
+                    assertThat(world.contains(joints.circle(joint))).isTrue();
+                }
+            }
+            joints.events();
+            joints.ofCircle(circle, new long[joints.size()]);
         }
 
         private Chain chain(float[] v, float angle) {

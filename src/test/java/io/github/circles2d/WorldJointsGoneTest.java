@@ -104,14 +104,14 @@ class WorldJointsGoneTest {
         joints.report(true);
         long a = world.add(0, 0, 0.5f, 1);
         long b = world.add(3, 0, 0.5f, 1);
-        long first = joints.add(a, b, Joint.weld());
         long second = joints.add(b, Joint.motor(1, 1));
+        long first = joints.add(b, a, Joint.weld());
         world.step(STEP);
         world.clear();
         assertThat(joints.size()).isZero();
         assertThat(events())
                 .containsExactly(
-                        text(first, a, b, JointEvents.Reason.CIRCLE_REMOVED),
+                        text(first, b, a, JointEvents.Reason.CIRCLE_REMOVED),
                         text(second, b, -1, JointEvents.Reason.CIRCLE_REMOVED));
         a = world.add(0, 0, 0.5f, 1);
         world.step(STEP);

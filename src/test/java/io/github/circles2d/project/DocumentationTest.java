@@ -111,6 +111,32 @@ class DocumentationTest {
     }
 
     @Test
+    void theExamplesOfRopesAndBlobsRun(@TempDir Path folder) throws Exception {
+        String code = snippet(read("src/main/java/io/github/circles2d/Ropes.java"), "long hook")
+                + snippet(read("src/main/java/io/github/circles2d/Blobs.java"), "JointedCircles ball");
+        String around = "import io.github.circles2d.*;\npublic class Game { public static void run(World world) {\n";
+        assertCompiles("Game", around + code + "} }", folder);
+        try (World world = World.builder()
+                        .backend(Backend.JVM)
+                        .bounds(0, 0, 100, 100)
+                        .gravity(0, -10)
+                        .build();
+                URLClassLoader loader =
+                        new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
+            loader.loadClass("Game").getMethod("run", World.class).invoke(null, world);
+            int joints = world.joints().size();
+            assertThat(joints).isGreaterThan(500);
+            world.step(1 / 60f);
+            for (int id = 0; id < world.idLimit(); id++) {
+                long circle = world.handle(id);
+                assertThat(Math.hypot(world.vx(circle), world.vy(circle)))
+                        .as("nothing jumps")
+                        .isLessThan(2);
+            }
+        }
+    }
+
+    @Test
     void theLoopOfRollbackCompilesInAGame(@TempDir Path folder) throws IOException {
         String code = snippet(read("src/main/java/io/github/circles2d/Rollback.java"), "Rollback rollback");
         String around = "class Packet { int player; int frame; long input; }\n"

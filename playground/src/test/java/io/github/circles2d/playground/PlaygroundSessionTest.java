@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The course of time, colours and figures, as a person meets them. */
 class PlaygroundSessionTest {
@@ -300,6 +301,37 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    void theHandLetsGoOfThePastAndOfAWorldThatIsOpened(@TempDir Path folder) {
+        session.load(Stages.named("marbles"));
+        float x = session.world().x(session.world().handle(0));
+        float y = session.world().y(session.world().handle(0));
+        session.press(x, y);
+        frames(5);
+        assertThat(frame.joints).isEqualTo(1);
+        assertThat(frame.joint[0]).as("an end is where its circle is drawn").isEqualTo(frame.x[0]);
+        session.save(folder.resolve("held"));
+        session.release();
+        frames(5);
+        assertThat(frame.joints).isZero();
+        for (int k = 0; k < 7; k++) {
+            session.stepBack();
+            assertThat(session.world().joints().size()).as("step %d", step()).isZero();
+        }
+        session.open(folder.resolve("held"));
+        frames(1);
+        assertThat(frame.message).isEqualTo("opened held");
+        assertThat(frame.joints).isZero();
+    }
+
+    @Test
+    void jointsThatPullHaveAnotherColourThanLooseOnes() {
+        session.load(Stages.named("wrecking-ball"));
+        frames(120);
+        assertThat(frame.joints).isEqualTo(20);
+        assertThat(Arrays.stream(frame.jointColour, 0, 20).distinct().count()).isGreaterThan(1);
+    }
+
+    @Test
     void aSwitchSaysThatTheHashIsTheSame() {
         frames(20);
         session.switchTo(Backend.JVM);
@@ -309,6 +341,10 @@ class PlaygroundSessionTest {
 
     @Test
     void afterALostStateTheStageStartsAgain() {
+        session.setTool(ToolKind.ROPE);
+        session.press(20, 50);
+        session.setTool(ToolKind.GRAB);
+        session.press(8, 32); // a peg
         frames(20);
         session.world().close();
         session.recover(new IllegalStateException("the device is gone"));

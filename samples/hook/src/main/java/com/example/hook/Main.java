@@ -34,9 +34,9 @@ import javax.swing.Timer;
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
 @SuppressWarnings("serial") // nobody writes it to a file
 public final class Main extends JLabel {
-    private static final int SCALE = 8; // pixels a length
+    private static final int SCALE = 8; // pixels a length: 1280 for the width
     private static final int[] COLORS = {0x26364f, 0xffd166, 0xef476f, 0xfff3b0}; // by kind
-    private final BufferedImage image = new BufferedImage(SCALE * Hook.WIDTH, SCALE * Hook.HEIGHT, 1); // RGB
+    private final BufferedImage image = new BufferedImage(1280, 720, BufferedImage.TYPE_INT_RGB);
     private final Hook game;
     private final FixedStep loop;
     private final float[] circles = new float[400], angles = new float[100], numbers = new float[1000];

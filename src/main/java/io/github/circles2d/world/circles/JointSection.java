@@ -51,7 +51,8 @@ final class JointSection {
         SavedJoints j = s.joints;
         long sum = HEAD;
         for (int joint = 0; joint < j.ids; joint++) {
-            int flags = flags(s, joint);
+            int state = state(s, joint);
+            int flags = flags(s.joints, joint, state);
             sum += 1 + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(j.generation[joint]));
             if ((flags & LIVES) != 0) {
                 int values = values(j, joint);
@@ -60,14 +61,13 @@ final class JointSection {
                 sum += (flags & HAS_BODY) == 0 ? 0 : Varint.bytes(j.body[joint]);
                 sum += (flags & HAS_REFERENCES) == 0 ? 0 : 2 * Integer.BYTES;
                 sum += Varint.bytes(values) + Float.BYTES * Integer.bitCount(values);
-                sum += (flags & HAS_STATE) == 0 ? 0 : 1 + Float.BYTES * Integer.bitCount(state(s, joint));
+                sum += (flags & HAS_STATE) == 0 ? 0 : 1 + Float.BYTES * Integer.bitCount(state);
             }
         }
         return sum;
     }
 
-    private static int flags(SavedState s, int joint) {
-        SavedJoints j = s.joints;
+    private static int flags(SavedJoints j, int joint, int state) {
         int generation = j.generation[joint] == 0 ? 0 : HAS_GENERATION;
         if (!j.lives(joint)) {
             return generation;
@@ -77,7 +77,7 @@ final class JointSection {
                 | (j.b[joint] == JointRow.NONE ? 0 : HAS_B)
                 | (j.body[joint] == 0 ? 0 : HAS_BODY)
                 | ((j.referenceA[joint] | j.referenceB[joint]) == 0 ? 0 : HAS_REFERENCES)
-                | (state(s, joint) == 0 ? 0 : HAS_STATE);
+                | (state == 0 ? 0 : HAS_STATE);
     }
 
     /** A bit for each value that is not the initial one. */
@@ -102,19 +102,20 @@ final class JointSection {
     static void write(SavedState s, ByteBuffer out) {
         out.putInt(s.joints.ids);
         for (int joint = 0; joint < s.joints.ids; joint++) {
-            int flags = flags(s, joint);
+            int state = state(s, joint);
+            int flags = flags(s.joints, joint, state);
             out.put((byte) flags);
             if ((flags & HAS_GENERATION) != 0) {
                 Varint.put(out, s.joints.generation[joint]);
             }
             if ((flags & LIVES) != 0) {
-                writeJoint(s, joint, flags, out);
+                writeJoint(s.joints, joint, flags, out);
+                writeState(s.jointStates, joint, state, out);
             }
         }
     }
 
-    private static void writeJoint(SavedState s, int joint, int flags, ByteBuffer out) {
-        SavedJoints j = s.joints;
+    private static void writeJoint(SavedJoints j, int joint, int flags, ByteBuffer out) {
         Varint.put(out, j.form[joint]);
         out.put(j.colour[joint]);
         Varint.put(out, j.a[joint]);
@@ -134,12 +135,14 @@ final class JointSection {
                 out.putFloat(j.values[SavedJoints.VALUES * joint + k]);
             }
         }
-        if ((flags & HAS_STATE) != 0) {
-            int state = state(s, joint);
+    }
+
+    private static void writeState(SavedJointStates states, int joint, int state, ByteBuffer out) {
+        if (state != 0) {
             out.put((byte) state);
             for (int k = 0; k < JointState.STRIDE; k++) {
                 if ((state & 1 << k) != 0) {
-                    out.putFloat(s.jointStates.rows[JointState.of(joint) + k]);
+                    out.putFloat(states.rows[JointState.of(joint) + k]);
                 }
             }
         }
@@ -240,7 +243,9 @@ final class JointSection {
             float value = SavedJoints.initial(k);
             if ((values & 1 << k) != 0) {
                 value = in.getFloat();
-                SnapshotCodec.require(!isSame(value, SavedJoints.initial(k)), "it has an initial value of a joint");
+                SnapshotCodec.require(
+                        !isSame(value, SavedJoints.initial(k)) && (!isSame(value, -0f) || isDirection(k)),
+                        "it has an initial value of a joint");
                 check(k, value);
             }
             j.values[SavedJoints.VALUES * joint + k] = value;
@@ -269,6 +274,10 @@ final class JointSection {
                         && greatest < Float.POSITIVE_INFINITY == ((form & JointRow.UPPER) != 0)
                         && least <= greatest,
                 "the lengths of a joint are out of order");
+    }
+
+    private static boolean isDirection(int k) {
+        return k == JointRow.DIRECTION_X || k == JointRow.DIRECTION_Y;
     }
 
     /** A bit for each value that a form has. */

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.circles;
 
-import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 
 /**
@@ -73,7 +72,7 @@ final class SlipSection {
             SnapshotCodec.require(
                     hit < t.open || t.lateInts[SavedTouches.LATE_INTS * (hit - t.open)] == SavedTouches.HIT,
                     "an event that is no hit has slid");
-            SnapshotCodec.require(slip > 0f && slip <= Limits.SLIP, "the speed of a hit that slid is out of range");
+            SnapshotCodec.require(slip > 0f && Float.isFinite(slip), "the speed of a hit that slid is out of range");
             before = hit;
             if (hit < t.open) {
                 t.openValues[place(hit)] = slip;

@@ -81,8 +81,8 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
 
-    /** Whether the plans have been compiled for axes without walls. */
-    private boolean isEdged;
+    /** The features that the plans have been compiled for. */
+    private Features loaded = Features.NONE;
 
     public DevicePipeline(Device device, int capacity, boolean profiling) {
         this(device, capacity, profiling, Plans.choose(device).of(device), StageKernels.USUAL_GROUPS);
@@ -123,17 +123,18 @@ public final class DevicePipeline implements Pipeline {
         boolean recording = reporting && ofReports.isRecording();
         Features features = features(edges);
         Variant variant = new Variant(anySettings, features, reporting, recording);
-        StageKernels loaded = compiled(variant);
-        stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
+        StageKernels loading = compiled(variant);
+        stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
         queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
-        stats.use(loaded);
-        commands.use(loaded);
+        stats.use(loading);
+        commands.use(loading);
         if (features.turning()) {
-            readback.useTurning(loaded);
+            readback.useTurning(loading);
         }
         plans.forEach(each -> each.load(stages));
-        loaded.bind(
+        loaded = features;
+        loading.bind(
                 arrays,
                 queue.slotsBehindPending(),
                 home.circles); // counts of the last step may be asked for before the next
@@ -145,7 +146,7 @@ public final class DevicePipeline implements Pipeline {
         EventArrays wanted = active ? reader.deciding() : null;
         boolean recordingNow = stages.touches() != null;
         if (stages.reporting() != wanted || (active && reader.isRecording() != recordingNow)) {
-            load(tuned, isEdged, reader);
+            load(tuned, loaded.edges(), reader);
         }
     }
 
@@ -173,21 +174,19 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void prepare(ContactSettings contacts, Features features) {
         boolean tunes = tuned || contacts.areTuned();
-        Features held = features(isEdged);
-        Features all = held.and(features);
-        if (tunes != tuned || !all.equals(held)) {
+        Features all = loaded.and(features);
+        if (tunes != tuned || !all.equals(loaded)) {
             settle();
             makeRoomFor(tunes, all);
             load(tunes, all.edges(), reader);
             tuned = tunes;
-            isEdged = all.edges();
         }
     }
 
     private void startTurning() {
-        if (!arrays.turning()) {
-            makeRoomFor(tuned, features(isEdged).and(new Features(false, true, false, false)));
-            load(tuned, isEdged, reader);
+        if (!loaded.turning()) {
+            makeRoomFor(tuned, loaded.and(new Features(false, true, false, false)));
+            load(tuned, loaded.edges(), reader);
         }
     }
 
@@ -213,7 +212,7 @@ public final class DevicePipeline implements Pipeline {
         if (home.slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
-        if (!arrays.turning() && needTurning(changes)) {
+        if (!loaded.turning() && needTurning(changes)) {
             startTurning();
         }
         commands.makeRoom(changes, home.slots);
@@ -338,7 +337,7 @@ public final class DevicePipeline implements Pipeline {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
         if (stages.reporting() != null) {
-            load(tuned, isEdged, null);
+            load(tuned, loaded.edges(), null);
         }
         if (reader != null) {
             reader.close();

@@ -46,8 +46,7 @@ final class JointAnchors {
             step.anchorCount = 1;
             step.anchorsVersion++;
         }
-        boolean moves = table.anchoredOnBodies() > 0 && places.anyMoves();
-        if (moves || moved || !placed || jumps != places.jumps()) {
+        if (table.anchoredOnBodies() > 0 && (moved || !placed || jumps != places.jumps() || places.anyMoves())) {
             place(step, k, bounds);
             jumps = places.jumps();
             placed = true;

@@ -74,12 +74,10 @@ public final class JointDepartures {
         }
     }
 
-    /** All circles go. */
+    /** All circles go, in the order of their ids. */
     public void removeOfCircles() {
-        for (int joint = 0; joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint)) {
-                remove(joint, GoneJoints.CIRCLE_REMOVED);
-            }
+        for (int circle = 0; table.ids.size() > 0 && circle < handles.end(); circle++) {
+            removeOfCircle(circle);
         }
     }
 
@@ -121,6 +119,6 @@ public final class JointDepartures {
     }
 
     long bytes() {
-        return 4L * leaving.length;
+        return 4L * leaving.length + gone.bytes();
     }
 }

@@ -128,7 +128,7 @@ public final class JointForm {
         int kind = form.kind();
         float length = value(words, JointRow.LENGTH);
         if (Float.isNaN(form.row[JointRow.LENGTH]) && !Float.isNaN(length)) {
-            form.row[JointRow.LENGTH] = Limits.within("the length", length, 0f, JointRules.LENGTH);
+            form.row[JointRow.LENGTH] = Limits.within("the length", length, 0f, JointRules.LENGTH) + 0f;
         }
         if (kind == LIMITS || kind == SPRING) {
             form.set(JointSetting.LIMITS, value(words, JointRow.MIN_LENGTH), value(words, JointRow.MAX_LENGTH));

@@ -39,9 +39,6 @@ public final class Limits {
     /** Radians a second. */
     public static final float ANGULAR_VELOCITY = SPEED;
 
-    /** More than any speed along surfaces: what two circles, their turning and their belts add up to before impulses. */
-    public static final float SLIP = 20 * SPEED;
-
     public static final float TORQUE = FORCE;
 
     public static final float ANGULAR_IMPULSE = 1e18f;

@@ -108,6 +108,7 @@ class ForgedSnapshotTest {
                 }
                 target.step(1 / 60f, 3);
                 assertFinite(target);
+                assertSound(target.joints());
                 Events events = target.events();
                 for (int i = 0; i < events.size(); i++) {
                     assertThat(events.speed(i)).isFinite();
@@ -151,6 +152,20 @@ class ForgedSnapshotTest {
         }
         forged.putLong(SnapshotCodec.CHECK_AT, SnapshotCodec.check(forged, length));
         return forged;
+    }
+
+    private static void assertSound(Joints joints) {
+        float[] ends = new float[4 * joints.size()];
+        joints.readEnds(ends);
+        for (float each : ends) {
+            assertThat(each).isFinite();
+        }
+        for (int id = 0; id < joints.idLimit(); id++) {
+            if (joints.handle(id) != 0) {
+                assertThat(joints.force(joints.handle(id))).isNotNaN();
+                assertThat(joints.torque(joints.handle(id))).isNotNaN();
+            }
+        }
     }
 
     private static void assertFinite(World world) {

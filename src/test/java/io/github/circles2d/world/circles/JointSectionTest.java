@@ -223,6 +223,8 @@ class JointSectionTest {
         refused("an anchor", s -> set(s, PIN, JointRow.ANCHOR_X, Float.NaN));
         refused("an anchor", s -> set(s, PIN, JointRow.ANCHOR_Y, 2e9f));
         refused("out of range", s -> set(s, PIN, JointRow.ANCHOR_X, 101));
+        refused("an initial value", s -> set(s, PIN, JointRow.ANCHOR_X, -0f));
+        refused("an initial value", s -> set(s, RIGID, JointRow.LENGTH, -0f));
         refused("a length", s -> set(s, RIGID, JointRow.LENGTH, Float.NaN));
         refused("a length", s -> set(s, RIGID, JointRow.LENGTH, -1));
         refused("a length", s -> set(s, RIGID, JointRow.LENGTH, Float.POSITIVE_INFINITY));

@@ -26,7 +26,7 @@ class SlipSectionTest {
         refused("hits that slid as it says", b -> b.putInt(b.limit() - 12, 2));
         refused("are not in order", b -> b.putInt(b.limit() - 8, 99));
         refused("are not in order", b -> b.putInt(b.limit() - 8, -1));
-        for (float speed : new float[] {0, -0f, -1, 1e12f, Float.POSITIVE_INFINITY, Float.NaN}) {
+        for (float speed : new float[] {0, -0f, -1, Float.POSITIVE_INFINITY, Float.NaN}) {
             refused("is out of range", b -> b.putFloat(b.limit() - 4, speed));
         }
     }

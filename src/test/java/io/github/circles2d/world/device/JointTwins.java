@@ -57,6 +57,9 @@ final class JointTwins {
     /** Whether some break under small forces. */
     boolean fragile;
 
+    /** The most joints of a batch; of a component of a batch two thirds. The order of visits does not show it. */
+    int batch = 12;
+
     private int serials;
     private float h;
     private int subSteps;
@@ -282,9 +285,8 @@ final class JointTwins {
         return component;
     }
 
-    /** Components of more than eight joints are in no batch, which has up to twelve: the order of visits does not show. */
     private void order(int[] component, int circles) {
-        int[] batch = new int[circles];
+        int[] batchOf = new int[circles];
         int[] size = new int[circles];
         for (int joint = 0; joint < tables.joints; joint++) {
             if (exists(joint) && colour[joint] < SPLIT) {
@@ -292,19 +294,19 @@ final class JointTwins {
             }
         }
         int batches = 0;
-        int filled = 12;
+        int filled = batch;
         for (int c = 0; c < circles; c++) {
-            if (size[c] > 0 && size[c] <= 8) {
-                if (filled + size[c] > 12) {
+            if (size[c] > 0 && 3 * size[c] <= 2 * batch) {
+                if (filled + size[c] > batch) {
                     batches++;
                     filled = 0;
                 }
                 filled += size[c];
-                batch[c] = batches - 1;
+                batchOf[c] = batches - 1;
             }
         }
         for (int c = 0; c < circles; c++) {
-            batch[c] = size[c] > 8 ? batches : batch[c];
+            batchOf[c] = 3 * size[c] > 2 * batch ? batches : batchOf[c];
         }
         tables.batches = batches;
         tables.order = new int[tables.joints];
@@ -315,7 +317,7 @@ final class JointTwins {
             for (int c = 0; c <= JointStep.COLOURS; c++) {
                 tables.starts[JointStep.BATCH_STRIDE * k + c] = place;
                 for (int joint = 0; joint < tables.joints && c < SPLIT; joint++) {
-                    if (exists(joint) && colour[joint] == c && batch[component[end(joint, JointRow.A)]] == k) {
+                    if (exists(joint) && colour[joint] == c && batchOf[component[end(joint, JointRow.A)]] == k) {
                         tables.order[place++] = joint;
                         tables.colours = Math.max(tables.colours, c + 1);
                     }

@@ -59,6 +59,7 @@ class JointsAgreeTest {
                         twins.changeSurfaces(random);
                         joints.turning = true;
                     }
+                    joints.batch = k % 3 == 0 ? 12 : 512;
                     joints.make(k == 1 ? 1 : 60 * k, circles, k % 2 == 0 ? 0 : 2, random);
                     split += joints.split();
                     batches += joints.batches();

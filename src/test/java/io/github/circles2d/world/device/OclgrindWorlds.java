@@ -146,7 +146,7 @@ final class OclgrindWorlds {
                 kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
                 break;
             case "joints of tiles":
-                kernels.addAll(joints(Plans.TILES, Scenes.thesis(20, 1), false));
+                kernels.addAll(joints(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
                 kernels.addAll(joints(Plans.TILES, Scenes.mixed(20, 1), true));
                 break;
             default:
@@ -331,7 +331,7 @@ final class OclgrindWorlds {
         }
     }
 
-    /** Joints of every form: in batches, in none, and split ones; some break. */
+    /** A step without joints; then joints of every form: in batches, in none, and split ones; some break. */
     private Set<String> joints(Plans plans, Scene scene, boolean turns) {
         DevicePipeline pipeline = pipeline(plans);
         SplittableRandom random = new SplittableRandom(6);
@@ -343,6 +343,7 @@ final class OclgrindWorlds {
         int broken = 0;
         Set<String> kernels;
         try (Twins twins = Twins.load(scene, subSteps, joints.on(jvm(), pipeline))) {
+            twins.step(scene.timeStep(), 1);
             for (int k = 0; k < 3; k++) {
                 if (turns && k == 1) {
                     twins.letChangesTurn();

@@ -6,6 +6,7 @@ import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
@@ -61,7 +62,7 @@ final class TerrainTwins {
         if (method.getName().equals("step")) {
             prepare((StepInput) arguments[0]);
         } else if (method.getName().equals("prepare")) {
-            arguments[3] = true;
+            arguments[1] = ((Features) arguments[1]).and(new Features(false, false, true, false));
         }
         try {
             return method.invoke(pipeline, arguments);

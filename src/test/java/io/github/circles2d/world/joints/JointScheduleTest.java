@@ -212,17 +212,43 @@ class JointScheduleTest {
 
     @Test
     void aColourIsTheLeastThatIsFreeAtBothCirclesAndStays() {
-        for (int k = 0; k < JointStep.COLOURS; k++) {
+        for (int k = 0; k < JointStep.HUB; k++) {
             assertThat(table.colour(add(0, 1 + k))).isEqualTo(k);
         }
-        assertThat(table.colour(add(0, 100))).isEqualTo(JointTable.SPLIT);
-        assertThat(table.colour(add(100, 5))).isZero();
-        assertThat(table.colour(add(100, 1))).isEqualTo(1);
-        assertThat(table.colour(add(7, JointRow.NONE))).isZero();
+        assertThat(table.colour(add(2, 5))).isZero();
+        assertThat(table.colour(add(5, 3))).isEqualTo(1);
         table.remove(3);
         assertThat(table.colour(add(200, 0))).isEqualTo(3);
-        assertThat(table.colour(add(200, 0))).isEqualTo(JointTable.SPLIT);
-        assertThat(table.colour(JointStep.COLOURS)).isEqualTo(JointTable.SPLIT);
+        assertThat(table.colour(1)).isEqualTo(1);
+        for (int k = 0; k < JointStep.COLOURS; k++) {
+            assertThat(table.colour(add(300, JointRow.NONE))).isEqualTo(k);
+        }
+        assertThat(table.colour(add(300, JointRow.NONE))).isEqualTo(JointTable.SPLIT);
+        assertThat(table.colour(add(300, 301))).isEqualTo(JointTable.SPLIT);
+    }
+
+    @Test
+    void allJointsOfAHubWithOthersAreSplitOnceAndForAll() {
+        int pin = add(0, JointRow.NONE);
+        for (int k = 0; k < JointStep.HUB; k++) {
+            assertThat(table.colour(add(1 + k, 0))).isEqualTo(k + 1);
+        }
+        int last = add(0, 100);
+        assertThat(table.colour(pin)).isZero();
+        for (int joint = pin + 1; joint <= last; joint++) {
+            assertThat(table.colour(joint)).isEqualTo(JointTable.SPLIT);
+        }
+        assertThat(table.colour(add(0, 101))).isEqualTo(JointTable.SPLIT);
+        assertThat(table.colour(add(100, 3))).isZero();
+        for (int joint = last - 2; joint <= last; joint++) {
+            table.remove(joint);
+        }
+        assertThat(table.colour(1)).isEqualTo(JointTable.SPLIT);
+        assertThat(table.colour(add(0, 102))).isEqualTo(1);
+        assertThat(table.colour(add(0, 103))).isEqualTo(JointTable.SPLIT);
+        make();
+        checkOrder();
+        checkColours();
     }
 
     @Test

@@ -71,15 +71,23 @@ class PlansTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsWithJointsAreNotMadeInOneLaunch(Device device) {
+        Steps steps = with(steps(1, 1000, false), false, false, true);
+        assertThat(Plans.first(Plans.PERSISTENT_GPU.of(device), steps)).isInstanceOf(Tiles.class);
+        assertThat(Plans.first(Plans.COLOURS.of(device), steps)).isInstanceOf(ByColours.class);
+    }
+
     private static Steps turning(Steps s) {
-        return with(s, s.recording(), true);
+        return with(s, s.recording(), true, s.joints());
     }
 
     private static Steps recording(Steps s) {
-        return with(s, true, s.turning());
+        return with(s, true, s.turning(), s.joints());
     }
 
-    private static Steps with(Steps s, boolean recording, boolean turning) {
+    private static Steps with(Steps s, boolean recording, boolean turning, boolean joints) {
         return new Steps(
                 s.count(),
                 s.levels(),
@@ -92,7 +100,7 @@ class PlansTest {
                 recording,
                 s.sensing(),
                 turning,
-                s.joints());
+                joints);
     }
 
     @ParameterizedTest
