@@ -85,10 +85,10 @@ final class ReferenceJoints {
         joints.set(joint.id, null);
     }
 
-    /** Removes the joints of circles that go. */
-    void removedCircles(Predicate<Circle> gone) {
+    /** Removes the joints of a circle that goes. */
+    void removed(Circle gone) {
         all().stream()
-                .filter(joint -> gone.test(joint.a) || joint.b != null && gone.test(joint.b))
+                .filter(joint -> joint.isOf(gone))
                 .forEach(joint -> go(joint, JointEvents.Reason.CIRCLE_REMOVED, 0f, 0f));
     }
 

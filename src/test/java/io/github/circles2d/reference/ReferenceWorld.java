@@ -195,7 +195,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
-        joints.removedCircles(find(handle)::equals);
+        joints.removed(find(handle));
         events.removed(find(handle));
         forgetImpulses(find(handle));
         byId.set((int) handle, null);
@@ -282,7 +282,6 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clear() {
-        joints.removedCircles(circle -> true);
         circles().forEach(c -> remove(c.handle));
     }
 
