@@ -1,4 +1,4 @@
-// uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/stages/Pieces.cl world/tiles/TileLevels.cl
+// uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/stages/Joints.cl world/stages/Pieces.cl world/tiles/TileLevels.cl
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay run the stages one after
 // another, with a barrier over all of them in between.
 
@@ -57,6 +57,12 @@ void listAll(World *w, local Local *l) {
     if (fast) w->status[FAST] = 1;
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
+#ifdef JOINTS
+    if (w->joints->any) {
+        EACH(place, max(w->joints->count, w->joints->splitCircles)) findJoint(w, place);
+        deviceBarrier(arrivals);
+    }
+#endif
     if (w->k.sweeping) {
         if (get_local_id(0) == 0) l->classes = 0;
         barrier(CLK_LOCAL_MEM_FENCE);
@@ -112,7 +118,39 @@ void listAll(World *w, local Local *l) {
     deviceBarrier(arrivals);
 }
 
-// With several levels: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
+#ifdef JOINTS
+// All joints of a pass, as the Java class JointKernels has it.
+void passJoints(const World *w, int pass, int subStep, bool speeds, bool impulses) {
+    if (!w->joints->any) return;
+    volatile global int *arrivals = w->status + ARRIVALS;
+    World cross = crossWorld(*w);
+    int batches = w->joints->batches;
+    int colours = w->joints->colours;
+    for (int batch = (int) get_group_id(0); batch < batches; batch += (int) get_num_groups(0)) {
+        passBatch(&cross, batch, colours, pass, subStep);
+    }
+    if (batches > 0) deviceBarrier(arrivals);
+    global const int *starts = startsOf(w, batches);
+    for (int colour = 0; colour < colours; colour++) {
+        int from = starts[colour];
+        int to = starts[colour + 1];
+        if (from == to) continue;
+        EACH(k, to - from) visitJoint(&cross, from + k, pass, subStep, false);
+        deviceBarrier(arrivals);
+    }
+    int split = w->joints->count - w->joints->splitStart;
+    if (split == 0) return;
+    EACH(k, split) visitJoint(&cross, w->joints->splitStart + k, pass, subStep, true);
+    deviceBarrier(arrivals);
+    EACH(number, w->joints->splitCircles) takeJointSums(&cross, number, speeds, impulses);
+    deviceBarrier(arrivals);
+}
+#define PASS_JOINTS(w, pass, subStep, speeds, impulses) passJoints(w, pass, subStep, speeds, impulses)
+#else
+#define PASS_JOINTS(w, pass, subStep, speeds, impulses)
+#endif
+
+// With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
 void beforeTiles(const World *w, int subStep, bool relaxing) {
     if (relaxing) return;
     EACH(slot, w->circles) startSlot(w, slot, subStep == 0);
@@ -123,14 +161,16 @@ void behindTiles(const World *w, int subStep, bool relaxing) {
     World cross = crossWorld(*w);
     cross.firstCached = w->homeFirstCached;
     bool last = subStep == w->k.subSteps - 1;
-    EACH(slot, w->circles) {
+    PASS_JOINTS(w, relaxing ? JOINT_RELAX : JOINT_SOLVE, subStep, true, relaxing && !last);
+    int circles = hasOneLevel(w) ? 0 : w->circles;
+    EACH(slot, circles) {
         if (relaxing) {
             relaxCrossOf(&cross, slot, last);
         } else {
             solveCrossOf(&cross, slot);
         }
     }
-    deviceBarrier(w->status + ARRIVALS);
+    if (circles > 0) deviceBarrier(w->status + ARRIVALS);
     if (relaxing && !last) return;
     EACH(slot, w->circles) {
         if (relaxing) {
@@ -145,12 +185,17 @@ void behindTiles(const World *w, int subStep, bool relaxing) {
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
-    bool several = !hasOneLevel(w);
+    bool several = sharesPasses(w);
     int tiles = w->levels->tileCount;
     int group = (int) get_group_id(0);
     int groups = (int) get_num_groups(0);
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
-    if (several) {
+#ifdef JOINTS
+    EACH(place, w->joints->any ? w->joints->count : 0) beginJoint(w, place);
+    if (w->joints->any) deviceBarrier(arrivals);
+#endif
+    PASS_JOINTS(w, JOINT_PREPARE, 0, false, true);
+    if (!hasOneLevel(w)) {
         World cross = crossWorld(*w);
         EACH(slot, w->circles) fillCrossOf(&cross, slot);
         deviceBarrier(arrivals);

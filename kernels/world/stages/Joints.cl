@@ -33,28 +33,31 @@ void freeFromPath(const World *w, int slot) {
     if (slot != NONE) ((global float *) (w->motionClamp + slot))[ALLOWANCE_AT] = INFINITY;
 }
 
-// Finds the circles of joints that have not broken. It may be done for a step that is refused then. Index space: places in the order, and
-// numbers of circles of split joints.
-kernel void joints_find(WORLD_PARAMETERS) {
-    World w = WORLD;
-    if (refused(&w)) return;
-    int place = (int) get_global_id(0);
-    if (place < w.joints->splitCircles) {
-        jointTable(&w, w.joints->shares)[place] = 0;
-        global long2 *sums = (global long2 *) jointTable(&w, w.joints->sums) + 3 * place;
+// Finds the circles of a joint that has not broken. It may be done for a step that is refused then. place: also the number of a circle of split
+// joints.
+void findJoint(const World *w, int place) {
+    if (place < w->joints->splitCircles) {
+        jointTable(w, w->joints->shares)[place] = 0;
+        global long2 *sums = (global long2 *) jointTable(w, w->joints->sums) + 3 * place;
         for (int k = 0; k < 3; k++) sums[k] = (long2)(0);
     }
-    if (place >= w.joints->count) return;
-    int joint = jointAt(&w, place);
+    if (place >= w->joints->count) return;
+    int joint = jointAt(w, place);
     JointVisit v;
-    takeTraits(&w, joint, &v);
+    takeTraits(w, joint, &v);
     int2 ends = (int2)(NONE);
-    if (*jointSerial(&w, joint) != ~v.HOLD_SERIAL) {
-        ends = (int2)(slotOfCircle(&w, v.HOLDS_A), slotOfCircle(&w, v.HOLDS_B));
-        freeFromPath(&w, ends.x);
-        freeFromPath(&w, ends.y);
+    if (*jointSerial(w, joint) != ~v.HOLD_SERIAL) {
+        ends = (int2)(slotOfCircle(w, v.HOLDS_A), slotOfCircle(w, v.HOLDS_B));
+        freeFromPath(w, ends.x);
+        freeFromPath(w, ends.y);
     }
-    *endsOf(&w, place) = ends;
+    *endsOf(w, place) = ends;
+}
+
+// Index space: places in the order, and numbers of circles of split joints.
+kernel void joints_find(WORLD_PARAMETERS) {
+    World w = WORLD;
+    if (!refused(&w)) findJoint(&w, (int) get_global_id(0));
 }
 
 // The numbers of the circles of a split joint.
@@ -62,37 +65,41 @@ int2 splitEndsOf(const World *w, int place) {
     return ((global const int2 *) jointTable(w, w->joints->splitEnds))[place - w->joints->splitStart];
 }
 
-// Scales the impulses of the step before; a new joint has none. Once a step, which is not refused. Index space: places in the order.
-kernel void joints_begin(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int place = (int) get_global_id(0);
-    if (place >= w.joints->count || refused(&w)) return;
-    if (endsOf(&w, place)->x == NONE) return;
-    int joint = jointAt(&w, place);
+// Scales the impulses of the step before; a new joint has none. Once a step, which is not refused.
+void beginJoint(const World *w, int place) {
+    if (endsOf(w, place)->x == NONE) return;
+    int joint = jointAt(w, place);
     JointVisit v;
-    takeTraits(&w, joint, &v);
-    global int *serial = jointSerial(&w, joint);
-    global float4 *kept = keptOf(&w, joint);
+    takeTraits(w, joint, &v);
+    global int *serial = jointSerial(w, joint);
+    global float4 *kept = keptOf(w, joint);
     bool isNew = *serial != v.HOLD_SERIAL;
     *serial = v.HOLD_SERIAL;
     v.kept[0] = isNew ? (float4)(0.0f) : kept[0];
     v.kept[1] = isNew ? (float4)(0.0f) : kept[1];
-    v.KEPT_AXIAL *= w.warmScale;
-    v.KEPT_ACROSS *= w.warmScale;
-    v.KEPT_LOWER *= w.warmScale;
-    v.KEPT_UPPER *= w.warmScale;
-    v.KEPT_ANGULAR *= w.warmScale;
+    v.KEPT_AXIAL *= w->warmScale;
+    v.KEPT_ACROSS *= w->warmScale;
+    v.KEPT_LOWER *= w->warmScale;
+    v.KEPT_UPPER *= w->warmScale;
+    v.KEPT_ANGULAR *= w->warmScale;
     v.KEPT_SUM_X = 0.0f;
     v.KEPT_SUM_Y = 0.0f;
     v.KEPT_SUM_ANGULAR = 0.0f;
     kept[0] = v.kept[0];
     kept[1] = v.kept[1];
-    if (place >= w.joints->splitStart) {
-        int2 numbers = splitEndsOf(&w, place);
-        global int *shares = jointTable(&w, w.joints->shares);
+    if (place >= w->joints->splitStart) {
+        int2 numbers = splitEndsOf(w, place);
+        global int *shares = jointTable(w, w->joints->shares);
         if (numbers.x >= 0) atomic_inc(shares + numbers.x);
         if (numbers.y >= 0) atomic_inc(shares + numbers.y);
     }
+}
+
+// Index space: places in the order.
+kernel void joints_begin(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int place = (int) get_global_id(0);
+    if (place < w.joints->count && !refused(&w)) beginJoint(&w, place);
 }
 
 // solving: with the velocity as the sub-step began, for springs.
@@ -340,20 +347,27 @@ void visitJoint(const World *w, int place, int pass, int subStep, bool split) {
     if (last && breaks(&w->k, &v)) breakJoint(w, jointAt(w, place));
 }
 
+// The starts of the colours of a batch, or of the joints that are in none, which have the number behind the last batch.
+global const int *startsOf(const World *w, int batch) { return jointTable(w, w->joints->starts) + JOINT_STARTS * batch; }
+
+// By a work-group.
+void passBatch(const World *w, int batch, int colours, int pass, int subStep) {
+    global const int *starts = startsOf(w, batch);
+    for (int colour = 0; colour < colours; colour++) {
+        int to = starts[colour + 1];
+        for (int place = starts[colour] + (int) get_local_id(0); place < to; place += (int) get_local_size(0)) {
+            visitJoint(w, place, pass, subStep, false);
+        }
+        barrier(CLK_GLOBAL_MEM_FENCE);
+    }
+}
+
 // All joints that are in batches. Index space: a work-group a batch. Cost: its joints.
 kernel __attribute__((reqd_work_group_size(JOINT_GROUP, 1, 1))) void joints_passBatches(WORLD_PARAMETERS, int pass, int subStep) {
     World w = WORLD;
     bool idle = refused(&w);
-    int colours = idle ? 0 : w.joints->colours;
     if (!idle) w = crossWorld(w);
-    global const int *starts = jointTable(&w, w.joints->starts) + JOINT_STARTS * (int) get_group_id(0);
-    for (int colour = 0; colour < colours; colour++) {
-        int to = starts[colour + 1];
-        for (int place = starts[colour] + (int) get_local_id(0); place < to; place += JOINT_GROUP) {
-            visitJoint(&w, place, pass, subStep, false);
-        }
-        barrier(CLK_GLOBAL_MEM_FENCE);
-    }
+    passBatch(&w, (int) get_group_id(0), idle ? 0 : w.joints->colours, pass, subStep);
 }
 
 // Joints of a colour that are in no batch. Index space: these.
@@ -361,7 +375,7 @@ kernel void joints_passColour(WORLD_PARAMETERS, int pass, int subStep, int colou
     World w = WORLD;
     if (refused(&w)) return;
     w = crossWorld(w);
-    global const int *starts = jointTable(&w, w.joints->starts) + JOINT_STARTS * w.joints->batches;
+    global const int *starts = startsOf(&w, w.joints->batches);
     int place = starts[colour] + (int) get_global_id(0);
     if (place < starts[colour + 1]) visitJoint(&w, place, pass, subStep, false);
 }
@@ -375,39 +389,44 @@ kernel void joints_passSplit(WORLD_PARAMETERS, int pass, int subStep) {
     if (place < w.joints->count) visitJoint(&w, place, pass, subStep, true);
 }
 
-// Circles take the sums of what split joints gave. Index space: these circles.
-kernel void joints_takeSums(WORLD_PARAMETERS, int speeds, int impulses) {
-    World w = WORLD;
-    int number = (int) get_global_id(0);
-    if (number >= w.joints->splitCircles || refused(&w)) return;
-    if (jointTable(&w, w.joints->shares)[number] == 0) return;
-    w = crossWorld(w);
-    int slot = slotOfCircle(&w, jointTable(&w, w.joints->splitIds)[number]);
-    bool moves = w.traits[slot].INVERSE_MASS != 0.0f;
+// A circle takes the sums of what split joints gave. w: by tiles, as crossWorld has it.
+void takeJointSums(const World *w, int number, bool speeds, bool impulses) {
+    if (jointTable(w, w->joints->shares)[number] == 0) return;
+    int slot = slotOfCircle(w, jointTable(w, w->joints->splitIds)[number]);
+    bool moves = w->traits[slot].INVERSE_MASS != 0.0f;
     if (speeds) {
-        global long *sums = jointSums(&w, number, true);
+        global long *sums = jointSums(w, number, true);
         if (moves) {
-            float unit = unitOf(jointRange(&w, slot, true));
-            float2 v = w.motion[slot].VELOCITY;
-            w.motion[slot].VELOCITY = (float2)(v.x + fromFixed(sums[0], unit), v.y + fromFixed(sums[1], unit));
+            float unit = unitOf(jointRange(w, slot, true));
+            float2 v = w->motion[slot].VELOCITY;
+            w->motion[slot].VELOCITY = (float2)(v.x + fromFixed(sums[0], unit), v.y + fromFixed(sums[1], unit));
 #ifdef TURNING
-            crossSpeeds(&w)[slot] += fromFixed(sums[2], unit);
+            crossSpeeds(w)[slot] += fromFixed(sums[2], unit);
 #endif
         }
         sums[0] = sums[1] = sums[2] = 0;
     }
     if (impulses) {
-        global long *sums = jointSums(&w, number, false);
+        global long *sums = jointSums(w, number, false);
         if (moves) {
-            float unit = unitOf(jointRange(&w, slot, false));
-            global float *sum = (global float *) (w.load + slot) + IMPULSES_AT;
+            float unit = unitOf(jointRange(w, slot, false));
+            global float *sum = (global float *) (w->load + slot) + IMPULSES_AT;
             sum[0] += fromFixed(sums[0], unit);
             sum[1] += fromFixed(sums[1], unit);
 #ifdef TURNING
-            w.spinImpulse[slot] += fromFixed(sums[2], unit);
+            w->spinImpulse[slot] += fromFixed(sums[2], unit);
 #endif
         }
         sums[0] = sums[1] = sums[2] = 0;
     }
+}
+
+// Index space: circles of split joints.
+kernel void joints_takeSums(WORLD_PARAMETERS, int speeds, int impulses) {
+    World w = WORLD;
+    int number = (int) get_global_id(0);
+    if (number >= w.joints->splitCircles || refused(&w)) return;
+    w = crossWorld(w);
+    takeJointSums(&w, number, speeds != 0, impulses != 0);
 }
 #endif

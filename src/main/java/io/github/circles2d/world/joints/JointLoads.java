@@ -25,8 +25,8 @@ public final class JointLoads {
         return rate(states.rows[JointState.of(joint) + JointState.SUM_ANGULAR], dt);
     }
 
-    /** There is one zero. */
+    /** There is one zero; 0 before the first step, also in a world that was restored to then. */
     private static float rate(float sum, float dt) {
-        return sum / dt + 0f;
+        return dt > 0f ? sum / dt + 0f : 0f;
     }
 }

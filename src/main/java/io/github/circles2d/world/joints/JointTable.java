@@ -1,8 +1,6 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.IdTable;
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.terrain.BodyTable;
@@ -24,15 +22,13 @@ public final class JointTable {
     private static final int A = 0;
     private static final int B = 1;
 
-    private static final int ALL_COLOURS = (1 << JointStep.COLOURS) - 1;
-
     public final IdTable ids = new IdTable();
 
     final SpringTable springs = new SpringTable();
 
     float[] rows = new float[0];
     int[] traits = new int[0];
-    private byte[] colour = new byte[0];
+    final JointColours colours = new JointColours();
 
     /** By joint: the body of terrain of its anchor, or {@link #WORLD}; and where it is in the body's coordinates. */
     private int[] body = new int[0];
@@ -40,12 +36,6 @@ public final class JointTable {
     private float[] onBody = new float[0];
 
     private final JointLists ofCircles = new JointLists();
-
-    /** By circle: a bit for each colour that one of its joints has. */
-    private int[] coloursOfCircle = new int[0];
-
-    /** By circle: its joints with other circles. */
-    private int[] partnersOfCircle = new int[0];
 
     private int lastSerial;
 
@@ -78,7 +68,7 @@ public final class JointTable {
     private void setRoom(int c) {
         rows = Arrays.copyOf(rows, JointRow.of(c));
         traits = Arrays.copyOf(traits, JointRow.traits(c));
-        colour = Arrays.copyOf(colour, c);
+        colours.setRoom(c);
         body = Arrays.copyOf(body, c);
         onBody = Arrays.copyOf(onBody, 2 * c);
         ids.setRoom(c);
@@ -86,10 +76,7 @@ public final class JointTable {
 
     private void ensureCircles(int circleIds) {
         ofCircles.ensure(circleIds, ENDS * ids.room());
-        if (coloursOfCircle.length < circleIds) {
-            partnersOfCircle = Arrays.copyOf(partnersOfCircle, Math.max(circleIds, coloursOfCircle.length * 3 / 2));
-            coloursOfCircle = Arrays.copyOf(coloursOfCircle, partnersOfCircle.length);
-        }
+        colours.ensure(circleIds);
     }
 
     /** Makes room for one more spring. */
@@ -129,7 +116,7 @@ public final class JointTable {
     }
 
     public int colour(int joint) {
-        return colour[joint];
+        return colours.get(joint);
     }
 
     public int body(int joint) {
@@ -223,7 +210,7 @@ public final class JointTable {
     public int add(JointForm form, int a, int b) {
         int joint = ids.add();
         put(joint, form, a, b);
-        colour[joint] = (byte) freeColour(a, b);
+        colours.set(joint, colours.free(a, b));
         link(joint);
         if (b != JointRow.NONE) {
             splitIfHub(joint, a);
@@ -234,37 +221,32 @@ public final class JointTable {
 
     /** Splits the joints of a circle with others that has so many. It does so once for all; then a new joint alone has a colour. */
     private void splitIfHub(int joint, int circle) {
-        if (partnersOfCircle[circle] == JointStep.HUB + 1) {
+        if (colours.becomesHub(circle)) {
             for (int place = firstOfCircle(circle); place >= 0; place = nextOfCircle(place)) {
                 if (b(jointAt(place)) != JointRow.NONE) {
                     split(jointAt(place));
                 }
             }
-        } else if (partnersOfCircle[circle] > JointStep.HUB) {
+        } else if (colours.isHub(circle)) {
             split(joint);
         }
     }
 
     private void split(int joint) {
-        coloursOfCircle[a(joint)] &= ~bit(joint);
-        coloursOfCircle[b(joint)] &= ~bit(joint);
-        colour[joint] = SPLIT;
+        colours.split(joint, a(joint), b(joint));
     }
 
     /** All but the colour, the lists and the id. */
     private void put(int joint, JointForm form, int a, int b) {
         System.arraycopy(form.row, 0, rows, JointRow.of(joint), JointRow.STRIDE);
-        put(joint, form.traits, a, b, springOf(form.traits, form.frequency, form.dampingRatio));
-        setReferences(joint, form.angle, 0);
-    }
-
-    private void put(int joint, int form, int a, int b, int spring) {
         int at = JointRow.traits(joint);
         traits[at + JointRow.A] = a;
         traits[at + JointRow.B] = b;
-        traits[at + JointRow.FORM] = form;
-        traits[at + JointRow.SPRING] = spring;
+        traits[at + JointRow.FORM] = form.traits;
+        traits[at + JointRow.SPRING] = springOf(form.traits, form.frequency, form.dampingRatio);
         traits[at + JointRow.ANCHOR] = 0;
+        traits[at + JointRow.REFERENCE_A] = form.angle;
+        traits[at + JointRow.REFERENCE_B] = 0;
         body[joint] = WORLD;
         renew(joint);
     }
@@ -273,42 +255,29 @@ public final class JointTable {
         return JointForm.has(form, JointRow.ELASTIC) ? springs.take(frequency, dampingRatio) : 0;
     }
 
-    private int freeColour(int a, int b) {
-        int free = ~(coloursOf(a) | coloursOf(b)) & ALL_COLOURS;
-        return free == 0 ? SPLIT : Integer.numberOfTrailingZeros(free);
-    }
-
-    private int coloursOf(int circle) {
-        return circle == JointRow.NONE ? 0 : coloursOfCircle[circle];
-    }
-
     /** Enters a joint, which has its colour, into the lists of its circles. */
-    private void link(int joint) {
-        linkEnd(joint, A, a(joint));
-        linkEnd(joint, B, b(joint));
+    void link(int joint) {
+        int a = a(joint);
+        int b = b(joint);
+        ofCircles.add(a, ENDS * joint + A);
+        if (b != JointRow.NONE) {
+            ofCircles.add(b, ENDS * joint + B);
+        }
+        colours.enter(joint, a, b);
         count(joint, 1);
         orderChanged = true;
     }
 
-    private void linkEnd(int joint, int end, int circle) {
-        if (circle != JointRow.NONE) {
-            ofCircles.add(circle, ENDS * joint + end);
-            coloursOfCircle[circle] |= bit(joint);
-            partnersOfCircle[circle] += b(joint) == JointRow.NONE ? 0 : 1;
+    private void unlink(int joint) {
+        int a = a(joint);
+        int b = b(joint);
+        count(joint, -1);
+        ofCircles.remove(a, ENDS * joint + A);
+        if (b != JointRow.NONE) {
+            ofCircles.remove(b, ENDS * joint + B);
         }
-    }
-
-    private void unlinkEnd(int joint, int end, int circle) {
-        if (circle != JointRow.NONE) {
-            ofCircles.remove(circle, ENDS * joint + end);
-            coloursOfCircle[circle] &= ~bit(joint);
-            partnersOfCircle[circle] -= b(joint) == JointRow.NONE ? 0 : 1;
-        }
-    }
-
-    /** 0 of a split joint. */
-    private int bit(int joint) {
-        return 1 << colour[joint] & ALL_COLOURS;
+        colours.leave(joint, a, b);
+        orderChanged = true;
     }
 
     /** Counts a joint among those that have what it has, or takes it out. */
@@ -387,9 +356,7 @@ public final class JointTable {
     }
 
     public void remove(int joint) {
-        count(joint, -1);
-        unlinkEnd(joint, A, a(joint));
-        unlinkEnd(joint, B, b(joint));
+        unlink(joint);
         if (body[joint] != WORLD) {
             anchoredOnBodies--;
         }
@@ -399,7 +366,6 @@ public final class JointTable {
         traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
         changed(joint);
         ids.remove(joint);
-        orderChanged = true;
     }
 
     /** Removes all joints. */
@@ -426,132 +392,39 @@ public final class JointTable {
     // ---- states
     // ------------------------------------------------------------------------------------------------------
 
-    public void save(SavedJoints to) {
-        to.setIds(ids.end());
-        ids.save(to.generation);
-        for (int joint = 0; joint < to.ids; joint++) {
-            to.form[joint] = ids.lives(joint) ? form(joint) : JointRow.NO_JOINT;
-            if (ids.lives(joint)) {
-                save(joint, to);
-            }
-        }
-    }
-
-    private void save(int joint, SavedJoints to) {
-        to.colour[joint] = colour[joint];
-        to.a[joint] = a(joint);
-        to.b[joint] = b(joint);
-        to.body[joint] = body[joint];
-        to.referenceA[joint] = reference(joint, JointRow.REFERENCE_A);
-        to.referenceB[joint] = reference(joint, JointRow.REFERENCE_B);
-        for (int k = 0; k < SavedJoints.VALUES; k++) {
-            to.values[SavedJoints.VALUES * joint + k] = savedValue(joint, k);
-        }
-    }
-
-    /** A value of {@link SavedJoints}. */
-    private float savedValue(int joint, int k) {
-        return switch (k) {
-            case SavedJoints.FREQUENCY -> frequency(joint);
-            case SavedJoints.DAMPING_RATIO -> dampingRatio(joint);
-            case JointRow.ANCHOR_X -> body[joint] == WORLD ? value(joint, k) : onBodyX(joint);
-            case JointRow.ANCHOR_Y -> body[joint] == WORLD ? value(joint, k) : onBodyY(joint);
-            default -> value(joint, k);
-        };
-    }
-
-    /** Leaves what joints of now keep; others have no impulses. */
-    public void keepPresent(SavedJointStates states) {
-        states.extend(ids.end());
-        for (int joint = 0; joint < ids.end(); joint++) {
-            if (!ids.lives(joint) || states.serial[joint] != serial(joint)) {
-                states.clear(joint);
-            }
-        }
-    }
-
-    /** Makes room for {@link #load}. If there is none, nothing has changed. */
-    public void makeRoom(SavedJoints from, int circleIds) {
-        if (from.ids > ids.room()) {
-            setRoom(from.ids);
+    /** Makes room for so many joints, of circles of ids below a limit, with a spring each. If there is none, nothing has changed. */
+    void makeRoom(int joints, int circleIds) {
+        if (joints > ids.room()) {
+            setRoom(joints);
         }
         if (ids.room() > 0) {
             ensureCircles(circleIds);
-            springs.ensure(from.ids);
+            springs.ensure(joints);
         }
     }
 
-    /** Takes over saved joints, whose circles and bodies are there; what they keep gets the serials of now. There is room. */
-    public void load(SavedJoints from, SavedJointStates states) {
-        if (!areThose(from)) {
-            replace(from);
-        }
-        for (int joint = 0; joint < from.ids; joint++) {
-            states.serial[joint] = ids.lives(joint) ? serial(joint) : 0;
-        }
-    }
-
-    /** Whether the saved joints are those that are there, by their bits, as in each rollback: their order stays. */
-    private boolean areThose(SavedJoints from) {
-        boolean same = from.ids == ids.end();
-        for (int joint = 0; same && joint < from.ids; joint++) {
-            same = ids.isSame(joint, from.lives(joint), from.generation[joint])
-                    && (!ids.lives(joint) || isThat(from, joint));
-        }
-        return same;
-    }
-
-    private boolean isThat(SavedJoints from, int joint) {
-        boolean same = from.form[joint] == form(joint)
-                && from.colour[joint] == colour[joint]
-                && from.a[joint] == a(joint)
-                && from.b[joint] == b(joint)
-                && from.body[joint] == body[joint]
-                && from.referenceA[joint] == reference(joint, JointRow.REFERENCE_A)
-                && from.referenceB[joint] == reference(joint, JointRow.REFERENCE_B);
-        for (int k = 0; same && k < SavedJoints.VALUES; k++) {
-            same = Float.floatToRawIntBits(from.values[SavedJoints.VALUES * joint + k])
-                    == Float.floatToRawIntBits(savedValue(joint, k));
-        }
-        return same;
-    }
-
-    private void replace(SavedJoints from) {
+    /** Begins to take over saved ids, none of which lives yet; there is room. */
+    void load(int[] generations, int joints) {
         ofCircles.clear();
         springs.clear();
-        Arrays.fill(coloursOfCircle, 0);
-        Arrays.fill(partnersOfCircle, 0);
+        colours.clear();
         turning = 0;
         breakable = 0;
         parting = 0;
         anchoredOnBodies = 0;
         orderChanged = true;
         partnersChanged = true;
-        ids.load(from.generation, from.ids);
-        for (int joint = 0; joint < from.ids; joint++) {
+        ids.load(generations, joints);
+        for (int joint = 0; joint < joints; joint++) {
             traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
             changed(joint);
-            if (from.lives(joint)) {
-                ids.revive(joint);
-                load(joint, from);
-            }
         }
     }
 
-    private void load(int joint, SavedJoints from) {
-        int values = SavedJoints.VALUES * joint;
-        int form = from.form[joint];
-        System.arraycopy(from.values, values, rows, JointRow.of(joint), JointRow.STRIDE);
-        int spring = springOf(
-                form, from.values[values + SavedJoints.FREQUENCY], from.values[values + SavedJoints.DAMPING_RATIO]);
-        put(joint, form, from.a[joint], from.b[joint], spring);
-        setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
-        colour[joint] = from.colour[joint];
-        link(joint);
-        if (from.body[joint] != WORLD) {
-            anchorOn(joint, from.body[joint]);
-            setOnBody(joint, from.values[values + JointRow.ANCHOR_X], from.values[values + JointRow.ANCHOR_Y]);
-        }
+    /** A saved joint lives; its colour, its anchor and {@link #link} follow. */
+    void revive(int joint, JointForm form, int a, int b) {
+        ids.revive(joint);
+        put(joint, form, a, b);
     }
 
     /** Tells a step of the rows. */
@@ -573,8 +446,8 @@ public final class JointTable {
 
     /** Bytes of the table. */
     long bytes() {
-        return 4L * (rows.length + traits.length + body.length + onBody.length + 2 * coloursOfCircle.length)
-                + colour.length
+        return 4L * (rows.length + traits.length + body.length + onBody.length)
+                + colours.bytes()
                 + ofCircles.bytes()
                 + springs.bytes();
     }

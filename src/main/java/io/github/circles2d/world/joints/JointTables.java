@@ -13,6 +13,8 @@ import io.github.circles2d.world.terrain.TerrainTables;
 public final class JointTables {
     public final JointTable table = new JointTable();
 
+    public final JointSaves saves = new JointSaves(table);
+
     private final JointStep step;
     private final HandleTable handles;
     private final TerrainTables terrain;
@@ -145,12 +147,12 @@ public final class JointTables {
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
     public void makeRoom(SavedState from) {
-        table.makeRoom(from.joints, from.ids);
+        table.makeRoom(from.joints.ids, from.ids);
     }
 
     /** Takes over saved joints; circles and terrain are there. There is room. */
     public void load(SavedState from) {
-        table.load(from.joints, from.jointStates);
+        saves.load(from.joints, from.jointStates);
         departures.gone().clear();
         anchors.changed();
     }

@@ -113,12 +113,12 @@ public final class Copies {
     }
 
     private void saveJoints(SavedJoints into, SavedJointStates states) {
-        joints.table.save(into);
+        joints.saves.save(into);
         states.begin(0);
         if (joints.isThere()) {
             pipeline.saveJoints(states);
         }
-        joints.table.keepPresent(states);
+        joints.saves.keepPresent(states);
     }
 
     /** The same object, which the caller fills with another state: it is none of now. */

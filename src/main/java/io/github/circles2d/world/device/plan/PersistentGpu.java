@@ -10,7 +10,7 @@ import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
 
 /**
- * One launch for many steps, by {@link Tiles}, if the world is not too large and has no joints; {@code kernels/world/persistent_gpu/PersistentGpu.cl}. A
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/PersistentGpu.cl}. A
  * launch costs the host several microseconds, and a barrier over resident work-groups costs one or two. In a large world each
  * work-group has several tiles, and barriers cost more than launches.
  */
@@ -59,7 +59,7 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning() && !wanted.joints() && wanted.circles() <= MOST_CIRCLES && sizes.suitTogether(wanted);
+        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suitTogether(wanted);
     }
 
     @Override

@@ -71,14 +71,6 @@ class PlansTest {
         }
     }
 
-    @ParameterizedTest
-    @MethodSource("devices")
-    void stepsWithJointsAreNotMadeInOneLaunch(Device device) {
-        Steps steps = with(steps(1, 1000, false), false, false, true);
-        assertThat(Plans.first(Plans.PERSISTENT_GPU.of(device), steps)).isInstanceOf(Tiles.class);
-        assertThat(Plans.first(Plans.COLOURS.of(device), steps)).isInstanceOf(ByColours.class);
-    }
-
     private static Steps turning(Steps s) {
         return with(s, s.recording(), true, s.joints());
     }
