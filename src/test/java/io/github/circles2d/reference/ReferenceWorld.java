@@ -683,11 +683,11 @@ public final class ReferenceWorld implements WorldCalls {
         return joints.takeEvents();
     }
 
-    /** The joints in the order of their ids: of each the handle, and with which force and torque it acted on its first circle in the last step. */
+    /** Of the joints in the order of their ids, what they did in the last step; nothing before the first one. */
     public List<JointLoad> jointLoads() {
+        float dt = previousDt == 0f ? 1f : previousDt;
         return joints.all().stream()
-                .map(joint -> new JointLoad(
-                        joint.handle, joint.forceX(previousDt), joint.forceY(previousDt), joint.torque(previousDt)))
+                .map(joint -> new JointLoad(joint.handle, joint.forceX(dt), joint.forceY(dt), joint.torque(dt)))
                 .toList();
     }
 
