@@ -7,6 +7,8 @@ float jointMass(float inverse) { return inverse > 0.0f ? 1.0f / inverse : 0.0f; 
 
 float springShare(float share, float split) { return maxf(split * share, 1.0f); }
 
+bool jointLoads(float strain, float radius) { return strain > JOINT_STRAIN * radius; }
+
 float solvedImpulse(float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
     return keptImpulse((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
 }

@@ -82,6 +82,15 @@ void lookAtEnds(JointVisit *v) {
 #endif
 }
 
+// How far it is from what it is to keep, as measured last; springs keep nothing.
+float strainOf(const JointVisit *v) {
+    if (linearOf(v) == HOLD_POINT) return holds(v, HOLD_RIGID) ? lengthf(v->normalX, v->normalY) : 0.0f;
+    float d = v->distance;
+    float strain = holds(v, HOLD_RIGID) ? fabs(d - v->ROW_LENGTH) : 0.0f;
+    strain = holds(v, HOLD_LOWER) ? maxf(v->ROW_MIN_LENGTH - d, strain) : strain;
+    return holds(v, HOLD_UPPER) ? maxf(d - v->ROW_MAX_LENGTH, strain) : strain;
+}
+
 void giveNothing(JointVisit *v) {
     v->pushX = 0.0f;
     v->pushY = 0.0f;

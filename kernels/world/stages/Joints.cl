@@ -241,6 +241,17 @@ void giveToLoads(const World *w, int2 ends, const JointVisit *v) {
     }
 }
 
+// Marks circles that the joint cannot bring to where they should be as loaded in the next sub-step.
+void loadEnds(const World *w, int2 ends, const JointVisit *v) {
+    float strain = strainOf(v);
+    if (v->a.inverseMass != 0.0f && jointLoads(strain, w->circle[ends.x].RADIUS)) {
+        ((global float *) (w->load + ends.x))[LOADED_NEXT_AT] = 1.0f;
+    }
+    if (v->b.inverseMass != 0.0f && jointLoads(strain, w->circle[ends.y].RADIUS)) {
+        ((global float *) (w->load + ends.y))[LOADED_NEXT_AT] = 1.0f;
+    }
+}
+
 // Sums of a circle of split joints: along x and y, and along its surface.
 global long *jointSums(const World *w, int number, bool speeds) {
     return (global long *) jointTable(w, w->joints->sums) + 6 * number + (speeds ? 0 : 3);
@@ -321,6 +332,7 @@ void visitJoint(const World *w, int place, int pass, int subStep, bool split) {
     bool last = pass == JOINT_RELAX && subStep == w->k.subSteps - 1;
     if (pass == JOINT_RELAX) endSubStepOfJoint(&v);
     if (pass != JOINT_SOLVE && !last) {
+        loadEnds(w, ends, &v);
         if (split) {
             giveToSums(w, place, ends, &v, false);
         } else {

@@ -215,6 +215,27 @@ class WorldJointExtremesTest {
         }
     }
 
+    /** Pins pull elastic balls at walls and at other balls with all their might; nothing is shot away. */
+    @Test
+    void elasticBallsThatPinsCannotBringToTheirPlacesStayCalm() {
+        try (World world = WorldScenes.jvm().bounds(0, 0, 10, 10).restitution(1).build()) {
+            for (int k = 0; k < 100; k++) {
+                long ball = world.add(0.5f + k % 10, 0.5f + k / 10, 0.45f, 1, 0.1f * (k % 3), 0.1f * (k % 5));
+                if (k % 10 == 9) {
+                    world.joints().add(ball, 12, 0.5f + k / 10, k % 20 == 9 ? Joint.pin() : Joint.rope(0.5f));
+                }
+            }
+            float[] velocities = new float[200];
+            for (int step = 0; step < 600; step++) {
+                world.step(1 / 60f);
+                world.readVelocities(velocities);
+                for (float v : velocities) {
+                    assertThat(v).isBetween(-60f, 60f);
+                }
+            }
+        }
+    }
+
     /** What holds a weight breaks as soon as it is asked to hold more, and not before. */
     @Test
     void aJointBreaksByTheForceThatItTells() {

@@ -13,6 +13,7 @@ import io.github.circles2d.reference.ReferenceJoint.Linear;
 /** A joint within a step, in which it has not broken. What it gives are an impulse on B, an angular one on A, and one that both get. */
 final class JointVisit {
     private static final float GREATEST_IMPULSE = 1e20f;
+    private static final float STRAIN = 0.1f;
     private static final float[] NOTHING = {0f, 0f};
     private static final float RADIANS_PER_UNIT = 1.4629181e-9f;
     private static final float UNITS_PER_RADIAN = 683565275.576f;
@@ -186,6 +187,24 @@ final class JointVisit {
         return sum > 0f ? 1f / sum : 0f;
     }
 
+    /** Circles are loaded in the next sub-step if they are farther than a share of their radii from what they are held to. */
+    private void loadCircles() {
+        float strain = strain();
+        a.loadedNext |= strain > STRAIN * a.radius;
+        if (b != null) {
+            b.loadedNext |= strain > STRAIN * b.radius;
+        }
+    }
+
+    private float strain() {
+        if (joint.linear == Linear.POINT) {
+            return joint.rigid ? length(offset) : 0f;
+        }
+        float strain = joint.rigid ? Math.abs(distance - joint.length) : 0f;
+        strain = joint.hasLeast ? Numbers.max(joint.leastLength - distance, strain) : strain;
+        return joint.hasGreatest ? Numbers.max(distance - joint.greatestLength, strain) : strain;
+    }
+
     // ---- impulses
     // -----------------------------------------------------------------------------------------------
 
@@ -251,6 +270,7 @@ final class JointVisit {
 
     void prepare() {
         measure(0);
+        loadCircles();
         giveAll();
     }
 
@@ -358,6 +378,7 @@ final class JointVisit {
 
     /** Ends a sub-step: what it gives now is what the next one begins with. */
     void end() {
+        loadCircles();
         giveAll();
         joint.sum[0] += push[0];
         joint.sum[1] += push[1];

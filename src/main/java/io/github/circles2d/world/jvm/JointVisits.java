@@ -20,6 +20,7 @@ import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
@@ -158,7 +159,33 @@ final class JointVisits {
             work[o + BASE_Y] = across(joints.rows[row + JointRow.ANCHOR_Y] - state.circle[a + Y], state.periodY);
         }
         measure(0);
+        markLoaded();
         all();
+    }
+
+    /**
+     * Marks circles that the joint cannot bring to where they should be as loaded in the next sub-step: its impulses throw them at what holds them, and
+     * off that they must not bounce.
+     */
+    private void markLoaded() {
+        float strain = strain();
+        if (work[o + INV_MASS_A] != 0f && JointMath.loads(strain, state.circle[a + RADIUS])) {
+            state.load[a + LOADED_NEXT] = 1f;
+        }
+        if (work[o + INV_MASS_B] != 0f && JointMath.loads(strain, state.circle[b + RADIUS])) {
+            state.load[b + LOADED_NEXT] = 1f;
+        }
+    }
+
+    /** How far it is from what it is to keep, as measured last; springs keep nothing. */
+    private float strain() {
+        if (linear() == JointRow.POINT) {
+            return has(JointRow.RIGID) ? CircleMath.length(work[o + NORMAL_X], work[o + NORMAL_Y]) : 0f;
+        }
+        float d = work[o + DISTANCE];
+        float strain = has(JointRow.RIGID) ? Math.abs(d - joints.rows[row + JointRow.LENGTH]) : 0f;
+        strain = has(JointRow.LOWER) ? CircleMath.max(joints.rows[row + JointRow.MIN_LENGTH] - d, strain) : strain;
+        return has(JointRow.UPPER) ? CircleMath.max(d - joints.rows[row + JointRow.MAX_LENGTH], strain) : strain;
     }
 
     private float across(float d, float period) {
@@ -563,6 +590,7 @@ final class JointVisits {
     void end(int place) {
         take(place, joints.order[place]);
         float[] q = states.rows;
+        markLoaded();
         all();
         q[kept + JointState.SUM_X] += pushX;
         q[kept + JointState.SUM_Y] += pushY;

@@ -26,6 +26,11 @@ public final class JointMath {
         return CircleMath.max(split * share, 1f);
     }
 
+    /** Whether a joint that is so far from what it is to keep loads a circle. */
+    public static boolean loads(float strain, float radius) {
+        return strain > Tuning.JOINT_STRAIN * radius;
+    }
+
     /** With bias. */
     public static float solve(
             float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {

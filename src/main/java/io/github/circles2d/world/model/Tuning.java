@@ -72,6 +72,9 @@ public final class Tuning {
     /** A ratio. */
     static final float JOINT_DAMPING = 2f;
 
+    /** In radii; joints of balls that hang and swing are nearer to their lengths. */
+    public static final float JOINT_STRAIN = 0.1f;
+
     /** Greatest push-out speed up to {@link #DEEP}, in sums a second. */
     static final float PUSH = 0.4f;
 
