@@ -119,35 +119,60 @@ void listAll(World *w, local Local *l) {
 }
 
 #ifdef JOINTS
-// All joints of a pass, as the Java class JointKernels has it.
+#define IN_BATCHES 0 // a batch by a work-group
+#define IN_NONE 1    // a colour by all work-groups
+#define SPLIT 2
+
+// All joints of a pass, as the Java class JointKernels has it. A visit is long: it is there once, in a loop over all that may follow each other.
 void passJoints(const World *w, int pass, int subStep, bool speeds, bool impulses) {
-    if (!w->joints->any) return;
     volatile global int *arrivals = w->status + ARRIVALS;
     World cross = crossWorld(*w);
     int batches = w->joints->batches;
     int colours = w->joints->colours;
-    for (int batch = (int) get_group_id(0); batch < batches; batch += (int) get_num_groups(0)) {
-        passBatch(&cross, batch, colours, pass, subStep);
+    int which = IN_BATCHES;
+    int batch = (int) get_group_id(0);
+    int colour = 0;
+#pragma unroll 1
+    while (true) {
+        if (which == IN_BATCHES && batch >= batches) {
+            if (batches > 0) deviceBarrier(arrivals);
+            which = IN_NONE;
+            batch = batches;
+        }
+        global const int *starts = startsOf(w, batch);
+        while (which == IN_NONE && colour < colours && starts[colour] == starts[colour + 1]) colour++;
+        if (which == IN_NONE && colour >= colours) which = SPLIT;
+        int from = which == SPLIT ? w->joints->splitStart : starts[colour];
+        int to = which == SPLIT ? w->joints->count : starts[colour + 1];
+        if (which == SPLIT && from == to) break;
+        bool alone = which == IN_BATCHES;
+        int step = (int) (alone ? get_local_size(0) : get_global_size(0));
+#pragma unroll 1
+        for (int place = from + (int) (alone ? get_local_id(0) : get_global_id(0)); place < to; place += step) {
+            visitJoint(&cross, place, pass, subStep, which == SPLIT);
+        }
+        if (alone) {
+            barrier(CLK_GLOBAL_MEM_FENCE);
+        } else {
+            deviceBarrier(arrivals);
+        }
+        if (which == SPLIT) {
+            EACH(number, w->joints->splitCircles) takeJointSums(&cross, number, speeds, impulses);
+            deviceBarrier(arrivals);
+            break;
+        }
+        colour++;
+        if (alone && colour >= colours) {
+            colour = 0;
+            batch += (int) get_num_groups(0);
+        }
     }
-    if (batches > 0) deviceBarrier(arrivals);
-    global const int *starts = startsOf(w, batches);
-    for (int colour = 0; colour < colours; colour++) {
-        int from = starts[colour];
-        int to = starts[colour + 1];
-        if (from == to) continue;
-        EACH(k, to - from) visitJoint(&cross, from + k, pass, subStep, false);
-        deviceBarrier(arrivals);
-    }
-    int split = w->joints->count - w->joints->splitStart;
-    if (split == 0) return;
-    EACH(k, split) visitJoint(&cross, w->joints->splitStart + k, pass, subStep, true);
-    deviceBarrier(arrivals);
-    EACH(number, w->joints->splitCircles) takeJointSums(&cross, number, speeds, impulses);
-    deviceBarrier(arrivals);
 }
-#define PASS_JOINTS(w, pass, subStep, speeds, impulses) passJoints(w, pass, subStep, speeds, impulses)
+
+// The pass before the first one prepares joints.
+#define FIRST_PASS(w) ((w)->joints->any ? -1 : 0)
 #else
-#define PASS_JOINTS(w, pass, subStep, speeds, impulses)
+#define FIRST_PASS(w) 0
 #endif
 
 // With several levels, or joints: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
@@ -161,7 +186,6 @@ void behindTiles(const World *w, int subStep, bool relaxing) {
     World cross = crossWorld(*w);
     cross.firstCached = w->homeFirstCached;
     bool last = subStep == w->k.subSteps - 1;
-    PASS_JOINTS(w, relaxing ? JOINT_RELAX : JOINT_SOLVE, subStep, true, relaxing && !last);
     int circles = hasOneLevel(w) ? 0 : w->circles;
     EACH(slot, circles) {
         if (relaxing) {
@@ -182,6 +206,12 @@ void behindTiles(const World *w, int subStep, bool relaxing) {
     deviceBarrier(w->status + ARRIVALS);
 }
 
+void fillCross(const World *w) {
+    World cross = crossWorld(*w);
+    EACH(slot, w->circles) fillCrossOf(&cross, slot);
+    deviceBarrier(w->status + ARRIVALS);
+}
+
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
@@ -190,36 +220,42 @@ void solveAll(World *w, local Tile *t) {
     int group = (int) get_group_id(0);
     int groups = (int) get_num_groups(0);
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
+    int firstPass = FIRST_PASS(w);
 #ifdef JOINTS
-    EACH(place, w->joints->any ? w->joints->count : 0) beginJoint(w, place);
-    if (w->joints->any) deviceBarrier(arrivals);
+    EACH(place, firstPass < 0 ? w->joints->count : 0) beginJoint(w, place);
+    if (firstPass < 0) deviceBarrier(arrivals);
 #endif
-    PASS_JOINTS(w, JOINT_PREPARE, 0, false, true);
-    if (!hasOneLevel(w)) {
-        World cross = crossWorld(*w);
-        EACH(slot, w->circles) fillCrossOf(&cross, slot);
-        deviceBarrier(arrivals);
-    }
+    if (firstPass == 0 && !hasOneLevel(w)) fillCross(w);
 #pragma unroll 1
-    for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
+    for (int pass = firstPass; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
-        w->subStep = subStep + (relaxing && !several ? 1 : 0); // circles start into the next one
-        if (several) beforeTiles(w, subStep, relaxing);
+        if (pass >= 0) {
+            w->subStep = subStep + (relaxing && !several ? 1 : 0); // circles start into the next one
+            if (several) beforeTiles(w, subStep, relaxing);
 #pragma unroll 1
-        for (int tile = group; tile < tiles; tile += groups) {
-            if (tiles > groups) takeTile(w, t, tile, false);
+            for (int tile = group; tile < tiles; tile += groups) {
+                if (tiles > groups) takeTile(w, t, tile, false);
 #ifdef TURNING
-            w->relaxed = subStep;
+                w->relaxed = subStep;
 #endif
-            if (relaxing) {
-                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
-            } else {
-                solveTile(w, t, tile, subStep, 2, several);
+                if (relaxing) {
+                    relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
+                } else {
+                    solveTile(w, t, tile, subStep, 2, several);
+                }
             }
+            deviceBarrier(arrivals);
         }
-        deviceBarrier(arrivals);
-        if (several) behindTiles(w, subStep, relaxing);
+#ifdef JOINTS
+        if (firstPass < 0) {
+            bool last = pass == 2 * w->k.subSteps - 1;
+            int what = pass < 0 ? JOINT_PREPARE : relaxing ? JOINT_RELAX : JOINT_SOLVE;
+            passJoints(w, what, max(subStep, 0), pass >= 0, pass < 0 || (relaxing && !last));
+        }
+#endif
+        if (several && pass >= 0) behindTiles(w, subStep, relaxing);
+        if (pass < 0 && !hasOneLevel(w)) fillCross(w);
     }
 }
 
