@@ -3,6 +3,9 @@
 // and gives to circles what a visit leaves for them.
 
 #ifdef JOINTS
+// There once, however many kernels visit joints: compilers took minutes.
+#define APART __attribute__((noinline))
+
 // Of A, of B, or of the anchor in place of B.
 typedef struct {
     float4 m;     // as motion
@@ -22,6 +25,7 @@ typedef struct {
     float4 kept[2];
     float4 spring[1];
     JointEnd a, b;
+    float h, inverseH; // of the step
     float baseX, baseY, normalX, normalY, distance, direction;
     // velocity of B against A, and that as the sub-step began; inverse masses of both, as the visit sees them, and the effective mass
     float vx, vy, begunX, begunY, inverse, mass;
@@ -38,7 +42,7 @@ bool holds(const JointVisit *v, int flag) { return (v->HOLD_FORM & flag) != 0; }
 bool isExact(const JointVisit *v) { return v->SPRING_EXACT != 0.0f; }
 
 // Where B is from A.
-void measureJoint(JointVisit *v) {
+APART void measureJoint(JointVisit *v) {
     float x = v->baseX + (v->b.m.DX - v->a.m.DX);
     float y = v->baseY + (v->b.m.DY - v->a.m.DY);
     if (linearOf(v) == HOLD_POINT) {
@@ -99,7 +103,7 @@ void giveNothing(JointVisit *v) {
 }
 
 // All impulses of the joint, as what is to be given.
-void giveAll(JointVisit *v) {
+APART void giveAll(JointVisit *v) {
     giveNothing(v);
     if (linearOf(v) == HOLD_AXIAL) {
         float along = (v->KEPT_AXIAL + v->KEPT_LOWER) - v->KEPT_UPPER;
@@ -136,8 +140,8 @@ float solveAxis(global const JointHead *j, const JointVisit *v, float before, fl
 }
 
 // Cuts a force that is too great, and gives the change.
-void keepForce(const StepConstants *k, JointVisit *v, float beforeX, float beforeY) {
-    float limit = v->ROW_MAX_FORCE * k->h;
+void keepForce(JointVisit *v, float beforeX, float beforeY) {
+    float limit = v->ROW_MAX_FORCE * v->h;
     float share = shareWithin(v->KEPT_AXIAL, v->KEPT_ACROSS, limit);
     v->KEPT_AXIAL *= share;
     v->KEPT_ACROSS *= share;
@@ -146,8 +150,8 @@ void keepForce(const StepConstants *k, JointVisit *v, float beforeX, float befor
 }
 
 #ifdef TURNING
-void giveTwist(const StepConstants *k, JointVisit *v, float before, float next) {
-    float limit = v->ROW_MAX_TORQUE * k->h;
+void giveTwist(JointVisit *v, float before, float next) {
+    float limit = v->ROW_MAX_TORQUE * v->h;
     float held = clampf(next, -limit, limit);
     v->KEPT_ANGULAR = held;
     v->twist = held - before;
@@ -155,7 +159,7 @@ void giveTwist(const StepConstants *k, JointVisit *v, float before, float next) 
     v->omegaB -= v->turnB * v->twist;
 }
 
-void solveTurning(const StepConstants *k, global const JointHead *j, JointVisit *v) {
+void solveTurning(global const JointHead *j, JointVisit *v) {
     if (angularOf(v) == 0 || angularOf(v) == HOLD_TURN_SPEED) return;
     float away = turnedAway(v->a.angle, v->REFERENCE_A, v->a.turned, v->b.angle, v->REFERENCE_B, v->b.turned);
     float before = v->KEPT_ANGULAR;
@@ -163,18 +167,18 @@ void solveTurning(const StepConstants *k, global const JointHead *j, JointVisit 
     float omega = v->omegaA - v->omegaB;
     float next = angularOf(v) == HOLD_TURN_RIGID ? solveRigid(j, before, turnMass, omega, away)
                                                  : springOf(v, before, turnMass, omega, omega, away);
-    giveTwist(k, v, before, next);
+    giveTwist(v, before, next);
 }
 
-void relaxTurning(const StepConstants *k, JointVisit *v) {
+void relaxTurning(JointVisit *v) {
     if (angularOf(v) == 0) return;
     float before = v->KEPT_ANGULAR;
     float turnMass = jointMass(v->turnA + v->turnB);
     float omega = v->omegaA - v->omegaB;
     if (angularOf(v) == HOLD_TURN_RIGID) {
-        giveTwist(k, v, before, relaxedImpulse(before, turnMass, omega));
+        giveTwist(v, before, relaxedImpulse(before, turnMass, omega));
     } else if (angularOf(v) == HOLD_TURN_SPEED) {
-        giveTwist(k, v, before, relaxedImpulse(before, turnMass, omega - v->ROW_SPEED));
+        giveTwist(v, before, relaxedImpulse(before, turnMass, omega - v->ROW_SPEED));
     }
 }
 
@@ -197,7 +201,7 @@ void giveAcross(JointVisit *v, float before, float next) {
 }
 #endif
 
-void solveAlong(const StepConstants *k, global const JointHead *j, JointVisit *v) {
+void solveAlong(global const JointHead *j, JointVisit *v) {
     float nx = v->normalX;
     float ny = v->normalY;
     float d = v->distance;
@@ -215,7 +219,7 @@ void solveAlong(const StepConstants *k, global const JointHead *j, JointVisit *v
     if (holds(v, HOLD_LOWER)) {
         float before = v->KEPT_LOWER;
         float gap = d - v->ROW_MIN_LENGTH;
-        float next = solvedLimit(before, v->mass, speed, gap, k->inverseH, j->massScale, j->biasRate, j->impulseScale);
+        float next = solvedLimit(before, v->mass, speed, gap, v->inverseH, j->massScale, j->biasRate, j->impulseScale);
         v->KEPT_LOWER = next;
         push += next - before;
         speed += v->inverse * (next - before);
@@ -223,7 +227,7 @@ void solveAlong(const StepConstants *k, global const JointHead *j, JointVisit *v
     if (holds(v, HOLD_UPPER)) {
         float before = v->KEPT_UPPER;
         float gap = v->ROW_MAX_LENGTH - d;
-        float next = solvedLimit(before, v->mass, -1.0f * speed, gap, k->inverseH, j->massScale, j->biasRate, j->impulseScale);
+        float next = solvedLimit(before, v->mass, -1.0f * speed, gap, v->inverseH, j->massScale, j->biasRate, j->impulseScale);
         v->KEPT_UPPER = next;
         push -= next - before;
     }
@@ -237,16 +241,16 @@ void solveAlong(const StepConstants *k, global const JointHead *j, JointVisit *v
 #endif
 }
 
-void solvePoint(const StepConstants *k, global const JointHead *j, JointVisit *v) {
+void solvePoint(global const JointHead *j, JointVisit *v) {
     float beforeX = v->KEPT_AXIAL;
     float beforeY = v->KEPT_ACROSS;
     v->KEPT_AXIAL = solveAxis(j, v, beforeX, v->vx, v->begunX, v->normalX);
     v->KEPT_ACROSS = solveAxis(j, v, beforeY, v->vy, v->begunY, v->normalY);
-    keepForce(k, v, beforeX, beforeY);
+    keepForce(v, beforeX, beforeY);
 }
 
 // The biased pass.
-void solveJoint(const StepConstants *k, global const JointHead *j, JointVisit *v) {
+APART void solveJoint(global const JointHead *j, JointVisit *v) {
     giveNothing(v);
     measureJoint(v);
     lookAtEnds(v);
@@ -255,16 +259,16 @@ void solveJoint(const StepConstants *k, global const JointHead *j, JointVisit *v
         v->begunY = v->b.began.y - v->a.began.y;
     }
 #ifdef TURNING
-    solveTurning(k, j, v);
+    solveTurning(j, v);
 #endif
     if (linearOf(v) == HOLD_AXIAL) {
-        solveAlong(k, j, v);
+        solveAlong(j, v);
     } else if (linearOf(v) == HOLD_POINT) {
-        solvePoint(k, j, v);
+        solvePoint(j, v);
     }
 }
 
-void relaxAlong(const StepConstants *k, JointVisit *v) {
+void relaxAlong(JointVisit *v) {
     float nx = v->normalX;
     float ny = v->normalY;
     float d = v->distance;
@@ -280,7 +284,7 @@ void relaxAlong(const StepConstants *k, JointVisit *v) {
     if (holds(v, HOLD_LOWER)) {
         float before = v->KEPT_LOWER;
         float gap = d - v->ROW_MIN_LENGTH;
-        float next = relaxedLimit(before, v->mass, speed, gap, k->inverseH);
+        float next = relaxedLimit(before, v->mass, speed, gap, v->inverseH);
         v->KEPT_LOWER = next;
         push += next - before;
         speed += v->inverse * (next - before);
@@ -288,7 +292,7 @@ void relaxAlong(const StepConstants *k, JointVisit *v) {
     if (holds(v, HOLD_UPPER)) {
         float before = v->KEPT_UPPER;
         float gap = v->ROW_MAX_LENGTH - d;
-        float next = relaxedLimit(before, v->mass, -1.0f * speed, gap, k->inverseH);
+        float next = relaxedLimit(before, v->mass, -1.0f * speed, gap, v->inverseH);
         v->KEPT_UPPER = next;
         push -= next - before;
     }
@@ -303,21 +307,21 @@ void relaxAlong(const StepConstants *k, JointVisit *v) {
 }
 
 // The pass without bias.
-void relaxJoint(const StepConstants *k, JointVisit *v) {
+APART void relaxJoint(JointVisit *v) {
     giveNothing(v);
     measureJoint(v);
     lookAtEnds(v);
 #ifdef TURNING
-    relaxTurning(k, v);
+    relaxTurning(v);
 #endif
     if (linearOf(v) == HOLD_AXIAL) {
-        relaxAlong(k, v);
+        relaxAlong(v);
     } else if (linearOf(v) == HOLD_DRAG || (linearOf(v) == HOLD_POINT && holds(v, HOLD_RIGID))) {
         float beforeX = v->KEPT_AXIAL;
         float beforeY = v->KEPT_ACROSS;
         v->KEPT_AXIAL = relaxedImpulse(beforeX, v->mass, v->vx);
         v->KEPT_ACROSS = relaxedImpulse(beforeY, v->mass, v->vy);
-        keepForce(k, v, beforeX, beforeY);
+        keepForce(v, beforeX, beforeY);
     }
 }
 

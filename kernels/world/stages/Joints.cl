@@ -141,6 +141,8 @@ void takeJoint(const World *w, int place, int2 ends, int boundary, bool solving,
     if (holds(v, HOLD_ELASTIC) || angularOf(v) == HOLD_TURN_ANGLE) {
         v->spring[0] = jointVectors(w, w->joints->springs)[v->HOLD_SPRING];
     }
+    v->h = w->k.h;
+    v->inverseH = w->k.inverseH;
     v->begunX = v->begunY = v->distance = v->direction = 0.0f;
     bool hasB = ends.y != NONE;
     bool needsBegun = solving && holds(v, HOLD_ELASTIC);
@@ -318,9 +320,9 @@ void visitJoint(const World *w, int place, int pass, int subStep, bool split) {
         measureJoint(&v);
         giveAll(&v);
     } else if (pass == JOINT_SOLVE) {
-        solveJoint(&w->k, w->joints, &v);
+        solveJoint(w->joints, &v);
     } else {
-        relaxJoint(&w->k, &v);
+        relaxJoint(&v);
     }
     if (pass != JOINT_PREPARE) {
         if (split) {
