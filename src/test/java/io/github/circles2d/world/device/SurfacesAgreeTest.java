@@ -13,6 +13,7 @@ import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -205,14 +206,14 @@ class SurfacesAgreeTest {
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS)) {
             long still = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, true, false, false);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, false));
             assertThat(pipeline.bytesHeld()).isEqualTo(still);
-            pipeline.prepare(ContactSettings.DEFAULT, true, true, false);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, true, false, false));
             long turning = pipeline.bytesHeld();
             // at home: angle, angular velocity, grips of walls, fields; in a step: as at home, spin and skin; by
             // contact
             assertThat(turning - still).isGreaterThan((2 * (8 + 16 + 16) + 16 + 16 + 16 + 16 + 8) * 1024);
-            pipeline.prepare(ContactSettings.DEFAULT, true, true, false);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, true, false, false));
             assertThat(pipeline.bytesHeld()).isEqualTo(turning);
         }
     }

@@ -13,6 +13,7 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -219,16 +220,16 @@ class TerrainAgreeTest {
     void onlyAWorldWithTerrainHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS)) {
             long none = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, true, false, false);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, false));
             assertThat(pipeline.bytesHeld()).isEqualTo(none);
-            pipeline.prepare(ContactSettings.DEFAULT, true, false, true);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, true, false));
             long some = pipeline.bytesHeld();
             // ranges of piece contacts by slot, at home and in a step; by contact: as at home, and as measured
             assertThat(some - none).isGreaterThan((2 * 8 + 4 * (8 + 16 + 16 + 16 + 16 + 16)) * 64);
-            pipeline.prepare(ContactSettings.DEFAULT, true, true, true);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, true, true, false));
             assertThat(pipeline.bytesHeld()).isGreaterThan(some);
             long both = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, true, true, true);
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, true, true, false));
             assertThat(pipeline.bytesHeld()).isEqualTo(both);
         }
     }
