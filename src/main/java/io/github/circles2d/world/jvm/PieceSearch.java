@@ -196,8 +196,8 @@ final class PieceSearch {
         private boolean isNear(int slot, int piece, float sight, TerrainStep terrain) {
             int row = PieceRow.of(piece);
             int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-            float ox = PieceVisits.offsetX(state, slot, terrain.rows, row);
-            float oy = PieceVisits.offsetY(state, slot, terrain.rows, row);
+            float ox = PieceMeasure.offsetX(state, slot, terrain.rows, row);
+            float oy = PieceMeasure.offsetY(state, slot, terrain.rows, row);
             return PieceGap.distance(terrain.rows, row, shape, ox, oy) < sight + terrain.rows[row + PieceRow.MOST];
         }
 
@@ -240,8 +240,10 @@ final class PieceSearch {
                 }
                 float ofKind = terrain.kinds.rows[KindTerrain.of(kind(piece, terrain)) + KindTerrain.RESTITUTION];
                 rows[row + PieceContactRow.BOUNCE] = 0f;
-                rows[row + PieceContactRow.BASE_X] = PieceVisits.offsetX(state, slot, terrain.rows, PieceRow.of(piece));
-                rows[row + PieceContactRow.BASE_Y] = PieceVisits.offsetY(state, slot, terrain.rows, PieceRow.of(piece));
+                rows[row + PieceContactRow.BASE_X] =
+                        PieceMeasure.offsetX(state, slot, terrain.rows, PieceRow.of(piece));
+                rows[row + PieceContactRow.BASE_Y] =
+                        PieceMeasure.offsetY(state, slot, terrain.rows, PieceRow.of(piece));
                 rows[row + PieceContactRow.RESTITUTION] =
                         CircleMath.max(state.traits[CircleRow.of(slot) + RESTITUTION], ofKind);
                 if (rows[row + PieceContactRow.SIDE] == 0f) {
@@ -275,8 +277,8 @@ final class PieceSearch {
             int row = PieceRow.of(piece);
             int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
             int kind = kind(piece, terrain);
-            float ox = PieceVisits.offsetX(state, slot, p, row);
-            float oy = PieceVisits.offsetY(state, slot, p, row);
+            float ox = PieceMeasure.offsetX(state, slot, p, row);
+            float oy = PieceMeasure.offsetY(state, slot, p, row);
             boolean front = PieceGap.isInFront(p, row, shape, ox, oy);
             boolean oneWay = terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] != 0f;
             if (PieceRow.form(shape) == PieceRow.SEGMENT && !oneWay) {

@@ -204,7 +204,7 @@ final class PieceTouches {
         float ux = endX - ox;
         float uy = endY - oy;
         boolean front = PieceGap.isInFront(terrain.rows, at, shape, ox, oy);
-        if (!front && !PieceVisits.isTwoSided(terrain, piece, shape)) {
+        if (!front && !PieceMeasure.isTwoSided(terrain, piece, shape)) {
             return; // it comes from behind
         }
         float time = PieceSensor.timeOfTouch(terrain.rows, at, shape, ox, oy, ux, uy, r);
