@@ -33,17 +33,26 @@ class CiRunTest {
     }
 
     private void run(String launcher) throws IOException, InterruptedException {
-        Path file = project.resolve("circles2d");
+        run(launcher, "exit 0");
+    }
+
+    private void run(String launcher, String dryRun) throws IOException, InterruptedException {
         String report = "mkdir -p target/surefire-reports\n"
                 + "echo '<testsuite name=\"A\" tests=\"3\" errors=\"0\" skipped=\"0\" failures=\"'${FAILURES:-0}'\">'"
                 + " >target/surefire-reports/TEST-A.xml\n";
-        Files.writeString(file, "#!/bin/sh\n" + launcher + "\n" + report + "exit ${STATUS:-0}\n");
-        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+        writeProgram("circles2d", launcher + "\n" + report + "exit ${STATUS:-0}");
+        writeProgram(".ci/release-dry-run", dryRun);
         ProcessBuilder builder = new ProcessBuilder(project.resolve(".ci/run").toString()).redirectErrorStream(true);
         builder.environment().put("HOME", home.toString());
         Process process = builder.start();
         output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         status = process.waitFor();
+    }
+
+    private void writeProgram(String name, String text) throws IOException {
+        Path file = project.resolve(name);
+        Files.writeString(file, "#!/bin/sh\n" + text + "\n");
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
 
     private String lastLine() {
@@ -70,6 +79,14 @@ class CiRunTest {
         run("[ \"$1\" != web ] || STATUS=1");
         assertThat(status).isEqualTo(1);
         assertThat(output).contains("circles2d web --test failed");
+        assertThat(lastLine()).matches("(3|6) passed, 1 failed");
+    }
+
+    @Test
+    void aDryRunOfAReleaseThatFailsIsAFailureOnce() throws Exception {
+        run("", "exit 1");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).containsOnlyOnce("the dry run of a release failed");
         assertThat(lastLine()).matches("(3|6) passed, 1 failed");
     }
 

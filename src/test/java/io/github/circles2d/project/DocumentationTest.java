@@ -22,6 +22,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
@@ -184,24 +185,27 @@ class DocumentationTest {
     }
 
     @Test
-    void readmeConsumerPlaygroundSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
-        String pom = read("pom.xml");
-        String version = first("<version>(.*?)</version>", pom);
-        String dependency = "<groupId>" + first("<groupId>(.*?)</groupId>", pom) + "</groupId>\\s*<artifactId>"
-                + first("<artifactId>(.*?)</artifactId>", pom) + "</artifactId>\\s*<version>";
-        assertThat(first(dependency + "(.*?)</version>", block(read("README.md"), "xml")))
-                .isEqualTo(version);
-        assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
-                .isEqualTo(version);
-        for (String program : new String[] {
-            "playground", "samples/hook", "samples/merge", "samples/pinball", "samples/rollback", "samples/swarm"
-        }) {
-            assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
-                    .isEqualTo(version);
+    void allFilesNameThisVersionOfTheArtifacts() throws IOException {
+        String version = first("<version>(.*?)</version>", read("pom.xml"));
+        Pattern names = Pattern.compile("<artifactId>circles2d[-a-z]*</artifactId>\\s*<version>(.*?)</version>"
+                + "|<circles2d\\.version>(.*?)<|io\\.github\\.circles2d:circles2d:([\\w.-]*\\w)");
+        List<String> files = new ArrayList<>(List.of(
+                "README.md", "docs/platforms.md", CONSUMER + "/pom.xml", "release/pom.xml", "playground/pom.xml"));
+        for (String folder : new String[] {"bench", "samples", "web"}) {
+            try (Stream<Path> all = Files.find(
+                    Path.of(folder),
+                    3,
+                    (file, of) -> file.endsWith("pom.xml") && !file.toString().contains("target"))) {
+                all.forEach(file -> files.add(file.toString()));
+            }
         }
-        if (Files.exists(Path.of("bench/pom.xml"))) {
-            assertThat(first("<circles2d.version>(.*?)</circles2d.version>", read("bench/pom.xml")))
-                    .isEqualTo(version);
+        for (String file : files) {
+            List<String> found = names.matcher(read(file))
+                    .results()
+                    .flatMap(match -> IntStream.rangeClosed(1, 3).mapToObj(match::group))
+                    .filter(text -> text != null && !text.startsWith("${"))
+                    .toList();
+            assertThat(found).as(file).isNotEmpty().containsOnly(version);
         }
     }
 
