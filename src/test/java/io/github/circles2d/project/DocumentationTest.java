@@ -167,14 +167,39 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String program :
-                new String[] {"playground", "samples/merge", "samples/pinball", "samples/rollback", "samples/swarm"}) {
+        List<Path> programs = new ArrayList<>(games());
+        programs.add(Path.of("playground"));
+        for (Path program : programs) {
             assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
                     .isEqualTo(version);
         }
         if (Files.exists(Path.of("bench/pom.xml"))) {
             assertThat(first("<circles2d.version>(.*?)</circles2d.version>", read("bench/pom.xml")))
                     .isEqualTo(version);
+        }
+    }
+
+    /** The folders of the sample games. */
+    private static List<Path> games() throws IOException {
+        try (Stream<Path> folders = Files.list(Path.of("samples"))) {
+            List<Path> games = folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))
+                    .sorted()
+                    .toList();
+            assertThat(games).hasSizeGreaterThanOrEqualTo(5);
+            return games;
+        }
+    }
+
+    /** So that nobody has to look for it: each is in the README and the launcher's help, and its page shows it and says how to start it. */
+    @Test
+    void everyGameHasAPageWithASmallPictureAndIsNamedWhereItIsLookedFor() throws IOException {
+        String usage = first("(?s)usage\\(\\) \\{(.*?)\nEND\n", read("circles2d"));
+        for (Path game : games()) {
+            String name = game.getFileName().toString();
+            assertThat(read(game + "/README.md")).contains("](picture.png)", "`./circles2d play " + name + "`");
+            assertThat(Files.size(game.resolve("picture.png"))).isBetween(1_000L, 150_000L);
+            assertThat(read("README.md")).contains("./circles2d play " + name, game + "/README.md");
+            assertThat(usage).contains(name);
         }
     }
 
@@ -219,6 +244,7 @@ class DocumentationTest {
                 files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
             }
         }
+        games().forEach(game -> pages.add(game.resolve("README.md")));
         assertThat(pages).hasSizeGreaterThan(15);
         return pages;
     }
