@@ -265,6 +265,29 @@ class DocumentationTest {
                 .collect(Collectors.toSet());
     }
 
+    /** A picture that nobody shows is forgotten when the library changes. */
+    @Test
+    void everyPictureOfTheJavadocIsThereSmallAndShown() throws IOException {
+        Path types = Path.of("src/main/java/io/github/circles2d");
+        Set<String> shown = new TreeSet<>();
+        try (Stream<Path> files = Files.list(types)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Pattern.compile("<img src=\"doc-files/([\\w-]+\\.svg)\" alt=\"[^\"]+\">")
+                        .matcher(read(file.toString()))
+                        .results()
+                        .forEach(picture -> shown.add(picture.group(1)));
+            }
+        }
+        Set<String> there = new TreeSet<>();
+        try (Stream<Path> files = Files.list(types.resolve("doc-files"))) {
+            for (Path file : files.toList()) {
+                there.add(file.getFileName().toString());
+                assertThat(Files.size(file)).as("%s", file).isLessThan(10_000);
+            }
+        }
+        assertThat(shown).isEqualTo(there).hasSizeGreaterThanOrEqualTo(6);
+    }
+
     /** Whoever wants to know more finds a link. */
     @ParameterizedTest
     @CsvSource({"README.md, 1700", "ARCHITECTURE.md, 3000"})
