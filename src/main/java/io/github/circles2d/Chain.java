@@ -8,6 +8,8 @@ import io.github.circles2d.world.terrain.ChainPath;
  * from its right, as in Box2D, and pass it from its left: draw ground from right to left, a solid island anticlockwise, and the wall of
  * a cave clockwise. At a joint a circle touches once, not twice, and a row of lines that lie in line is as smooth as one.
  *
+ * <p><img src="doc-files/terrain-sides.svg" alt="Circles touch a chain from its right, a segment from both sides, an arc from the side that it says, a one-way piece from the front">
+ *
  * <pre>{@code
  * Chain hill = Chain.of(100, 0, 60, 0, 50, 10, 40, 0, 0, 0); // from right to left: circles are above
  * Chain bowl = Chain.from(10, 5).arcTo(5, 5, -(float) Math.PI); // half a pipe, circles are inside

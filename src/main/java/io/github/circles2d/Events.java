@@ -19,6 +19,8 @@ import io.github.circles2d.world.events.EventRows;
  * }
  * }</pre>
  *
+ * <p><img src="doc-files/contact.svg" alt="Two circles that overlap: the normal points from a to b, friction acts across it, and the depth is how far they overlap">
+ *
  * <p><b>Touching:</b> a pair touches after a step if an impulse acted between the two within it, or if their surfaces met or
  * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It {@link #END
  * ends} with the first step in which nothing of that happens, and after which the gap is more than 0.5 % of the sum of the radii (at a

@@ -28,6 +28,8 @@ import io.github.circles2d.world.model.Limits;
  *       bits of the categories that it meets. Two circles meet only if each one's mask has a bit of the other's category.
  * </ol>
  *
+ * <p><img src="doc-files/kinds.svg" alt="Groups decide first, then the matrix, then masks, then sensors: ignore, sense or push">
+ *
  * <p><b>What circles that meet do:</b> they push each other, unless one of them is of a <b>sensor</b> ({@link #setSensor}). Then they
  * pass through each other, and {@link Events} tells when they begin and end to touch, if {@link World#report} asks for it. Make a kind a
  * sensor if it pushes nobody: goals, triggers, fields of view, coins to pick up. Take {@link Response#SENSE} in the matrix if a kind

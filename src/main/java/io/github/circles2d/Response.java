@@ -1,6 +1,10 @@
 package io.github.circles2d;
 
-/** The effect that the circles of two kinds have on each other; see {@link World#setResponse}. {@link Kind} says when to take which. */
+/**
+ * The effect that the circles of two kinds have on each other; see {@link World#setResponse}. {@link Kind} says when to take which.
+ *
+ * <p><img src="doc-files/kinds.svg" alt="Groups decide first, then the matrix, then masks, then sensors: ignore, sense or push">
+ */
 public enum Response {
     /**
      * Masks and sensors decide, as for all kinds at first. If a mask refuses the other kind, or both kinds are sensors, the circles

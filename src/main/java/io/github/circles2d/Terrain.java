@@ -20,6 +20,8 @@ import io.github.circles2d.world.terrain.PieceRead;
  * circles touch from one side and that are smooth where they meet. An <em>arc</em> is exact: a ball keeps its speed in a loop. Circles
  * touch it from the side that {@link ArcSide} says.
  *
+ * <p><img src="doc-files/terrain-sides.svg" alt="Circles touch a chain from its right, a segment from both sides, an arc from the side that it says, a one-way piece from the front">
+ *
  * <p><b>Kinds:</b> each piece is of a {@link Kind}. Its friction, rolling resistance, belt, restitution, categories and matrix mean for a piece
  * what they mean for circles; groups do not count. A belt carries to the left as seen along the surface's normal, as a wall's does.
  * {@link Kind#setOneWay} lets circles pass from behind.

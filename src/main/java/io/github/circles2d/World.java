@@ -58,6 +58,8 @@ import java.util.Arrays;
  * 0.1 (1 - restitution) r per second for two circles that nothing carries. This limit falls from a restitution of 0.9 on, to 0 at a
  * restitution of 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
+ * <p><img src="doc-files/restitution.svg" alt="A ball with a restitution of 1 comes back to its height, with 0.5 to a quarter of it, with 0 it stays on the ground">
+ *
  * <p><b>Overlaps</b>, for example after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do
  * not burst. Overlaps of up to 0.4 mean radii go at up to 0.8 mean radii a second, deeper ones faster
  * ({@link Builder#greatestPushOutSpeed}). Shallow overlaps shrink to a third in about a tenth of a second. Circles that need more room
@@ -90,6 +92,8 @@ import java.util.Arrays;
  * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
  * within the bounds, it means axes with walls.
  *
+ * <p><img src="doc-files/edges.svg" alt="Three axes: walls keep a circle inside, an open end lets it go on, and a circle at a seam is on both sides">
+ *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare. So a world that {@link Rewind} has put back goes on to the same bits, and
  * {@link Replay} repeats the calls that a {@link Recording} has written.
@@ -107,6 +111,8 @@ import java.util.Arrays;
  * through none: fences of them drove through crowds at 0.2 to 10 of the circles' radii a step, and no circle slipped through. From about
  * half a radius a step on, they press a crowd into itself. Faster ones press circles into one point; these part later. They push
  * circles through other static ones. A circle between two that move against each other ends up behind one of them.
+ *
+ * <p><img src="doc-files/step.svg" alt="A step: changes, the look ahead of fast circles, contacts, sub-steps of four passes, then events and reads">
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large

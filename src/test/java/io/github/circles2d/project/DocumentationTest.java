@@ -46,7 +46,7 @@ class DocumentationTest {
 
     /** Each block is the inside of a method of a game that has a world, a player and a few things of its own. */
     @ParameterizedTest
-    @CsvSource({"docs/guide.md, 20", "docs/thesis.md, 1", "docs/coming-from.md, 1"})
+    @CsvSource({"docs/guide.md, 21", "docs/thesis.md, 1", "docs/coming-from.md, 1"})
     void allCodeOfAPageCompilesWithoutAWarning(String page, int blocks, @TempDir Path folder) throws IOException {
         String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.*; import java.nio.file.*;\n";
         String game =
@@ -209,6 +209,30 @@ class DocumentationTest {
         }
     }
 
+    /** The folders of the sample games. */
+    private static List<Path> games() throws IOException {
+        try (Stream<Path> folders = Files.list(Path.of("samples"))) {
+            List<Path> games = folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))
+                    .sorted()
+                    .toList();
+            assertThat(games).hasSizeGreaterThanOrEqualTo(5);
+            return games;
+        }
+    }
+
+    /** So that nobody has to look for it: each is in the README and the launcher's help, and its page shows it and says how to start it. */
+    @Test
+    void everyGameHasAPageWithASmallPictureAndIsNamedWhereItIsLookedFor() throws IOException {
+        String usage = first("(?s)usage\\(\\) \\{(.*?)\nEND\n", read("circles2d"));
+        for (Path game : games()) {
+            String name = game.getFileName().toString();
+            assertThat(read(game + "/README.md")).contains("](picture.png)", "`./circles2d play " + name + "`");
+            assertThat(Files.size(game.resolve("picture.png"))).isBetween(1_000L, 150_000L);
+            assertThat(read("README.md")).contains("./circles2d play " + name, game + "/README.md");
+            assertThat(usage).contains(name);
+        }
+    }
+
     @Test
     void everyCommandThatTheReadmeNamesIsOneOfTheLauncher() throws IOException {
         List<String> commands = Pattern.compile("\\./circles2d (\\w+)")
@@ -250,6 +274,7 @@ class DocumentationTest {
                 files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
             }
         }
+        games().forEach(game -> pages.add(game.resolve("README.md")));
         assertThat(pages).hasSizeGreaterThan(15);
         return pages;
     }
@@ -268,6 +293,29 @@ class DocumentationTest {
                         .replaceAll("[^\\w\\- ]", "")
                         .replace(' ', '-'))
                 .collect(Collectors.toSet());
+    }
+
+    /** A picture that nobody shows is forgotten when the library changes. */
+    @Test
+    void everyPictureOfTheJavadocIsThereSmallAndShown() throws IOException {
+        Path types = Path.of("src/main/java/io/github/circles2d");
+        Set<String> shown = new TreeSet<>();
+        try (Stream<Path> files = Files.list(types)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Pattern.compile("<img src=\"doc-files/([\\w-]+\\.svg)\" alt=\"[^\"]+\">")
+                        .matcher(read(file.toString()))
+                        .results()
+                        .forEach(picture -> shown.add(picture.group(1)));
+            }
+        }
+        Set<String> there = new TreeSet<>();
+        try (Stream<Path> files = Files.list(types.resolve("doc-files"))) {
+            for (Path file : files.toList()) {
+                there.add(file.getFileName().toString());
+                assertThat(Files.size(file)).as("%s", file).isLessThan(10_000);
+            }
+        }
+        assertThat(shown).isEqualTo(there).hasSizeGreaterThanOrEqualTo(6);
     }
 
     /** Whoever wants to know more finds a link. */

@@ -62,6 +62,33 @@ class SamplesTest {
         assertThat(played.exitStatus()).isZero();
     }
 
+    @Test
+    void billiardsPlaysPaintsAPictureAndRefusesAWrongCommandLine() throws IOException {
+        compile("billiards", List.of());
+        String main = "com.example.billiards.Main";
+        Path picture = classes.resolve("billiards.png");
+        ForkedJvm.Result played =
+                jvm(List.of()).run(main, "--frames", "2", "--backend", "JVM", "--picture", picture.toString());
+        assertThat(played.output())
+                .startsWith("billiards: 2 frames, 1 shots, 0 balls potted")
+                .hasLineCount(1);
+        assertThat(played.exitStatus()).isZero();
+        assertThat(picture).isNotEmptyFile();
+        for (String wrong : List.of("--frames", "--frames abc", "--speed 2", "--backend tpu")) {
+            ForkedJvm.Result refused = jvm(List.of()).run(main, wrong.split(" "));
+            assertThat(refused.output())
+                    .startsWith("usage: billiards [--frames N")
+                    .hasLineCount(1);
+            assertThat(refused.exitStatus()).isEqualTo(2);
+        }
+        ForkedJvm.Result withoutDisplay =
+                jvm(List.of()).environment("DISPLAY", "").run(main, "--backend", "JVM");
+        assertThat(withoutDisplay.output())
+                .contains("without a display: --frames 300")
+                .hasLineCount(1);
+        assertThat(withoutDisplay.exitStatus()).isEqualTo(1);
+    }
+
     /** Where the launcher has built the game, so that libGDX is there. */
     @ParameterizedTest
     @ValueSource(strings = {"merge", "pinball"})
