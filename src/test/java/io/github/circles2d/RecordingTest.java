@@ -59,7 +59,6 @@ class RecordingTest {
         }
     }
 
-    /** Sixty steps, in calls of one to three, with a change before each, a rewind and a restore. */
     /** Joints come and go. */
     private static void join(World world, long circle, long other, int call) {
         if (call % 5 == 1 && circle != other) {
@@ -74,6 +73,7 @@ class RecordingTest {
         }
     }
 
+    /** Sixty steps, in calls of one to three, with a change before each, a rewind and a restore. */
     private static byte[] record(World world, int hashEvery) throws IOException {
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         Rewind rewind = new Rewind(world, 8);
