@@ -44,6 +44,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values, K
     /** Kinds as they are at first: all pairs are solid. */
     public KindTable() {
         setInitialValues();
+        resolve(0, 0); // changes nothing, but loads the classes that a change needs while there is memory
     }
 
     private void setInitialValues() {
