@@ -388,6 +388,17 @@ final class Twins implements AutoCloseable {
         return snapshot.flip();
     }
 
+    /** Other worlds, of such pipelines, take over the state, and all go on alike. */
+    void assertGoOnIn(Scene scene, Pipeline... pipelines) {
+        try (Twins others = load(scene, pipelines)) {
+            others.takeOver(this);
+            others.step(scene.timeStep(), 3);
+            step(scene.timeStep(), 3);
+            others.assertEqual(scene.name() + " in other worlds");
+            assertThat(others.hash()).as(scene.name()).isEqualTo(hash());
+        }
+    }
+
     /** Goes on from the state of others. */
     void takeOver(Twins others) {
         for (Simulation simulation : simulations) {
