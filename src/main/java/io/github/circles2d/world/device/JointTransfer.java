@@ -3,14 +3,14 @@ package io.github.circles2d.world.device;
 import io.github.circles2d.world.circles.BrokenJoints;
 import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.device.memory.DeviceArrays;
-import io.github.circles2d.world.device.memory.JointStates;
+import io.github.circles2d.world.device.memory.DeviceJointStates;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 
 /** Carries what joints keep, and which have broken, between host and device. */
 final class JointTransfer {
     private final DeviceArrays arrays;
-    private final JointStates states;
+    private final DeviceJointStates states;
 
     /** Steps made when the host learned last which joints have broken. */
     private int taken;
@@ -19,7 +19,7 @@ final class JointTransfer {
 
     JointTransfer(DeviceArrays arrays) {
         this.arrays = arrays;
-        states = new JointStates(arrays);
+        states = new DeviceJointStates(arrays);
     }
 
     void save(SavedJointStates into) {

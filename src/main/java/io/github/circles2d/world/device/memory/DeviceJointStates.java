@@ -7,13 +7,13 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 
 /** What a device keeps of joints from step to step. */
-public final class JointStates {
+public final class DeviceJointStates {
     private final DeviceArrays arrays;
 
     /** Serials of no joints. */
     private final int[] none = new int[1 << 12];
 
-    public JointStates(DeviceArrays arrays) {
+    public DeviceJointStates(DeviceArrays arrays) {
         this.arrays = arrays;
     }
 
