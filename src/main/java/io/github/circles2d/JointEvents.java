@@ -78,7 +78,7 @@ public final class JointEvents {
      * The other circle of the joint.
      *
      * @param event its number, from 0 on
-     * @return its handle; stale if the circle has been removed; -1 if the joint held one alone
+     * @return its handle; stale if the circle has been removed; 0 if the joint held one alone
      */
     public long other(int event) {
         return rows.other(event);

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.Limits;
 
 /**
@@ -16,7 +17,8 @@ import io.github.circles2d.world.model.Limits;
  * joints.remove(mouse);
  * }</pre>
  *
- * <p><b>Handles</b> are as those of circles: longs, never 0, stale once the joint has gone.
+ * <p><b>Handles</b> are as those of circles: longs, never 0, stale once the joint has gone. No joint has the handle of a circle: a call that gets one for the
+ * other refuses it.
  *
  * <p><b>Joints go</b> if they are removed, if they break ({@link Joint#breakingAt}), and with each circle and each body of terrain that they hold.
  *
@@ -172,14 +174,14 @@ public final class Joints {
     }
 
     /**
-     * The id of a handle: its lower 32 bits. Two joints that are there at the same time have different ids. When a joint has gone, a new one takes
+     * The id of a handle: its lower 30 bits. Two joints that are there at the same time have different ids. When a joint has gone, a new one takes
      * its id over.
      *
      * @param joint the handle of a joint, stale or not
      * @return its id, at least 0
      */
     public static int id(long joint) {
-        return (int) joint;
+        return JointTable.id(joint);
     }
 
     /**
@@ -217,7 +219,7 @@ public final class Joints {
      * The other circle of a joint.
      *
      * @param joint the handle of a joint
-     * @return the handle of the circle; -1 if the joint holds one alone
+     * @return the handle of the circle; 0 if the joint holds one alone
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public long other(long joint) {
@@ -253,7 +255,7 @@ public final class Joints {
      * @param x x of the point, up to 1e9 in magnitude
      * @param y y of it
      * @param maxDistance how far away it may be; at least 0
-     * @return the handle of the joint, of several at one distance that of the lowest id; -1 if there is none
+     * @return the handle of the joint, of several at one distance that of the lowest id; 0 if there is none
      * @throws IllegalArgumentException if a value is out of range
      */
     public long pick(float x, float y, float maxDistance) {

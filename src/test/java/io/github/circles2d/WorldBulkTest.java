@@ -217,7 +217,7 @@ class WorldBulkTest {
             handles[69] = handles[66];
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.removeAll(handles, 70, StaleHandles.REFUSE))
-                    .withMessageContaining("handle 69 occurs twice");
+                    .withMessage("handle 69: the circle with the handle " + handles[66] + " occurs twice");
             assertThat(world.size()).isEqualTo(70);
             assertThat(world.removeAll(handles, 70, StaleHandles.SKIP)).isOne();
             assertThat(world.size()).isOne();

@@ -308,7 +308,7 @@ class WorldJointsApiTest {
         assertThat(joints.handle(1)).isEqualTo(second);
         assertThat(joints.circle(first)).isEqualTo(a);
         assertThat(joints.other(first)).isEqualTo(b);
-        assertThat(joints.other(second)).isEqualTo(-1);
+        assertThat(joints.other(second)).isZero();
         joints.remove(first);
         assertThat(joints.contains(first)).isFalse();
         assertThat(joints.contains(second)).isTrue();
@@ -326,6 +326,79 @@ class WorldJointsApiTest {
         assertThat(third).isNotEqualTo(first);
         refused(() -> joints.remove(first), gone);
         assertThat(joints.contains(third)).isTrue();
+    }
+
+    @Test
+    void noCallTakesTheHandleOfACircleForThatOfAJoint() {
+        for (int k = 0; k < 4; k++) {
+            joints.add(a, Joint.motor(k, 1)); // the ids of joints are those of circles
+        }
+        for (long circle : new long[] {a, b, still, alsoStill}) {
+            assertThat(joints.contains(circle)).isFalse();
+            String message =
+                    "no joint has the handle " + circle + ": it is of a circle or a piece of terrain, or none at all";
+            for (ThrowingCallable call : callsOf(circle)) {
+                refused(call, message);
+            }
+            long joint = joints.handle(World.id(circle));
+            assertThat(world.contains(joint)).isFalse();
+            refused(
+                    () -> world.remove(joint),
+                    "no circle has the handle " + joint + ": it was removed, or is none of this world's");
+        }
+        long piece = world.terrain().addSegment(-50, -50, 50, -50);
+        assertThat(joints.contains(piece)).isFalse();
+        assertThat(world.terrain().contains(joints.handle(0))).isFalse();
+    }
+
+    @Test
+    void jointsOfCirclesThatBecomeStaticDoNothingUntilOneMovesAgain() {
+        Joint[] all = {
+            Joint.distance(4),
+            Joint.spring(5, 0.5f).withLength(4),
+            Joint.spring(5, 0).withLimits(0, 4),
+            Joint.rope(4),
+            Joint.limits(6, 8),
+            Joint.weld(),
+            Joint.motor(3, 10),
+            Joint.servo(1, 5, 1, INFINITE)
+        };
+        for (Joint joint : all) {
+            joints.add(a, b, joint.breakingAt(1e6f, 1e6f));
+        }
+        joints.add(a, 1, 1, Joint.pin());
+        joints.add(a, 1, 1, Joint.mouse(5, 1, INFINITE));
+        joints.add(a, 9, 0, Joint.distance(3));
+        joints.add(a, Joint.motor(3, INFINITE));
+        joints.add(a, Joint.servo(1, 5, 1, INFINITE));
+        joints.add(a, Joint.friction(INFINITE, INFINITE));
+        int size = joints.size();
+        world.setMass(a, INFINITE);
+        world.setMass(b, INFINITE);
+        for (int k = 0; k < 10; k++) {
+            world.step(STEP);
+        }
+        assertThat(joints.size()).as("none breaks").isEqualTo(size);
+        assertThat(new float[] {world.x(a), world.y(a), world.angle(a), world.x(b), world.y(b), world.angle(b)})
+                .containsExactly(0, 0, 0, 3, 4, 0);
+        for (int id = 0; id < size; id++) {
+            long joint = joints.handle(id);
+            assertThat(new float[] {
+                        joints.forceX(joint), joints.forceY(joint), joints.force(joint), joints.torque(joint)
+                    })
+                    .as(joints.joint(joint).toString())
+                    .containsOnly(0);
+        }
+        joints.clear();
+        long rope = joints.add(still, a = world.add(20, 16, 0.5f, 2), Joint.distance());
+        world.setMass(a, INFINITE);
+        world.step(STEP);
+        world.setMass(a, 2);
+        for (int k = 0; k < 60; k++) {
+            world.step(STEP);
+        }
+        assertThat(joints.force(rope)).as("it holds the weight again").isCloseTo(20, within(0.5f));
+        assertThat(joints.length(rope)).isCloseTo(4, within(0.01f));
     }
 
     private List<ThrowingCallable> callsOf(long joint) {
@@ -359,10 +432,12 @@ class WorldJointsApiTest {
         for (int k = 0; k < some.length; k++) {
             some[k] = joints.add(a, b, Joint.rope(9 + k));
         }
-        changesNothing(() -> joints.removeAll(new long[] {some[0], some[3], some[0]}), "handle 2 occurs twice");
+        changesNothing(
+                () -> joints.removeAll(new long[] {some[0], some[3], some[0]}),
+                "handle 2: the joint with the handle " + some[0] + " occurs twice");
         changesNothing(
                 () -> joints.removeAll(new long[] {some[0], 9}),
-                "handle 1: no joint has the handle 9: it was removed or has broken, or is none of this world's");
+                "handle 1: no joint has the handle 9: it is of a circle or a piece of terrain, or none at all");
         joints.removeAll(new long[] {some[4], some[0]});
         assertThat(joints.size()).isEqualTo(3);
         assertThat(joints.contains(some[1])).isTrue();
@@ -592,15 +667,15 @@ class WorldJointsApiTest {
 
     @Test
     void theNearestLineIsPicked() {
-        assertThat(joints.pick(0, 0, INFINITE)).isEqualTo(-1);
+        assertThat(joints.pick(0, 0, INFINITE)).isZero();
         long line = joints.add(a, b, Joint.rope(9));
         long same = joints.add(b, a, Joint.rope(9));
         long far = joints.add(a, -50, 0, Joint.rope(90));
         assertThat(joints.pick(1.5f, 2, 0)).isEqualTo(line);
-        assertThat(joints.pick(1.5f, 2.5f, 0.2f)).isEqualTo(-1);
+        assertThat(joints.pick(1.5f, 2.5f, 0.2f)).isZero();
         assertThat(joints.pick(1.5f, 2.5f, 0.4f)).isEqualTo(line);
         assertThat(joints.pick(-30, 1, 2)).isEqualTo(far);
-        assertThat(joints.pick(-53, 4, 4.9f)).isEqualTo(-1);
+        assertThat(joints.pick(-53, 4, 4.9f)).isZero();
         assertThat(joints.pick(-53, 4, 5)).isEqualTo(far);
         joints.remove(line);
         assertThat(joints.pick(1.5f, 2, 0)).isEqualTo(same);
@@ -623,7 +698,7 @@ class WorldJointsApiTest {
             assertThat(ring.joints().pick(99, 0, 1e-6f)).isEqualTo(joint);
             assertThat(ring.joints().pick(-99.5f, 0, 1e-6f)).isEqualTo(joint);
             assertThat(ring.joints().pick(99 + 200, 0, 1e-6f)).isEqualTo(joint);
-            assertThat(ring.joints().pick(0, 0, 90)).isEqualTo(-1);
+            assertThat(ring.joints().pick(0, 0, 90)).isZero();
             long pin = ring.joints().add(left, 101, 0, Joint.pin());
             assertThat(ring.joints().anchorX(pin)).isEqualTo(-99);
             ring.joints().setAnchor(pin, -301, 1);

@@ -85,7 +85,7 @@ class WorldJointsGoneTest {
                         JointEvents.Reason.CIRCLE_REMOVED));
             }
         }
-        expected.add(text(pin, hub, -1, JointEvents.Reason.CIRCLE_REMOVED));
+        expected.add(text(pin, hub, 0, JointEvents.Reason.CIRCLE_REMOVED));
         assertThat(events()).isEqualTo(expected);
         assertThat(events()).isEmpty();
         assertThat(world.contains(rim[0])).isTrue();
@@ -112,7 +112,7 @@ class WorldJointsGoneTest {
         assertThat(events())
                 .containsExactly(
                         text(first, b, a, JointEvents.Reason.CIRCLE_REMOVED),
-                        text(second, b, -1, JointEvents.Reason.CIRCLE_REMOVED));
+                        text(second, b, 0, JointEvents.Reason.CIRCLE_REMOVED));
         a = world.add(0, 0, 0.5f, 1);
         world.step(STEP);
         assertThat(joints.contains(first)).isFalse();
@@ -135,15 +135,15 @@ class WorldJointsGoneTest {
         first.remove();
         assertThat(events())
                 .containsExactly(
-                        text(onFirst, a, -1, JointEvents.Reason.BODY_REMOVED),
-                        text(alsoOnFirst, a, -1, JointEvents.Reason.BODY_REMOVED));
+                        text(onFirst, a, 0, JointEvents.Reason.BODY_REMOVED),
+                        text(alsoOnFirst, a, 0, JointEvents.Reason.BODY_REMOVED));
         TerrainBody third = world.terrain().addBody(0, 3, 0); // has the id of the first one
         world.step(STEP);
         third.remove();
         assertThat(events()).isEmpty();
         assertThat(joints.contains(onSecond)).isTrue();
         world.terrain().clear();
-        assertThat(events()).containsExactly(text(onSecond, a, -1, JointEvents.Reason.BODY_REMOVED));
+        assertThat(events()).containsExactly(text(onSecond, a, 0, JointEvents.Reason.BODY_REMOVED));
         assertThat(joints.contains(inWorld)).isTrue();
         world.step(STEP);
     }
@@ -215,7 +215,7 @@ class WorldJointsGoneTest {
         assertThat(world.y(a)).isLessThan(-10);
         JointEvents events = joints.events();
         assertThat(events.size()).isOne();
-        assertThat(text(events, 0)).isEqualTo(text(rope, a, -1, JointEvents.Reason.BROKEN));
+        assertThat(text(events, 0)).isEqualTo(text(rope, a, 0, JointEvents.Reason.BROKEN));
         assertThat(events.force(0)).isBetween(100f, 106f);
         assertThat(events.torque(0)).isZero();
     }
@@ -232,7 +232,7 @@ class WorldJointsGoneTest {
         world.step(STEP);
         assertThat(joints.contains(motor)).isFalse();
         JointEvents events = joints.events();
-        assertThat(text(events, 0)).isEqualTo(text(motor, a, -1, JointEvents.Reason.BROKEN));
+        assertThat(text(events, 0)).isEqualTo(text(motor, a, 0, JointEvents.Reason.BROKEN));
         assertThat(events.torque(0)).isCloseTo(7, within(0.01f));
         float spin = world.angularVelocity(a);
         world.step(STEP, 10);

@@ -1,6 +1,7 @@
 package io.github.circles2d.reference;
 
 import io.github.circles2d.JointEvents;
+import io.github.circles2d.Joints;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -35,11 +36,11 @@ final class ReferenceJoints {
     }
 
     ReferenceJoint find(long handle) {
-        return joints.get((int) handle);
+        return joints.get(Joints.id(handle));
     }
 
     boolean contains(long handle) {
-        int id = (int) handle;
+        int id = Joints.id(handle);
         return id >= 0 && id < joints.size() && joints.get(id) != null && joints.get(id).handle == handle;
     }
 
@@ -52,7 +53,7 @@ final class ReferenceJoints {
             joints.add(null);
         }
         int id = joints.indexOf(null);
-        long handle = (long) generations.merge(id, 1, Integer::sum) << 32 | id;
+        long handle = (long) generations.merge(id, 1, Integer::sum) << 32 | 1 << 30 | id;
         ReferenceJoint joint = new ReferenceJoint(id, handle, a, b, body, anchor);
         while (joint.colour < SPLIT && isTaken(joint.colour, joint)) {
             joint.colour++;
@@ -100,7 +101,7 @@ final class ReferenceJoints {
     }
 
     private void go(ReferenceJoint joint, JointEvents.Reason reason, float force, float torque) {
-        long other = joint.b == null ? -1 : joint.b.handle;
+        long other = joint.b == null ? 0 : joint.b.handle;
         events.add(new JointEvent(joint.handle, joint.a.handle, other, force, torque, reason));
         remove(joint);
     }

@@ -29,7 +29,7 @@ final class CutTool implements Tool {
 
     private void cut(Sandbox sandbox, float x, float y) {
         Joints joints = sandbox.world().joints();
-        for (long found = joints.pick(x, y, reach); found > 0; found = joints.pick(x, y, reach)) {
+        for (long found = joints.pick(x, y, reach); found != 0; found = joints.pick(x, y, reach)) {
             joints.remove(found);
         }
     }

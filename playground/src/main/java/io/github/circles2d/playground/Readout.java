@@ -120,7 +120,7 @@ final class Readout {
     /** Moves an end as its circle is moved to where it is shown, since an end beyond a seam is an image of its circle. */
     private void place(float[] ends, int at, long circle, FloatBuffer positions) {
         int id = World.id(circle);
-        if (circle > 0 && 2 * id < positions.limit() && positions.get(2 * id) == positions.get(2 * id)) {
+        if (circle != 0 && 2 * id < positions.limit() && positions.get(2 * id) == positions.get(2 * id)) {
             ends[at] += positions.get(2 * id) - circles[4 * id];
             ends[at + 1] += positions.get(2 * id + 1) - circles[4 * id + 1];
         }

@@ -170,7 +170,7 @@ public final class BulkChanges {
         return id;
     }
 
-    private static <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
+    private <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
         boolean isThere;
         try {
             isThere = call.preparation.prepare(id, values, i);
@@ -178,7 +178,8 @@ public final class BulkChanges {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
         if (!isThere && !skipStale) {
-            throw new IllegalArgumentException("handle " + i + " occurs twice");
+            throw new IllegalArgumentException(
+                    "handle " + i + ": the circle with the handle " + handles.handle(id) + " occurs twice");
         }
         return isThere;
     }

@@ -275,7 +275,9 @@ public final class JointCalls {
     }
 
     private static String gone(long handle) {
-        return "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's";
+        return JointTable.isMarked(handle)
+                ? "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's"
+                : "no joint has the handle " + handle + ": it is of a circle or a piece of terrain, or none at all";
     }
 
     // ---- joints go
@@ -326,7 +328,8 @@ public final class JointCalls {
             throw new IllegalArgumentException("handle " + k + ": " + gone(handle));
         }
         if (!leaving.add(joint)) {
-            throw new IllegalArgumentException("handle " + k + " occurs twice");
+            throw new IllegalArgumentException(
+                    "handle " + k + ": the joint with the handle " + handle + " occurs twice");
         }
         found[k] = joint;
     }

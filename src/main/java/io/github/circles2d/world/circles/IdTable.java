@@ -2,7 +2,10 @@ package io.github.circles2d.world.circles;
 
 import java.util.Arrays;
 
-/** Which ids are in use, of pieces or bodies of terrain or of joints, under a {@link Handle} each. The next one gets the lowest free id. */
+/**
+ * Which ids are in use, of pieces or bodies of terrain or of joints, under a {@link Handle} each. The next one gets the lowest free id. Handles
+ * may have a mark, a bit that is in no id: then no handle of something else is taken for one of these.
+ */
 public final class IdTable {
     private boolean[] live = new boolean[0];
     private int[] generation = new int[0];
@@ -10,7 +13,16 @@ public final class IdTable {
     private int end;
     private int noneFreeBelow;
 
-    public IdTable() {}
+    /** The bit of handles, or 0. */
+    private final int mark;
+
+    public IdTable() {
+        this(0);
+    }
+
+    public IdTable(int mark) {
+        this.mark = mark;
+    }
 
     public int size() {
         return size;
@@ -26,7 +38,7 @@ public final class IdTable {
     }
 
     public long handle(int id) {
-        return Handle.of(generation[id], id);
+        return Handle.of(generation[id], mark | id);
     }
 
     /** The handle of what has an id, or 0; the id comes from a caller. */
@@ -39,7 +51,7 @@ public final class IdTable {
 
     /** -1 if nothing that lives has the handle. */
     public int find(long handle) {
-        long id = Handle.id(handle);
+        long id = Handle.id(handle) ^ mark;
         if (id >= end || !live[(int) id] || !Handle.hasGeneration(handle, generation[(int) id])) {
             return -1;
         }

@@ -114,8 +114,9 @@ public final class JointDepartures {
         table.remove(joint);
     }
 
+    /** 0 if there is none. */
     private long handleOf(int circle) {
-        return circle == JointRow.NONE ? -1 : handles.handle(circle);
+        return circle == JointRow.NONE ? 0 : handles.handle(circle);
     }
 
     long bytes() {

@@ -22,7 +22,10 @@ public final class JointTable {
     private static final int A = 0;
     private static final int B = 1;
 
-    public final IdTable ids = new IdTable();
+    /** In handles of joints, and of nothing else. */
+    private static final int MARK = 1 << 30;
+
+    public final IdTable ids = new IdTable(MARK);
 
     final SpringTable springs = new SpringTable();
 
@@ -82,6 +85,16 @@ public final class JointTable {
     /** Makes room for one more spring. */
     public void ensureSpring() {
         springs.ensure(1);
+    }
+
+    /** Whether a handle is of the form that handles of joints have. */
+    public static boolean isMarked(long handle) {
+        return (handle & MARK) != 0;
+    }
+
+    /** The id in a handle of a joint. */
+    public static int id(long handle) {
+        return (int) handle & ~MARK;
     }
 
     // ---- what there is

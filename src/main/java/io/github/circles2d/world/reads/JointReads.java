@@ -93,7 +93,7 @@ public final class JointReads {
         return table.ids.size();
     }
 
-    /** The handle of the first circle of a joint, or of the other one; -1 if there is none. */
+    /** The handle of the first circle of a joint, or of the other one; 0 if there is none. */
     public long circle(long handle, boolean other) {
         return guard.read(this, null, handle, other ? 1 : 0, CIRCLE);
     }
@@ -101,7 +101,7 @@ public final class JointReads {
     private long circleOf(long handle, boolean other) {
         int joint = find(handle);
         int circle = other ? table.b(joint) : table.a(joint);
-        return circle == JointRow.NONE ? -1 : handles.handle(circle);
+        return circle == JointRow.NONE ? 0 : handles.handle(circle);
     }
 
     private int find(long handle) {
@@ -175,7 +175,7 @@ public final class JointReads {
         return table.ids.size();
     }
 
-    /** The joint whose line is nearest to a point, of several the one of the lowest id; -1 if all are farther away than a distance. */
+    /** The joint whose line is nearest to a point, of several the one of the lowest id; 0 if all are farther away than a distance. */
     public long pick(float x, float y, float most) {
         return guard.change(this, 0, x, y, most, 0, 0, 0, PICK);
     }
@@ -198,7 +198,7 @@ public final class JointReads {
                 }
             }
         }
-        return nearest < 0 ? -1 : table.ids.handle(nearest);
+        return nearest < 0 ? 0 : table.ids.handle(nearest);
     }
 
     /** The joints of a circle, in the order of ids, of which the array takes the first ones; returns how many there are. */

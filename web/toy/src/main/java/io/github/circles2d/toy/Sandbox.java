@@ -152,7 +152,7 @@ final class Sandbox {
     /** Removes the joints here. */
     void cut() {
         Joints joints = world.joints();
-        for (long found = joints.pick(x, y, CUT); found > 0; found = joints.pick(x, y, CUT)) {
+        for (long found = joints.pick(x, y, CUT); found != 0; found = joints.pick(x, y, CUT)) {
             joints.remove(found);
         }
     }
