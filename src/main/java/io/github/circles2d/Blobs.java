@@ -66,7 +66,7 @@ public final class Blobs {
         Builder builder = new Builder(count, circleRadius, mass);
         for (int k = 0; k < count; k++) {
             double angle = 2 * Math.PI * k / count;
-            builder.circle(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
+            builder.circle(x + radius * StrictMath.cos(angle), y + radius * StrictMath.sin(angle));
         }
         // in rings of few circles the second neighbour, or the other side, is one that is joined already
         int second = count > 4 ? count : 0;

@@ -180,10 +180,11 @@ public final class Joint {
     }
 
     /**
-     * Slows a circle down, and its turning, as the floor does in a world that is seen from above. Only for a circle and the world.
+     * Slows a circle down, and its turning, as the floor does in a world that is seen from above. Only for a circle and the world. {@link
+     * Joints#addAll(long[], Joint, long[])} adds it to many circles.
      *
      * @param maxForce the greatest force: the friction times the weight
-     * @param maxTorque the greatest torque
+     * @param maxTorque the greatest torque: of a disc that lies flat, two thirds of the greatest force times the radius
      * @return the definition
      * @throws IllegalArgumentException if a value is out of range
      */

@@ -27,7 +27,8 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>Rigid</b> joints yield a little if masses differ: a rope of 100 links with an end of 100 times the mass of a link stretches by a fifth.
  * A second joint, a rope from its first circle to its last one, keeps it from that.
  *
- * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor.
+ * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor. A joint whose circles become static afterwards, by {@link
+ * World#setMass}, does nothing until one of them can move again.
  *
  * <p><b>Lengths that nobody gives</b>, and welds, take them from the circles as they are now, which are read for that if they have changed. So add
  * circles first and joints then, many by {@link #addAll}, or give lengths.
@@ -85,7 +86,7 @@ public final class Joints {
      *
      * @param circle the handle of the circle
      * @param body the body
-     * @param x x of the anchor in the body's coordinates, up to 1e9 in magnitude
+     * @param x x of the anchor in the body's coordinates ({@link TerrainBody#localX}), up to 1e9 in magnitude
      * @param y y of it
      * @param joint what it does: a pin, or a joint along a line, but no weld
      * @return the handle of the joint
@@ -121,6 +122,21 @@ public final class Joints {
      */
     public int addAll(long[] circles, long[] others, Joint joint, long[] handles) {
         return simulation.joints().addAll(circles, others, form(joint), handles);
+    }
+
+    /**
+     * Adds joints between a circle each and the world, without a place, such as the friction of a table for all pucks: all of them, or none if one
+     * is refused.
+     *
+     * @param circles the handles of the circles
+     * @param joint what each of them does: a motor, a servo or friction
+     * @param handles takes the handles of the joints; may be null
+     * @return the number of joints
+     * @throws IllegalArgumentException if a joint is refused, as by {@link #add(long, Joint)}, with its index; or if the array of handles is
+     *     too short
+     */
+    public int addAll(long[] circles, Joint joint, long[] handles) {
+        return simulation.joints().addAll(circles, form(joint), handles);
     }
 
     // ---- joints go

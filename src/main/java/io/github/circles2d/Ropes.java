@@ -58,14 +58,14 @@ public final class Ropes {
             if (isCircle()) {
                 return world.x(circle);
             }
-            return body == null ? x : body.x() + (Math.cos(body.angle()) * x - Math.sin(body.angle()) * y);
+            return body == null ? x : body.x() + (StrictMath.cos(body.angle()) * x - StrictMath.sin(body.angle()) * y);
         }
 
         private double y(World world) {
             if (isCircle()) {
                 return world.y(circle);
             }
-            return body == null ? y : body.y() + (Math.sin(body.angle()) * x + Math.cos(body.angle()) * y);
+            return body == null ? y : body.y() + (StrictMath.sin(body.angle()) * x + StrictMath.cos(body.angle()) * y);
         }
 
         /** How far a rope goes until a circle of it is outside. */
@@ -286,10 +286,10 @@ public final class Ropes {
         for (int k = 0; k + 1 < lengths.length; k++) {
             sum += lengths[k];
             double angle = halfAngle(lengths, k + 1, bend);
-            double chord = bend == 0 ? sum : Math.sin(angle) / bend;
+            double chord = bend == 0 ? sum : StrictMath.sin(angle) / bend;
             double turn = side * (whole - angle);
-            double along = chord * Math.cos(turn) / distance;
-            double across = chord * Math.sin(turn) / distance;
+            double along = chord * StrictMath.cos(turn) / distance;
+            double across = chord * StrictMath.sin(turn) / distance;
             circles[4 * k] = (float) (x + dx * along - dy * across);
             circles[4 * k + 1] = (float) (y + dy * along + dx * across);
             circles[4 * k + 2] = radius;
@@ -311,7 +311,7 @@ public final class Ropes {
         for (int k = 0; k < HALVINGS; k++) {
             double middle = 0.5 * (low + high);
             double angle = halfAngle(lengths, lengths.length, middle);
-            if (angle < Math.PI && Math.sin(angle) > middle * distance) {
+            if (angle < Math.PI && StrictMath.sin(angle) > middle * distance) {
                 low = middle;
             } else {
                 high = middle;
@@ -324,7 +324,7 @@ public final class Ropes {
     private static double halfAngle(double[] lengths, int count, double bend) {
         double sum = 0;
         for (int k = 0; k < count; k++) {
-            sum += Math.asin(Math.min(1, lengths[k] * bend));
+            sum += StrictMath.asin(Math.min(1, lengths[k] * bend));
         }
         return sum;
     }

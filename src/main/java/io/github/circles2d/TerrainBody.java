@@ -250,6 +250,68 @@ public final class TerrainBody {
     }
 
     /**
+     * Where a place of the world is in this body's own coordinates now. Rays and circles give places of the world, and pieces and joints on a body
+     * take its own: so a rope hangs on what a ray has hit, and goes with it.
+     *
+     * <pre>{@code
+     * float[] hit = new float[Queries.HIT_STRIDE];
+     * long piece = world.queries().terrain().rayCast(world.x(player), world.y(player), 30, 40, hit);
+     * if (piece != 0) {
+     *     TerrainBody body = world.terrain().bodyOf(piece); // the ground, or a body that moves
+     *     float x = body.localX(hit[Queries.X], hit[Queries.Y]);
+     *     float y = body.localY(hit[Queries.X], hit[Queries.Y]);
+     *     rope = world.joints().add(player, body, x, y, Joint.rope(hit[Queries.DISTANCE]));
+     * }
+     * }</pre>
+     *
+     * <p>The coordinates of the ground are the world's. Along an axis that wraps, the place is the image that is nearest to the pivot.
+     *
+     * @param worldX x of the place in the world, up to 1e9 in magnitude
+     * @param worldY y of it
+     * @return x of the place in the body's coordinates
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float localX(float worldX, float worldY) {
+        return simulation.bodies().localX(handle, worldX, worldY);
+    }
+
+    /**
+     * Where a place of the world is in this body's own coordinates now; see {@link #localX}.
+     *
+     * @param worldX x of the place in the world, up to 1e9 in magnitude
+     * @param worldY y of it
+     * @return y of the place in the body's coordinates
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float localY(float worldX, float worldY) {
+        return simulation.bodies().localY(handle, worldX, worldY);
+    }
+
+    /**
+     * Where a place of this body is in the world now. Along an axis that wraps, it is inside.
+     *
+     * @param localX x of the place in the body's coordinates, up to 1e9 in magnitude
+     * @param localY y of it
+     * @return x of the place in the world
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float worldX(float localX, float localY) {
+        return simulation.bodies().worldX(handle, localX, localY);
+    }
+
+    /**
+     * Where a place of this body is in the world now; see {@link #worldX}.
+     *
+     * @param localX x of the place in the body's coordinates, up to 1e9 in magnitude
+     * @param localY y of it
+     * @return y of the place in the world
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float worldY(float localX, float localY) {
+        return simulation.bodies().worldY(handle, localX, localY);
+    }
+
+    /**
      * The velocity along x that was set.
      *
      * @return lengths per second; 0 at first

@@ -171,9 +171,17 @@ class NullArgumentsTest {
         calls.put(
                 "Joints.addAll",
                 Map.of(
-                        "circles", () -> joints.addAll(null, handles, Joint.weld(), null),
+                        "circles",
+                                () -> {
+                                    refusal(() -> joints.addAll(null, handles, Joint.weld(), null), "circles");
+                                    joints.addAll(null, Joint.motor(1, 1), null);
+                                },
                         "others", () -> joints.addAll(handles, null, Joint.weld(), null),
-                        "joint", () -> joints.addAll(handles, handles, null, null)));
+                        "joint",
+                                () -> {
+                                    refusal(() -> joints.addAll(handles, handles, null, null), "joint");
+                                    joints.addAll(handles, null, null);
+                                }));
         calls.put("Joints.removeAll", Map.of("joints", () -> joints.removeAll(null)));
         calls.put("Joints.ofCircle", Map.of("joints", () -> joints.ofCircle(world.handle(0), null)));
         calls.put("Joints.readEnds", Map.of("ends", () -> joints.readEnds(null)));

@@ -199,6 +199,8 @@ class RecordedCallsTest {
             }),
             change("Joints.addAll(long[], long[], Joint, long[])", (w, a, b) -> w.joints()
                     .addAll(new long[] {a, b}, new long[] {b, a}, Joint.distance(), new long[2])),
+            change("Joints.addAll(long[], Joint, long[])", (w, a, b) -> w.joints()
+                    .addAll(new long[] {a, b}, Joint.motor(2, 1), null)),
             change("Joints.remove(long)", (w, a, b) -> {
                 long gone = w.joints().add(a, b, Joint.motor(4, 3));
                 w.joints().add(b, 0.5f, 0.6f, Joint.pin());
@@ -355,9 +357,13 @@ class RecordedCallsTest {
             "TerrainBody.angularVelocity",
             "TerrainBody.exists",
             "TerrainBody.handle",
+            "TerrainBody.localX",
+            "TerrainBody.localY",
             "TerrainBody.toString",
             "TerrainBody.vx",
             "TerrainBody.vy",
+            "TerrainBody.worldX",
+            "TerrainBody.worldY",
             "TerrainBody.x",
             "TerrainBody.y",
             "torque",

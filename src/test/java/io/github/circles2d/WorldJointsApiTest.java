@@ -276,6 +276,46 @@ class WorldJointsApiTest {
     }
 
     @Test
+    void manyCirclesGetTheFrictionOfATableInACall() {
+        try (World table = builder().gravity(0, 0).build()) {
+            long[] pucks = new long[20];
+            long[] handles = new long[20];
+            for (int k = 0; k < pucks.length; k++) {
+                pucks[k] = table.add(4 * k - 40, 0, 1, 2);
+                table.setVelocity(pucks[k], 0, 1 + k % 4);
+                table.setAngularVelocity(pucks[k], 3);
+            }
+            float force = 0.1f * 10 * 2;
+            Joint friction = Joint.friction(force, 2 / 3f * force);
+            assertThat(table.joints().addAll(pucks, friction, handles)).isEqualTo(20);
+            for (int k = 0; k < 20; k++) {
+                assertThat(table.joints().circle(handles[k])).isEqualTo(pucks[k]);
+                assertThat(table.joints().joint(handles[k]).type()).isEqualTo(JointType.FRICTION);
+            }
+            table.step(STEP, 300);
+            for (int k = 0; k < 20; k++) {
+                float v = 1 + k % 4;
+                assertThat(table.y(pucks[k])).as("v^2 / (2 mu g)").isCloseTo(v * v / 2, within(0.02f * v));
+                assertThat(table.vy(pucks[k])).isZero();
+                assertThat(table.angularVelocity(pucks[k])).isZero();
+            }
+        }
+        assertThat(joints.addAll(new long[0], Joint.motor(1, 1), null)).isZero();
+        changesNothing(
+                () -> joints.addAll(new long[] {a, still}, Joint.motor(1, 1), null),
+                "joint 1: the circle with the handle " + still + " is static, but must move");
+        changesNothing(
+                () -> joints.addAll(new long[] {a, b}, Joint.pin(), null),
+                "joint 0: a pin must hold a circle to an anchor");
+        changesNothing(
+                () -> joints.addAll(new long[] {a, b}, Joint.motor(1, 1), new long[1]),
+                "handles has 1 elements, but there are 2 joints");
+        changesNothing(
+                () -> joints.addAll(new long[] {a, 5}, Joint.motor(1, 1), null),
+                "joint 1: no circle has the handle 5: it was removed, or is none of this world's");
+    }
+
+    @Test
     void aWorldHasAMillionJointsAndNotOneMore() {
         int most = 1 << 20;
         long[] firsts = new long[most - 1];

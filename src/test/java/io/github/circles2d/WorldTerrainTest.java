@@ -80,6 +80,79 @@ class WorldTerrainTest {
     }
 
     @Test
+    void placesOfABodyAreThoseOfTheWorldAndBack() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            TerrainBody body = terrain.addBody(30, 40, PI / 2);
+            assertThat(body.worldX(2, 1)).isCloseTo(29, within(1e-5f));
+            assertThat(body.worldY(2, 1)).isCloseTo(42, within(1e-5f));
+            assertThat(body.localX(29, 42)).isCloseTo(2, within(1e-5f));
+            assertThat(body.localY(29, 42)).isCloseTo(1, within(1e-5f));
+            body.setVelocity(3, -2);
+            body.setAngularVelocity(1);
+            long circle = world.add(70, 70, 1, 1);
+            long joint = world.joints().add(circle, body, 2, 1, Joint.rope(90));
+            world.step(1f / 60, 50);
+            assertThat(body.worldX(2, 1)).isEqualTo(world.joints().anchorX(joint));
+            assertThat(body.worldY(2, 1)).isEqualTo(world.joints().anchorY(joint));
+            float x = body.worldX(-7, 5);
+            float y = body.worldY(-7, 5);
+            assertThat(body.localX(x, y)).isCloseTo(-7, within(1e-4f));
+            assertThat(body.localY(x, y)).isCloseTo(5, within(1e-4f));
+            assertThat(terrain.ground().localX(95.1f, 7)).isEqualTo(95.1f);
+            assertThat(terrain.ground().worldY(95.1f, 7)).isEqualTo(7);
+            assertThatThrownBy(() -> body.localX(Float.NaN, 0)).hasMessageStartingWith("x is NaN, but must be from");
+            assertThatThrownBy(() -> body.worldY(0, 2e9f)).hasMessageStartingWith("y is 2.0E9, but must be from");
+            body.remove();
+            assertThatThrownBy(() -> body.localY(0, 0)).hasMessageContaining("no body of terrain has the handle");
+        }
+    }
+
+    @Test
+    void onAnAxisThatWrapsAPlaceOfABodyIsInsideAndTheShortWayFromItsPivot() {
+        try (World world = World.builder()
+                .bounds(0, 0, 100, 100)
+                .edges(Edge.WRAP, Edge.WALL)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody body = world.terrain().addBody(98, 50, 0);
+            assertThat(body.worldX(5, 0)).isEqualTo(3);
+            for (float x : new float[] {3, 103, -97}) {
+                assertThat(body.localX(x, 50)).isEqualTo(5);
+            }
+            assertThat(world.terrain().ground().localX(99, 50)).isEqualTo(99);
+        }
+    }
+
+    @Test
+    void aRopeHangsOnTheMovingBodyThatARayHasHit() {
+        try (World world = World.builder()
+                .bounds(0, 0, 100, 100)
+                .gravity(0, -10)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody lift = world.terrain().addBody(50, 60, 0.3f);
+            lift.addSegment(-20, 0, 20, 0);
+            lift.setVelocity(5, 3);
+            world.step(1f / 60, 30);
+            long player = world.add(55, 20, 1, 1);
+            float[] hit = new float[Queries.HIT_STRIDE];
+            long piece = world.queries().terrain().rayCast(55, 20, 0, 70, hit);
+            TerrainBody body = world.terrain().bodyOf(piece);
+            assertThat(body).isSameAs(lift);
+            float x = body.localX(hit[Queries.X], hit[Queries.Y]);
+            float y = body.localY(hit[Queries.X], hit[Queries.Y]);
+            assertThat(y).as("it lies on the piece").isCloseTo(0, within(1e-4f));
+            long rope = world.joints().add(player, body, x, y, Joint.rope(hit[Queries.DISTANCE]));
+            assertThat(world.joints().anchorX(rope)).isCloseTo(hit[Queries.X], within(1e-4f));
+            assertThat(world.joints().anchorY(rope)).isCloseTo(hit[Queries.Y], within(1e-4f));
+            float before = world.y(player);
+            world.step(1f / 60, 120);
+            assertThat(world.y(player)).as("the lift takes it along").isGreaterThan(before + 5);
+        }
+    }
+
+    @Test
     void badValuesAreRefusedWithTheirIndexAndNothingChanges() {
         try (World world = world()) {
             Terrain terrain = world.terrain();

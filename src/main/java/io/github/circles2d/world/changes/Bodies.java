@@ -11,6 +11,7 @@ import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.terrain.BodyAnchors;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainTables;
@@ -38,6 +39,7 @@ public final class Bodies {
     private final Guard guard;
     private final TerrainTables terrain;
     private final BodyTable table;
+    private final BodyAnchors places;
     private final JointTables joints;
     private final CallLog log;
     private final PendingWork pending;
@@ -60,6 +62,7 @@ public final class Bodies {
         this.copies = copies;
         this.settings = settings;
         table = terrain.bodies;
+        places = new BodyAnchors(table);
     }
 
     /** The id of the body that has a handle. */
@@ -228,6 +231,32 @@ public final class Bodies {
 
     public float y(long handle) {
         return table.y(require(handle));
+    }
+
+    /** Where a place in a body's coordinates is in the world now. */
+    public float worldX(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y, 0f);
+        return places.x(body, x, y, terrain.bounds());
+    }
+
+    public float worldY(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y, 0f);
+        return places.y(body, x, y, terrain.bounds());
+    }
+
+    /** Where a place of the world is in a body's coordinates now; those of the ground are the world's. */
+    public float localX(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y, 0f);
+        return body == BodyTable.GROUND ? x : places.onBodyX(body, x, y, terrain.bounds());
+    }
+
+    public float localY(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y, 0f);
+        return body == BodyTable.GROUND ? y : places.onBodyY(body, x, y, terrain.bounds());
     }
 
     /** In radians, at least -pi and less than pi. */

@@ -167,12 +167,7 @@ public final class JointCalls {
                 log.call(LoggedCall.JOINT, found[k], foundOthers[k]);
             }
             guard.changing = true;
-            for (int k = 0; k < n; k++) {
-                int joint = addOne(form, found[k], foundOthers[k]);
-                if (to != null) {
-                    to[k] = table.ids.handle(joint);
-                }
-            }
+            addFound(n, form, false, to);
             guard.changing = false;
             return n;
         } catch (RuntimeException | Error e) {
@@ -182,17 +177,58 @@ public final class JointCalls {
         }
     }
 
+    /** Adds joints that hold a circle each to no place; the handles are optional. Returns how many. */
+    public int addAll(long[] circlesOf, JointForm form, long[] to) {
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int n = Limits.notNull("circles", circlesOf).length;
+            checkRoom(to, n);
+            JointLimits.room(n, table.ids.size());
+            ensureFound(n);
+            for (int k = 0; k < n; k++) {
+                findAlone(k, circlesOf[k], form);
+            }
+            begin(form, n);
+            log.joints(form);
+            for (int k = 0; k < n; k++) {
+                log.call(LoggedCall.JOINT_ALONE, found[k], 0);
+            }
+            guard.changing = true;
+            addFound(n, form, true, to);
+            guard.changing = false;
+            return n;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private void addFound(int n, JointForm form, boolean alone, long[] to) {
+        for (int k = 0; k < n; k++) {
+            int joint = addOne(form, found[k], alone ? JointRow.NONE : foundOthers[k]);
+            if (to != null) {
+                to[k] = table.ids.handle(joint);
+            }
+        }
+    }
+
     private static int checkLengths(long[] firsts, long[] others, long[] to) {
         int n = Limits.notNull("circles", firsts).length;
         if (Limits.notNull("others", others).length != n) {
             throw new IllegalArgumentException(
                     "others has " + others.length + " elements, but must have one for each of " + n + " circles");
         }
+        checkRoom(to, n);
+        return n;
+    }
+
+    private static void checkRoom(long[] to, int n) {
         if (to != null && to.length < n) {
             throw new IllegalArgumentException(
                     "handles has " + to.length + " elements, but there are " + n + " joints");
         }
-        return n;
     }
 
     private void ensureFound(int n) {
@@ -207,6 +243,15 @@ public final class JointCalls {
             found[k] = Circles.find(handles, circle);
             foundOthers[k] = Circles.find(handles, other);
             JointLimits.circles(form, found[k], foundOthers[k], handles);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void findAlone(int k, long circle, JointForm form) {
+        try {
+            found[k] = Circles.find(handles, circle);
+            JointLimits.alone(form, found[k], handles);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
         }

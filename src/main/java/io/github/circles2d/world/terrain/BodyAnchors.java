@@ -5,7 +5,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Rotation;
 
-/** Where places of bodies are, and how they move: the anchors of joints. */
+/** Where places of bodies are, and how they move: the anchors of joints, and what callers ask for. */
 public final class BodyAnchors {
     private final BodyTable bodies;
 
@@ -48,6 +48,22 @@ public final class BodyAnchors {
     public float y(int body, float x, float y, Bounds bounds) {
         turn(bodies.angle[body], x, y);
         return bounds.placeY((float) BodyTable.place(bodies.y[body] + armY, bounds.minY(), bounds.periodY()));
+    }
+
+    /** A place of now in the body's coordinates, by the short way from its pivot. */
+    public float onBodyX(int body, float x, float y, Bounds bounds) {
+        way(body, x, y, bounds);
+        return (float) (Rotation.cos(bodies.angle[body]) * armX + Rotation.sin(bodies.angle[body]) * armY);
+    }
+
+    public float onBodyY(int body, float x, float y, Bounds bounds) {
+        way(body, x, y, bounds);
+        return (float) (Rotation.cos(bodies.angle[body]) * armY - Rotation.sin(bodies.angle[body]) * armX);
+    }
+
+    private void way(int body, float x, float y, Bounds bounds) {
+        armX = BodyTable.shortWay(bounds.placeX(x) - bodies.x[body], bounds.periodX());
+        armY = BodyTable.shortWay(bounds.placeY(y) - bodies.y[body], bounds.periodY());
     }
 
     /** Fills a row of {@link AnchorRow} for a place of a body that moves in the step that begins. */
