@@ -127,7 +127,7 @@ public final class Bodies {
     private void removeOne(long handle) {
         int body = findMovable(handle, "be removed");
         pending.settleJoints();
-        joints.departures().ensure(joints.table.anchoredOnBodies());
+        joints.departures().ensure(joints.table.places.count());
         copies.forgetSaved();
         log.call(LoggedCall.REMOVE_BODY, body, 0);
         guard.changing = true;

@@ -227,7 +227,7 @@ public final class Pieces {
 
     private void removeAll() {
         pending.settleJoints();
-        joints.departures().ensure(joints.table.anchoredOnBodies());
+        joints.departures().ensure(joints.table.places.count());
         copies.forgetSaved();
         log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
         guard.changing = true;

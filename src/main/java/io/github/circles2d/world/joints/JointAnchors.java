@@ -32,7 +32,7 @@ final class JointAnchors {
 
     /** Makes room for {@link #begin}. If there is none, nothing has changed. */
     void makeRoom(JointStep step, int subSteps) {
-        int needed = AnchorRow.of(1 + (places.anyMoves() ? table.anchoredOnBodies() : 0), 0, subSteps);
+        int needed = AnchorRow.of(1 + (places.anyMoves() ? table.places.count() : 0), 0, subSteps);
         if (step.anchors.length < needed) {
             step.anchors = Arrays.copyOf(step.anchors, Math.max(needed, step.anchors.length * 3 / 2));
         }
@@ -46,7 +46,7 @@ final class JointAnchors {
             step.anchorCount = 1;
             step.anchorsVersion++;
         }
-        if (table.anchoredOnBodies() > 0 && (moved || !placed || jumps != places.jumps() || places.anyMoves())) {
+        if (table.places.count() > 0 && (moved || !placed || jumps != places.jumps() || places.anyMoves())) {
             place(step, k, bounds);
             jumps = places.jumps();
             placed = true;
@@ -56,18 +56,18 @@ final class JointAnchors {
     private void place(JointStep step, StepConstants k, Bounds bounds) {
         int rows = 1;
         for (int joint = 0; joint < table.ids.end(); joint++) {
-            if (!table.ids.lives(joint) || table.body(joint) == JointTable.WORLD) {
+            if (!table.ids.lives(joint) || table.places.body(joint) == AnchorPlaces.WORLD) {
                 continue;
             }
-            int body = table.body(joint);
-            float x = table.onBodyX(joint);
-            float y = table.onBodyY(joint);
-            table.anchor(joint, places.x(body, x, y, bounds), places.y(body, x, y, bounds));
+            int body = table.places.body(joint);
+            float x = table.places.x(joint);
+            float y = table.places.y(joint);
+            table.rows.setAnchor(joint, places.x(body, x, y, bounds), places.y(body, x, y, bounds));
             if (places.moves(body)) {
                 places.fill(step.anchors, rows, body, x, y, k.dt, k.subSteps, bounds);
-                table.setAnchorRow(joint, rows++);
+                table.rows.setAnchorRow(joint, rows++);
             } else {
-                table.setAnchorRow(joint, 0);
+                table.rows.setAnchorRow(joint, 0);
             }
         }
         if (rows > 1) {

@@ -83,8 +83,8 @@ public final class JointDepartures {
 
     /** A body of terrain goes. */
     public void removeOfBody(int body) {
-        for (int joint = 0; table.anchoredOnBodies() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.body(joint) == body) {
+        for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.places.body(joint) == body) {
                 remove(joint, GoneJoints.BODY_REMOVED);
             }
         }
@@ -92,8 +92,8 @@ public final class JointDepartures {
 
     /** All bodies of terrain go. */
     public void removeOfBodies() {
-        for (int joint = 0; table.anchoredOnBodies() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.body(joint) != JointTable.WORLD) {
+        for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.places.body(joint) != AnchorPlaces.WORLD) {
                 remove(joint, GoneJoints.BODY_REMOVED);
             }
         }

@@ -30,7 +30,7 @@ public final class JointSaves {
         to.colour[joint] = (byte) table.colour(joint);
         to.a[joint] = table.a(joint);
         to.b[joint] = table.b(joint);
-        to.body[joint] = table.body(joint);
+        to.body[joint] = table.places.body(joint);
         to.referenceA[joint] = table.reference(joint, JointRow.REFERENCE_A);
         to.referenceB[joint] = table.reference(joint, JointRow.REFERENCE_B);
         for (int k = 0; k < SavedJoints.VALUES; k++) {
@@ -40,12 +40,12 @@ public final class JointSaves {
 
     /** A value of {@link SavedJoints}. */
     private float value(int joint, int k) {
-        boolean onBody = table.body(joint) != JointTable.WORLD;
+        boolean onBody = table.places.body(joint) != AnchorPlaces.WORLD;
         return switch (k) {
             case SavedJoints.FREQUENCY -> table.frequency(joint);
             case SavedJoints.DAMPING_RATIO -> table.dampingRatio(joint);
-            case JointRow.ANCHOR_X -> onBody ? table.onBodyX(joint) : table.value(joint, k);
-            case JointRow.ANCHOR_Y -> onBody ? table.onBodyY(joint) : table.value(joint, k);
+            case JointRow.ANCHOR_X -> onBody ? table.places.x(joint) : table.value(joint, k);
+            case JointRow.ANCHOR_Y -> onBody ? table.places.y(joint) : table.value(joint, k);
             default -> table.value(joint, k);
         };
     }
@@ -90,7 +90,7 @@ public final class JointSaves {
                 && from.colour[joint] == table.colour(joint)
                 && from.a[joint] == table.a(joint)
                 && from.b[joint] == table.b(joint)
-                && from.body[joint] == table.body(joint)
+                && from.body[joint] == table.places.body(joint)
                 && from.referenceA[joint] == table.reference(joint, JointRow.REFERENCE_A)
                 && from.referenceB[joint] == table.reference(joint, JointRow.REFERENCE_B);
         for (int k = 0; same && k < SavedJoints.VALUES; k++) {
@@ -107,12 +107,12 @@ public final class JointSaves {
         form.frequency = from.values[values + SavedJoints.FREQUENCY];
         form.dampingRatio = from.values[values + SavedJoints.DAMPING_RATIO];
         table.revive(joint, form, from.a[joint], from.b[joint]);
-        table.setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
+        table.rows.setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
         table.colours.set(joint, from.colour[joint]);
         table.link(joint);
-        if (from.body[joint] != JointTable.WORLD) {
-            table.anchorOn(joint, from.body[joint]);
-            table.setOnBody(joint, from.values[values + JointRow.ANCHOR_X], from.values[values + JointRow.ANCHOR_Y]);
+        if (from.body[joint] != AnchorPlaces.WORLD) {
+            table.places.enter(joint, from.body[joint]);
+            table.places.set(joint, from.values[values + JointRow.ANCHOR_X], from.values[values + JointRow.ANCHOR_Y]);
         }
     }
 }

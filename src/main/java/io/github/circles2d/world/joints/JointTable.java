@@ -3,17 +3,12 @@ package io.github.circles2d.world.joints;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
-import io.github.circles2d.world.terrain.BodyTable;
-import java.util.Arrays;
 
 /**
  * The joints: of each its rows for steps ({@link JointRow}), its spring, its colour, and where its anchor is on a body of terrain. Changes have been
  * checked, and there is room.
  */
 public final class JointTable {
-    /** In place of a body: that of an anchor in the world, and of joints without one. */
-    public static final int WORLD = BodyTable.GROUND;
-
     /** The colour of a split joint. */
     public static final int SPLIT = JointStep.COLOURS;
 
@@ -29,29 +24,20 @@ public final class JointTable {
 
     final SpringTable springs = new SpringTable();
 
-    float[] rows = new float[0];
-    int[] traits = new int[0];
+    /** What steps are told of each joint. */
+    final JointRows rows = new JointRows();
+
     final JointColours colours = new JointColours();
 
-    /** By joint: the body of terrain of its anchor, or {@link #WORLD}; and where it is in the body's coordinates. */
-    private int[] body = new int[0];
-
-    private float[] onBody = new float[0];
+    /** Anchors on bodies of terrain. */
+    public final AnchorPlaces places = new AnchorPlaces();
 
     private final JointLists ofCircles = new JointLists();
-
-    private int lastSerial;
 
     // joints by what they have
     private int turning;
     private int breakable;
     private int parting;
-    private int anchoredOnBodies;
-
-    /** Rows and traits that have changed since the step was told of them: from the first one to before the last one. */
-    private int changedFrom = Integer.MAX_VALUE;
-
-    private int changedTo;
 
     /** Whether joints have come or gone since the step was told of their order. */
     boolean orderChanged;
@@ -69,11 +55,9 @@ public final class JointTable {
     }
 
     private void setRoom(int c) {
-        rows = Arrays.copyOf(rows, JointRow.of(c));
-        traits = Arrays.copyOf(traits, JointRow.traits(c));
+        rows.setRoom(c);
         colours.setRoom(c);
-        body = Arrays.copyOf(body, c);
-        onBody = Arrays.copyOf(onBody, 2 * c);
+        places.setRoom(c);
         ids.setRoom(c);
     }
 
@@ -101,48 +85,35 @@ public final class JointTable {
     // -----------------------------------------------------------------------------------------------
 
     public int a(int joint) {
-        return traits[JointRow.traits(joint) + JointRow.A];
+        return rows.trait(joint, JointRow.A);
     }
 
     /** {@link JointRow#NONE} if it holds a circle to no other. */
     public int b(int joint) {
-        return traits[JointRow.traits(joint) + JointRow.B];
+        return rows.trait(joint, JointRow.B);
     }
 
     /** {@link JointRow#FORM} */
     public int form(int joint) {
-        return traits[JointRow.traits(joint) + JointRow.FORM];
+        return rows.trait(joint, JointRow.FORM);
     }
 
     public int serial(int joint) {
-        return traits[JointRow.traits(joint) + JointRow.SERIAL];
+        return rows.trait(joint, JointRow.SERIAL);
     }
 
     /** {@link JointRow#REFERENCE_A} or {@code REFERENCE_B}. */
     public int reference(int joint, int which) {
-        return traits[JointRow.traits(joint) + which];
+        return rows.trait(joint, which);
     }
 
     /** A number of {@link JointRow}. */
     public float value(int joint, int which) {
-        return rows[JointRow.of(joint) + which];
+        return rows.value(joint, which);
     }
 
     public int colour(int joint) {
         return colours.get(joint);
-    }
-
-    public int body(int joint) {
-        return body[joint];
-    }
-
-    /** In the body's coordinates, if the anchor is on one. */
-    public float onBodyX(int joint) {
-        return onBody[2 * joint];
-    }
-
-    public float onBodyY(int joint) {
-        return onBody[2 * joint + 1];
     }
 
     /** Hertz; 0 without a spring. */
@@ -155,7 +126,7 @@ public final class JointTable {
     }
 
     private int spring(int joint) {
-        return traits[JointRow.traits(joint) + JointRow.SPRING];
+        return rows.trait(joint, JointRow.SPRING);
     }
 
     /** What a joint does. */
@@ -188,11 +159,6 @@ public final class JointTable {
     /** Whether a joint keeps two circles from colliding. */
     boolean parts() {
         return parting > 0;
-    }
-
-    /** How many have an anchor on a body of terrain. */
-    public int anchoredOnBodies() {
-        return anchoredOnBodies;
     }
 
     boolean isParting(int joint) {
@@ -251,17 +217,8 @@ public final class JointTable {
 
     /** All but the colour, the lists and the id. */
     private void put(int joint, JointForm form, int a, int b) {
-        System.arraycopy(form.row, 0, rows, JointRow.of(joint), JointRow.STRIDE);
-        int at = JointRow.traits(joint);
-        traits[at + JointRow.A] = a;
-        traits[at + JointRow.B] = b;
-        traits[at + JointRow.FORM] = form.traits;
-        traits[at + JointRow.SPRING] = springOf(form.traits, form.frequency, form.dampingRatio);
-        traits[at + JointRow.ANCHOR] = 0;
-        traits[at + JointRow.REFERENCE_A] = form.angle;
-        traits[at + JointRow.REFERENCE_B] = 0;
-        body[joint] = WORLD;
-        renew(joint);
+        rows.put(joint, form, springOf(form.traits, form.frequency, form.dampingRatio), a, b);
+        places.begin(joint);
     }
 
     private int springOf(int form, float frequency, float dampingRatio) {
@@ -304,80 +261,35 @@ public final class JointTable {
         }
     }
 
-    /** Gives a joint an anchor in the world, or another place of it. */
-    public void anchor(int joint, float x, float y) {
-        rows[JointRow.of(joint) + JointRow.ANCHOR_X] = x;
-        rows[JointRow.of(joint) + JointRow.ANCHOR_Y] = y;
-        changed(joint);
-    }
-
-    /** Gives a new joint an anchor on a body of terrain. */
-    public void anchorOn(int joint, int itsBody) {
-        body[joint] = itsBody;
-        anchoredOnBodies++;
-    }
-
-    /** Where the anchor of a joint is on its body. */
-    public void setOnBody(int joint, float x, float y) {
-        onBody[2 * joint] = x + 0f;
-        onBody[2 * joint + 1] = y + 0f;
-    }
-
-    /** The row of its anchor in the step. */
-    void setAnchorRow(int joint, int row) {
-        if (traits[JointRow.traits(joint) + JointRow.ANCHOR] != row) {
-            traits[JointRow.traits(joint) + JointRow.ANCHOR] = row;
-            changed(joint);
-        }
-    }
-
-    /** The angles, in units, at which both circles are as they should be. */
-    public void setReferences(int joint, int angleA, int angleB) {
-        traits[JointRow.traits(joint) + JointRow.REFERENCE_A] = angleA;
-        traits[JointRow.traits(joint) + JointRow.REFERENCE_B] = angleB;
-        changed(joint);
-    }
-
-    /** Sets a number of {@link JointRow}. */
-    public void setValue(int joint, int which, float value) {
-        rows[JointRow.of(joint) + which] = value;
-        changed(joint);
-    }
-
     /** All but {@link JointSetting#ANCHOR}. */
     public void set(int joint, JointSetting setting, float x, float y) {
-        int at = JointRow.traits(joint);
-        int before = traits[at + JointRow.FORM];
+        int before = form(joint);
         int after = setting.traits(before, x, y);
         if (after != before) {
             count(joint, -1);
-            traits[at + JointRow.FORM] = after;
+            rows.setTrait(joint, JointRow.FORM, after);
             count(joint, 1);
             if (JointForm.has(after ^ before, JointRow.LOWER | JointRow.UPPER)) {
-                renew(joint); // a limit that has gone pushes no more
+                rows.renew(joint); // a limit that has gone pushes no more
             }
         }
-        setting.write(rows, JointRow.of(joint), x, y);
+        rows.write(joint, setting, x, y);
         if (setting == JointSetting.SPRING) {
             int spring = springOf(after, x + 0f, y + 0f);
-            springs.release(traits[at + JointRow.SPRING]);
-            traits[at + JointRow.SPRING] = spring;
+            springs.release(spring(joint));
+            rows.setTrait(joint, JointRow.SPRING, spring);
         } else if (setting == JointSetting.ANGLE) {
-            traits[at + JointRow.REFERENCE_A] = JointSetting.angle(x);
+            rows.setTrait(joint, JointRow.REFERENCE_A, JointSetting.angle(x));
         }
-        changed(joint);
     }
 
     public void remove(int joint) {
         unlink(joint);
-        if (body[joint] != WORLD) {
-            anchoredOnBodies--;
-        }
+        places.leave(joint);
         if (JointForm.has(form(joint), JointRow.ELASTIC)) {
             springs.release(spring(joint));
         }
-        traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
-        changed(joint);
+        rows.setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
         ids.remove(joint);
     }
 
@@ -388,18 +300,6 @@ public final class JointTable {
                 remove(joint);
             }
         }
-    }
-
-    /** Its impulses so far do not count. */
-    private void renew(int joint) {
-        lastSerial = lastSerial == Integer.MAX_VALUE ? 1 : lastSerial + 1;
-        traits[JointRow.traits(joint) + JointRow.SERIAL] = lastSerial;
-        changed(joint);
-    }
-
-    private void changed(int joint) {
-        changedFrom = Math.min(changedFrom, joint);
-        changedTo = Math.max(changedTo, joint + 1);
     }
 
     // ---- states
@@ -424,13 +324,12 @@ public final class JointTable {
         turning = 0;
         breakable = 0;
         parting = 0;
-        anchoredOnBodies = 0;
+        places.clear();
         orderChanged = true;
         partnersChanged = true;
         ids.load(generations, joints);
         for (int joint = 0; joint < joints; joint++) {
-            traits[JointRow.traits(joint) + JointRow.FORM] = JointRow.NO_JOINT;
-            changed(joint);
+            rows.setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
         }
     }
 
@@ -443,25 +342,14 @@ public final class JointTable {
     /** Tells a step of the rows. */
     void publish(JointStep step) {
         step.joints = ids.end();
-        step.rows = rows;
-        step.traits = traits;
         step.breakable = breaks();
         step.turns = turns();
         step.parts = parts();
-        if (changedTo > 0) {
-            step.changedFrom = changedFrom;
-            step.changedTo = changedTo;
-            step.version++;
-            changedFrom = Integer.MAX_VALUE;
-            changedTo = 0;
-        }
+        rows.publish(step);
     }
 
     /** Bytes of the table. */
     long bytes() {
-        return 4L * (rows.length + traits.length + body.length + onBody.length)
-                + colours.bytes()
-                + ofCircles.bytes()
-                + springs.bytes();
+        return rows.bytes() + places.bytes() + colours.bytes() + ofCircles.bytes() + springs.bytes();
     }
 }

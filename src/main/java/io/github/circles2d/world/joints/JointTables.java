@@ -52,8 +52,8 @@ public final class JointTables {
     /** Adds a joint of a circle with a place in the world, or on a body. */
     public int add(JointForm form, int circle, int body, float x, float y) {
         int joint = table.add(form, circle, JointRow.NONE);
-        if (body != JointTable.WORLD) {
-            table.anchorOn(joint, body);
+        if (body != AnchorPlaces.WORLD) {
+            table.places.enter(joint, body);
         }
         setAnchor(joint, x, y);
         return joint;
@@ -68,15 +68,15 @@ public final class JointTables {
     public void complete(int joint, float[] circles, int[] angles) {
         ends.look(circles).of(joint);
         if (Float.isNaN(table.value(joint, JointRow.LENGTH))) {
-            table.setValue(joint, JointRow.LENGTH, ends.length());
+            table.rows.setValue(joint, JointRow.LENGTH, ends.length());
         }
         if (JointForm.kind(table.form(joint)) == JointForm.WELD) {
             float d = ends.length();
-            table.setValue(joint, JointRow.DIRECTION_X, d > 0f ? ends.dx() / d : 1f);
-            table.setValue(joint, JointRow.DIRECTION_Y, d > 0f ? ends.dy() / d : 0f);
+            table.rows.setValue(joint, JointRow.DIRECTION_X, d > 0f ? ends.dx() / d : 1f);
+            table.rows.setValue(joint, JointRow.DIRECTION_Y, d > 0f ? ends.dy() / d : 0f);
             if (angles != null) {
                 int a = angles[handles.place(table.a(joint))];
-                table.setReferences(joint, a, angles[handles.place(table.b(joint))]);
+                table.rows.setReferences(joint, a, angles[handles.place(table.b(joint))]);
             }
         }
     }
@@ -88,28 +88,28 @@ public final class JointTables {
 
     /** Gives a joint without another circle a place, in the world or on the body that it has. */
     private void setAnchor(int joint, float x, float y) {
-        if (table.body(joint) == JointTable.WORLD) {
+        if (table.places.body(joint) == AnchorPlaces.WORLD) {
             Bounds bounds = terrain.bounds();
-            table.anchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
+            table.rows.setAnchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
         } else {
-            table.setOnBody(joint, x, y);
+            table.places.set(joint, x, y);
             anchors.changed();
         }
     }
 
     /** Where the anchor of a joint is now. */
     public float anchorX(int joint) {
-        int body = table.body(joint);
-        return body == JointTable.WORLD
+        int body = table.places.body(joint);
+        return body == AnchorPlaces.WORLD
                 ? table.value(joint, JointRow.ANCHOR_X)
-                : places.x(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
+                : places.x(body, table.places.x(joint), table.places.y(joint), terrain.bounds());
     }
 
     public float anchorY(int joint) {
-        int body = table.body(joint);
-        return body == JointTable.WORLD
+        int body = table.places.body(joint);
+        return body == AnchorPlaces.WORLD
                 ? table.value(joint, JointRow.ANCHOR_Y)
-                : places.y(body, table.onBodyX(joint), table.onBodyY(joint), terrain.bounds());
+                : places.y(body, table.places.x(joint), table.places.y(joint), terrain.bounds());
     }
 
     /** Refuses values that are out of range, and joints that do not have this. */

@@ -172,7 +172,7 @@ class JointScheduleTest {
         float[] expected = new float[JointSpring.STRIDE];
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint)) {
-                int row = table.traits[JointRow.traits(joint) + JointRow.SPRING];
+                int row = table.rows.trait(joint, JointRow.SPRING);
                 assertThat(row > 0).isEqualTo((table.form(joint) & JointRow.ELASTIC) != 0);
                 if (row > 0) {
                     JointSpring.fill(expected, 0, table.frequency(joint), table.dampingRatio(joint), 1 / 240f);
