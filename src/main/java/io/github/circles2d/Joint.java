@@ -149,7 +149,8 @@ public final class Joint {
     // --------------------------------------------------------------------------------------------
 
     /**
-     * Turns a circle at a speed, against the world or against another circle.
+     * Turns a circle at a speed, against the world or against another circle. The other circle gets the opposite torque. If joints hold it by its
+     * centre alone, it turns, too, and takes a part of the speed; a {@link #servo} of that circle and the world keeps it upright.
      *
      * @param speed radians per second, anticlockwise where y points up, up to 1e9 in magnitude
      * @param maxTorque the greatest torque
@@ -163,7 +164,8 @@ public final class Joint {
     }
 
     /**
-     * Turns a circle to an angle by a spring: its own angle, or how far it is turned against another circle.
+     * Turns a circle to an angle by a spring: its own angle, or how far it is turned against another circle. The spring is as stiff as the inertia of
+     * these circles asks for. What is welded to them counts for nothing there: to lift that, take a high frequency and a high damping ratio, such as 20 and 20.
      *
      * @param angle radians, up to 1e6 in magnitude
      * @param hertz how often it swings in a second without damping, 0 to 10,000

@@ -276,6 +276,25 @@ class WorldJointsApiTest {
     }
 
     @Test
+    void aServoOfHighFrequencyAndDampingLiftsWhatIsWeldedToItsCircle() {
+        long hinge = world.add(-50, 0, 1, 4);
+        joints.add(hinge, -50, 0, Joint.pin());
+        long servo = joints.add(hinge, Joint.servo(0, 20, 20, INFINITE));
+        long end = hinge;
+        for (int k = 1; k <= 8; k++) {
+            long next = world.add(-50 + 2 * k, 0, 1, 1);
+            joints.add(end, next, Joint.weld());
+            end = next;
+        }
+        world.step(STEP, 300);
+        assertThat(world.y(end)).as("it hardly sinks").isCloseTo(0, within(0.8f));
+        joints.setAngle(servo, 1.2f);
+        world.step(STEP, 300);
+        assertThat(world.angle(hinge)).isCloseTo(1.2f, within(0.05f));
+        assertThat(world.y(end)).isCloseTo(16 * (float) Math.sin(1.2), within(1f));
+    }
+
+    @Test
     void manyCirclesGetTheFrictionOfATableInACall() {
         try (World table = builder().gravity(0, 0).build()) {
             long[] pucks = new long[20];
