@@ -401,9 +401,10 @@ class WorldJointsApiTest {
             }
             long joint = joints.handle(World.id(circle));
             assertThat(world.contains(joint)).isFalse();
+            refused(() -> world.remove(joint), "no circle has the handle " + joint + ": it is of a joint");
             refused(
-                    () -> world.remove(joint),
-                    "no circle has the handle " + joint + ": it was removed, or is none of this world's");
+                    () -> world.removeAll(new long[] {joint}, 1, StaleHandles.REFUSE),
+                    "handle 0: no circle has the handle " + joint + ": it is of a joint");
         }
         long piece = world.terrain().addSegment(-50, -50, 50, -50);
         assertThat(joints.contains(piece)).isFalse();

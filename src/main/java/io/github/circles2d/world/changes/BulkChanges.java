@@ -164,8 +164,7 @@ public final class BulkChanges {
         long handle = circles[i];
         int id = handles.find(handle);
         if (id < 0 && !skipStale) {
-            throw new IllegalArgumentException("handle " + i + ": no circle has the handle " + handle
-                    + ": it was removed, or is none of this world's");
+            throw new IllegalArgumentException("handle " + i + ": " + Circles.gone(handle));
         }
         return id;
     }

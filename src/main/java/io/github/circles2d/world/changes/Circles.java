@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
@@ -559,10 +560,15 @@ public final class Circles {
     public static int find(HandleTable handles, long handle) {
         int id = handles.find(handle);
         if (id < 0) {
-            throw new IllegalArgumentException(
-                    "no circle has the handle " + handle + ": it was removed, or is none of this world's");
+            throw new IllegalArgumentException(gone(handle));
         }
         return id;
+    }
+
+    /** Why a handle is refused. */
+    static String gone(long handle) {
+        return "no circle has the handle " + handle
+                + (JointTable.isMarked(handle) ? ": it is of a joint" : ": it was removed, or is none of this world's");
     }
 
     /** The restitution of one circle. */
