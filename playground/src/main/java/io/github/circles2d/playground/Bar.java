@@ -16,10 +16,16 @@ final class Bar extends JPanel {
     private static final int GAP_X = 6;
     private static final int GAP_Y = 7;
 
+    /** Before a frame has said it: of a scene of the playground's own. */
+    private static final float GRAVITY_ROOM = 120;
+
     private final transient Map<ToolKind, FlatButton> tools = new EnumMap<>(ToolKind.class);
     private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
     private final FlatButton pause;
     private final FlatButton slow;
+    private final FlatSlider size;
+    private final FlatSlider gravity;
+    private final FlatSlider restitution;
     private final FlatSlider friction;
     private final FlatSlider rolling;
     private final int width;
@@ -45,6 +51,10 @@ final class Bar extends JPanel {
             paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
         }
         add(Box.createHorizontalStrut(14));
+        size = slider("Size", "of circles that are poured, in usual ones", 4, Session::setSize, loop);
+        gravity = slider("Gravity", "up to twice that of the scene", GRAVITY_ROOM, Session::setGravity, loop);
+        restitution = slider(
+                "Bounce", "restitution of circles that are no belts and of terrain", 1, Session::setRestitution, loop);
         friction = slider("Friction", "of walls and of circles that are no belts", 1, Session::setFriction, loop);
         rolling = slider(
                 "Rolling", "rolling resistance: circles roll on at 0", 0.3f, Session::setRollingResistance, loop);
@@ -93,6 +103,9 @@ final class Bar extends JPanel {
         pause.setSelected(frame.paused);
         slow.setSelected(frame.speed < 1);
         slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
+        size.show(frame.size);
+        gravity.show(frame.gravity, frame.greatestGravity);
+        restitution.show(frame.restitution);
         friction.show(frame.friction);
         rolling.show(frame.rollingResistance);
     }

@@ -21,7 +21,7 @@ final class FlatSlider extends JComponent {
     private static final int STEPS = 50;
 
     private final String text;
-    private final float greatest;
+    private float greatest;
     private float value;
 
     /** Whether the mouse holds it: then no frame moves it. */
@@ -63,6 +63,16 @@ final class FlatSlider extends JComponent {
         }
     }
 
+    /** The same for a number whose greatest one depends on the scene. */
+    void show(float now, float most) {
+        if (!held && most != greatest) {
+            greatest = most;
+            revalidate();
+            repaint();
+        }
+        show(now);
+    }
+
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(metrics().stringWidth(label(greatest)) + 2 * PAD, HEIGHT);
@@ -73,7 +83,8 @@ final class FlatSlider extends JComponent {
     }
 
     private String label(float number) {
-        return String.format(Locale.ROOT, "%s %.2f", text, number);
+        String pattern = greatest < 0.1f ? "%s %.4f" : greatest < 10 ? "%s %.2f" : "%s %.1f";
+        return String.format(Locale.ROOT, pattern, text, number);
     }
 
     @Override

@@ -49,7 +49,15 @@ final class Frame {
     float speed = 1;
     ToolKind tool = ToolKind.GRAB;
     PaintMode paint = PaintMode.SPEED;
+
+    /** What the last colour stands for; 0 if it is not known. */
+    double legendMost;
+
     double brush;
+    float size = 1;
+    float gravity;
+    float greatestGravity = 1;
+    float restitution;
     float friction;
     float rollingResistance;
     String message = "";

@@ -15,6 +15,7 @@ final class Hand {
     private final PourTool stream = new PourTool();
     private ToolKind kind = ToolKind.GRAB;
     private float brush = 1;
+    private float size = 1;
     private boolean pressed;
     private boolean pouring;
     private float x;
@@ -118,6 +119,17 @@ final class Hand {
             return;
         }
         brush = (float) Math.min(Math.max(brush * Math.pow(STRONGER, notches), LEAST), GREATEST);
+    }
+
+    /** Sets how large circles are that are poured, in those that are usual in the world. */
+    void setSize(float factor) {
+        size = Math.max(factor, LEAST);
+        stream.setSize(size);
+        ((PourTool) tools.get(ToolKind.POUR)).setSize(size);
+    }
+
+    float size() {
+        return size;
     }
 
     /** How far the tool in hand reaches. */

@@ -20,6 +20,7 @@ final class Hud {
     private static final int LINE = 19;
     private static final float SIZE = 13;
     private static final int LEGEND_BAR = 132;
+    private static final int LEGEND_GAP = 6;
 
     private final Graph steps = new Graph("ms a step", Theme.ACCENT, 0.97);
     private final Graph energy = new Graph("energy", Theme.WARM, 1);
@@ -48,7 +49,7 @@ final class Hud {
                 width,
                 height,
                 figuresSize(g, lines, room),
-                legendSize(g, frame.paint),
+                legendSize(g, frame),
                 message.isEmpty() ? null : messageSize(g, message),
                 graphs);
         if (layout.figures() != null) {
@@ -59,7 +60,7 @@ final class Hud {
             energy.paint(g, layout.energy(), frame.energies, format("%.3g", frame.energy));
         }
         if (layout.legend() != null) {
-            paintLegend(g, layout.legend(), frame.paint);
+            paintLegend(g, layout.legend(), frame);
         }
         if (layout.message() != null) {
             paintMessage(g, layout.message(), message);
@@ -109,19 +110,31 @@ final class Hud {
     }
 
     /** Null for colours without a meaning. */
-    private static Dimension legendSize(Graphics2D g, PaintMode mode) {
-        boolean none = Shades.legend(mode).length == 0;
-        int text = metrics(g, SIZE - 1).stringWidth(mode.label());
-        return none ? null : new Dimension(text + LEGEND_BAR + 3 * PAD, 26);
+    private static Dimension legendSize(Graphics2D g, Frame frame) {
+        boolean none = Shades.legend(frame.paint).length == 0;
+        int text = metrics(g, SIZE - 1).stringWidth(frame.paint.label() + "0" + most(frame));
+        return none ? null : new Dimension(text + LEGEND_BAR + 3 * PAD + 2 * LEGEND_GAP, 26);
     }
 
-    private static void paintLegend(Graphics2D g, Rectangle at, PaintMode mode) {
-        int[] colours = Shades.legend(mode);
+    /** The number at the end of the legend; from there on all circles have the last colour. */
+    private static String most(Frame frame) {
+        String pattern = frame.legendMost < 100 ? "%.3g" : "%.0f";
+        return frame.paint == PaintMode.CONTACTS
+                ? format("%.0f+", frame.legendMost)
+                : frame.legendMost > 0 ? format(pattern, frame.legendMost) + "+" : "";
+    }
+
+    private static void paintLegend(Graphics2D g, Rectangle at, Frame frame) {
+        int[] colours = Shades.legend(frame.paint);
+        String most = most(frame);
         g.setFont(Theme.font(SIZE - 1));
         panel(g, at.x, at.y, at.width, at.height);
         g.setColor(Theme.FAINT);
-        g.drawString(mode.label(), at.x + PAD, at.y + 18);
-        int left = at.x + at.width - PAD - LEGEND_BAR;
+        g.drawString(frame.paint.label(), at.x + PAD, at.y + 18);
+        int end = at.x + at.width - PAD - g.getFontMetrics().stringWidth(most);
+        int left = end - LEGEND_GAP - LEGEND_BAR;
+        g.drawString("0", left - LEGEND_GAP - g.getFontMetrics().stringWidth("0"), at.y + 18);
+        g.drawString(most, end, at.y + 18);
         for (int k = 0; k < colours.length; k++) {
             int from = left + LEGEND_BAR * k / colours.length;
             int to = left + LEGEND_BAR * (k + 1) / colours.length;

@@ -107,6 +107,7 @@ final class Menus {
                 separated = true;
             }
             JRadioButtonMenuItem item = choice(menu, stageGroup, one.name());
+            item.setToolTipText(StageNotes.of(one.name()));
             item.addActionListener(event -> {
                 stage = null; // the next frame says whether it has come
                 loop.ask(session -> session.load(one));

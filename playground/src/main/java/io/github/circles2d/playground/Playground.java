@@ -100,7 +100,7 @@ public final class Playground {
         SessionLoop loop = new SessionLoop(() -> {
             Session session = new Session(options.stage(), options.backend());
             session.setPaint(options.paint());
-            session.say("H shows the keys");
+            session.say((StageNotes.of(options.stage().name()) + " H shows the keys.").strip());
             return session;
         });
         loop.start();

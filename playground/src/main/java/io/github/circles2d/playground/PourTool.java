@@ -22,11 +22,12 @@ final class PourTool implements Tool {
     private float x;
     private float y;
     private float brush = 1;
+    private float size = 1;
 
     @Override
-    public void press(Sandbox sandbox, float atX, float atY, float size) {
+    public void press(Sandbox sandbox, float atX, float atY, float reach) {
         pouring = true;
-        brush = size;
+        brush = reach;
         drag(sandbox, atX, atY);
     }
 
@@ -34,6 +35,11 @@ final class PourTool implements Tool {
     public void drag(Sandbox sandbox, float toX, float toY) {
         x = toX;
         y = toY;
+    }
+
+    /** Sets how large circles to come are, in those that are usual in the world. */
+    void setSize(float factor) {
+        size = factor;
     }
 
     @Override
@@ -86,7 +92,7 @@ final class PourTool implements Tool {
             double distance = reach * Math.sqrt(random.nextDouble());
             float px = x + (float) (distance * Math.cos(angle));
             float py = y + (float) (distance * Math.sin(angle));
-            float r = arena.radius(grain.radius() * (LEAST_SIZE + SPREAD * random.nextFloat()));
+            float r = arena.radius(size * grain.radius() * (LEAST_SIZE + SPREAD * random.nextFloat()));
             if (arena.contains(px - r, py - r) && arena.contains(px + r, py + r) && isFree(count, px, py, r)) {
                 discs[3 * count] = px;
                 discs[3 * count + 1] = py;

@@ -58,6 +58,7 @@ final class Readout {
         }
         readPieces(frame, sandbox);
         readJoints(frame, sandbox, positions);
+        frame.legendMost = shades.most(paint);
         measure(world, ids);
         frame.energy = energy;
     }

@@ -25,6 +25,11 @@ final class Sandbox implements AutoCloseable {
     private Stage stage;
     private int step;
 
+    /** The gravity of the stage: a slider keeps its direction, and goes up to twice as much. */
+    private float stageGravityX;
+
+    private float stageGravityY;
+
     /** Opens a stage. */
     Sandbox(Stage stage, Backend backend) {
         load(stage, backend);
@@ -40,6 +45,8 @@ final class Sandbox implements AutoCloseable {
             replace(opened, figures);
             grain = usual;
             stage = next;
+            stageGravityX = opened.gravityX();
+            stageGravityY = opened.gravityY();
             begin(0);
         } catch (RuntimeException | Error e) {
             opened.close();
@@ -148,6 +155,42 @@ final class Sandbox implements AutoCloseable {
         world.kind(0).setFriction(friction).setRollingResistance(rollingResistance);
         for (Wall wall : Wall.values()) {
             world.setWallSurface(wall, friction, rollingResistance, world.wallBeltSpeed(wall));
+        }
+    }
+
+    float gravity() {
+        return (float) Math.hypot(world.gravityX(), world.gravityY());
+    }
+
+    /** Twice that of the stage; for one without gravity, what crosses half of the arena in about a second. */
+    float greatestGravity() {
+        float given = (float) Math.hypot(stageGravityX, stageGravityY);
+        return given > 0 ? 2 * given : world.maxY() - world.minY();
+    }
+
+    /** Gives gravity another strength, in the direction that the stage has; downwards if it has none. */
+    void setGravity(float strength) {
+        float given = (float) Math.hypot(stageGravityX, stageGravityY);
+        float factor = given > 0 ? strength / given : 0;
+        world.setGravity(factor * stageGravityX, given > 0 ? factor * stageGravityY : -strength);
+    }
+
+    /** The restitution that new circles get. */
+    float restitution() {
+        float own = world.kind(0).restitution();
+        return own == own ? own : world.defaultRestitution();
+    }
+
+    /** Gives all circles and the terrain of kind 0 a restitution, and those that are to come. */
+    void setRestitution(float restitution) {
+        world.kind(0).setRestitution(restitution);
+        int[] kinds = new int[world.idLimit()];
+        world.readKindsById(kinds, null); // in one look: a look at each would take long on a device
+        for (int id = 0; id < kinds.length; id++) {
+            long circle = world.handle(id);
+            if (circle != 0 && kinds[id] == 0) {
+                world.setRestitution(circle, restitution);
+            }
         }
     }
 

@@ -102,6 +102,10 @@ final class Session implements AutoCloseable {
         frame.tool = hand.kind();
         frame.paint = paint;
         frame.brush = hand.reach(sandbox);
+        frame.size = hand.size();
+        frame.gravity = sandbox.gravity();
+        frame.greatestGravity = sandbox.greatestGravity();
+        frame.restitution = sandbox.restitution();
         frame.friction = sandbox.friction();
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
@@ -161,6 +165,19 @@ final class Session implements AutoCloseable {
         paint = paint.next();
     }
 
+    /** How large circles are that are poured, in those that are usual in the world. */
+    void setSize(float factor) {
+        hand.setSize(factor);
+    }
+
+    void setGravity(float strength) {
+        use(() -> sandbox.setGravity(strength));
+    }
+
+    void setRestitution(float restitution) {
+        use(() -> sandbox.setRestitution(restitution));
+    }
+
     void setFriction(float friction) {
         use(() -> sandbox.setSurface(friction, sandbox.rollingResistance()));
     }
@@ -212,7 +229,8 @@ final class Session implements AutoCloseable {
         hand.letGo(sandbox);
         sandbox.load(stage, sandbox.stats().backend());
         restarted();
-        say(stage.name());
+        String note = StageNotes.of(stage.name());
+        say(note.isEmpty() ? stage.name() : note);
     }
 
     void restart() {

@@ -82,6 +82,16 @@ final class Shades {
         tensions = 0;
     }
 
+    /** What the last colour of a legend stands for; 0 if it is not known yet. */
+    double most(PaintMode mode) {
+        return switch (mode) {
+            case PLAIN -> 0;
+            case SPEED -> fast;
+            case PRESSURE -> PRESSURE_RANGE * meanPressure;
+            case CONTACTS -> CONTACTS.length - 1;
+        };
+    }
+
     private static double perLength(float force, float radius) {
         return force / (2 * Math.PI * radius);
     }

@@ -189,6 +189,90 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    void gravityKeepsItsDirectionAndGoesUpToTwiceThatOfTheScene() {
+        frames(1);
+        assertThat(frame.gravity).isEqualTo(60);
+        assertThat(frame.greatestGravity).isEqualTo(120);
+        session.setGravity(15);
+        frames(1);
+        assertThat(session.world().gravityX()).isZero();
+        assertThat(session.world().gravityY()).isEqualTo(-15);
+        assertThat(frame.gravity).isEqualTo(15);
+        session.setGravity(0);
+        session.setGravity(120);
+        assertThat(session.world().gravityY()).isEqualTo(-120);
+        session.load(Stages.named("gas"));
+        session.setGravity(2);
+        frames(1);
+        assertThat(frame.gravity).as("of a scene that has none").isEqualTo(2);
+        assertThat(session.world().gravityY()).isEqualTo(-2);
+        assertThat(frame.greatestGravity).isPositive();
+    }
+
+    @Test
+    void restitutionIsThatOfTheCirclesThatAreThereAndOfThoseToCome() {
+        frames(2);
+        assertThat(frame.restitution).isEqualTo(0.3f);
+        session.setRestitution(0.9f);
+        frames(1);
+        assertThat(frame.restitution).isEqualTo(0.9f);
+        for (int id = 0; id < session.world().idLimit(); id++) {
+            long circle = session.world().handle(id);
+            assertThat(session.world().restitution(circle)).isEqualTo(0.9f);
+        }
+        long added = session.world().add(80, 95, 0.7f, 1);
+        assertThat(session.world().restitution(added)).isEqualTo(0.9f);
+        session.restart();
+        frames(1);
+        assertThat(frame.restitution).as("of the scene from its start").isEqualTo(0.3f);
+    }
+
+    @Test
+    void theLegendEndsWithWhatTheLastColourStandsFor() {
+        session.setPaint(PaintMode.SPEED);
+        frames(1);
+        assertThat(frame.legendMost).isEqualTo(session.sandbox().grain().highSpeed());
+        session.setPaint(PaintMode.CONTACTS);
+        frames(1);
+        assertThat(frame.legendMost).isEqualTo(6);
+        session.setPaint(PaintMode.PRESSURE);
+        frames(120);
+        assertThat(frame.legendMost).as("once something presses").isPositive();
+    }
+
+    @Test
+    void poursCirclesOfTheSizeThatIsSet() {
+        session.load(Stages.named("empty"));
+        session.setSize(0);
+        frames(1);
+        assertThat(frame.size).as("not smaller than a quarter").isEqualTo(0.25f);
+        session.setSize(3);
+        session.setTool(ToolKind.POUR);
+        session.press(80, 60);
+        frames(10);
+        session.release();
+        frames(1);
+        assertThat(frame.circles).isPositive();
+        float usual = session.sandbox().grain().radius();
+        for (int k = 0; k < frame.circles; k++) {
+            assertThat(frame.radius[k]).isBetween(2.3f * usual, 3.7f * usual);
+        }
+    }
+
+    @Test
+    void aStageThatIsTakenSaysWhatThereIsToSee() {
+        for (Stage stage : Stages.all()) {
+            assertThat(StageNotes.of(stage.name()))
+                    .as(stage.name())
+                    .endsWith(".")
+                    .hasSizeLessThan(90);
+        }
+        session.load(Stages.named("drum"));
+        frames(1);
+        assertThat(frame.message).isEqualTo("A half-full drum with paddles turns.");
+    }
+
+    @Test
     void inSlopesAndBeltsBallsRollDownAreCarriedUpAndTheFloorTakesThemToTheRight() {
         session.load(Stages.named("slopes-and-belts"));
         frames(600);

@@ -194,7 +194,7 @@ final class WindowProgram {
     }
 
     private void slide() throws Exception {
-        FlatSlider slider = (FlatSlider) find(window.getContentPane(), FlatSlider.class);
+        FlatSlider slider = slider("of walls and of circles that are no belts");
         say("nothing turns at first", !onEventThread(this::isMarked));
         for (int type : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_DRAGGED, MouseEvent.MOUSE_RELEASED}) {
             int x = slider.getWidth() * (type == MouseEvent.MOUSE_PRESSED ? 1 : 2) / 4;
@@ -394,6 +394,16 @@ final class WindowProgram {
             Thread.sleep(100);
             FileMenu.write(screen(), folder.resolve(name + ".png"));
         }
+    }
+
+    /** The slider with that tip. */
+    private FlatSlider slider(String tip) {
+        for (Component part : ((Container) find(window.getContentPane(), Bar.class)).getComponents()) {
+            if (part instanceof FlatSlider slider && tip.equals(slider.getToolTipText())) {
+                return slider;
+            }
+        }
+        throw new IllegalStateException("there is no slider with the tip " + tip);
     }
 
     private static Component find(Container container, Class<?> type) {
