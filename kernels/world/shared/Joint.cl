@@ -13,15 +13,27 @@ float solvedImpulse(float impulse, float m, float v, float c, float massScale, f
     return keptImpulse((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
 }
 
+float greatestPush(float radius, float inverseH) { return JOINT_PUSH * radius * inverseH; }
+
+float heldUnkept(float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale, float most) {
+    float soft = m * (massScale * (biasRate * c)) + impulseScale * impulse;
+    return (impulse - m * (massScale * v)) - clampf(soft, -1.0f * (m * most), m * most);
+}
+
+float heldImpulse(float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale, float most) {
+    return keptImpulse(heldUnkept(impulse, m, v, c, massScale, biasRate, impulseScale, most));
+}
+
 float relaxedImpulse(float impulse, float m, float v) { return keptImpulse(impulse - m * v); }
 
 float springImpulse(float m, float v, float begun, float c, float now, float ofBegun, float way) {
     return keptImpulse(-1.0f * (m * ((now * v + ofBegun * begun) + way * c)));
 }
 
-float solvedLimit(float impulse, float m, float v, float gap, float inverseH, float massScale, float biasRate, float impulseScale) {
+float solvedLimit(float impulse, float m, float v, float gap, float inverseH, float massScale, float biasRate, float impulseScale,
+                  float most) {
     float next = gap > 0.0f ? impulse - m * (v + gap * inverseH)
-                            : (impulse - m * (massScale * v + massScale * (biasRate * gap))) - impulseScale * impulse;
+                            : heldUnkept(impulse, m, v, gap, massScale, biasRate, impulseScale, most);
     return clampf(next, 0.0f, GREATEST_JOINT_IMPULSE);
 }
 

@@ -26,6 +26,7 @@ typedef struct {
     float4 spring[1];
     JointEnd a, b;
     float h, inverseH; // of the step
+    float most;        // the greatest speed by which it corrects
     float baseX, baseY, normalX, normalY, distance, direction;
     // velocity of B against A, and that as the sub-step began; inverse masses of both, as the visit sees them, and the effective mass
     float vx, vy, begunX, begunY, inverse, mass;
@@ -39,7 +40,20 @@ typedef struct {
 int linearOf(const JointVisit *v) { return v->HOLD_FORM & HOLD_LINEAR; }
 int angularOf(const JointVisit *v) { return v->HOLD_FORM & HOLD_ANGULAR; }
 bool holds(const JointVisit *v, int flag) { return (v->HOLD_FORM & flag) != 0; }
+// spring is 0 where there is none.
 bool isExact(const JointVisit *v) { return v->SPRING_EXACT != 0.0f; }
+
+// Whether the linear part is an exact spring, whose impulses are not kept.
+bool isLinearExact(const JointVisit *v) { return holds(v, HOLD_ELASTIC) && isExact(v); }
+
+// The same of the angular part.
+bool isAngularExact(const JointVisit *v) { return angularOf(v) == HOLD_TURN_ANGLE && isExact(v); }
+
+// Whether it does something without bias: exact springs alone do not.
+bool relaxes(const JointVisit *v) {
+    return holds(v, HOLD_RIGID | HOLD_LOWER | HOLD_UPPER | HOLD_ACROSS) || (holds(v, HOLD_ELASTIC) && !isExact(v)) ||
+           linearOf(v) == HOLD_DRAG || (angularOf(v) != 0 && !isAngularExact(v));
+}
 
 // Where B is from A.
 APART void measureJoint(JointVisit *v) {
@@ -118,14 +132,14 @@ APART void giveAll(JointVisit *v) {
     v->twist = v->KEPT_ANGULAR;
 }
 
-// Of a spring, from the impulse before.
+// Of a spring, from the impulse before, which an exact one does not have.
 float springOf(const JointVisit *v, float before, float m, float speed, float begun, float c) {
     return isExact(v) ? springImpulse(m, speed, begun, c, v->SPRING_NOW, v->SPRING_BEGUN, v->SPRING_WAY)
                       : solvedImpulse(before, m, speed, c, v->SPRING_MASS_SCALE, v->SPRING_BIAS_RATE, v->SPRING_IMPULSE_SCALE);
 }
 
-float solveRigid(global const JointHead *j, float before, float m, float speed, float c) {
-    return solvedImpulse(before, m, speed, c, j->massScale, j->biasRate, j->impulseScale);
+float holdRigid(global const JointHead *j, const JointVisit *v, float before, float m, float speed, float c) {
+    return heldImpulse(before, m, speed, c, j->massScale, j->biasRate, j->impulseScale, v->most);
 }
 
 float springMass(const JointVisit *v) {
@@ -135,8 +149,27 @@ float springMass(const JointVisit *v) {
 
 // One axis with bias.
 float solveAxis(global const JointHead *j, const JointVisit *v, float before, float speed, float begun, float c) {
-    return holds(v, HOLD_RIGID) ? solveRigid(j, before, v->mass, speed, c)
+    return holds(v, HOLD_RIGID) ? holdRigid(j, v, before, v->mass, speed, c)
                                 : springOf(v, before, isExact(v) ? springMass(v) : v->mass, speed, begun, c);
+}
+
+// What an exact spring has given counts at once, and is not kept. Also what it has left from when it was not exact.
+void forgetExact(JointVisit *v) {
+    if (isLinearExact(v)) {
+        v->KEPT_AXIAL = 0.0f;
+        v->KEPT_ACROSS = linearOf(v) == HOLD_POINT ? 0.0f : v->KEPT_ACROSS;
+    }
+    if (isAngularExact(v)) v->KEPT_ANGULAR = 0.0f;
+}
+
+void countExact(JointVisit *v) {
+    if (isLinearExact(v)) {
+        bool along = linearOf(v) == HOLD_AXIAL;
+        v->KEPT_SUM_X += along ? v->normalX * v->KEPT_AXIAL : v->pushX;
+        v->KEPT_SUM_Y += along ? v->normalY * v->KEPT_AXIAL : v->pushY;
+    }
+    if (isAngularExact(v)) v->KEPT_SUM_ANGULAR += v->twist;
+    forgetExact(v);
 }
 
 // Cuts a force that is too great, and gives the change.
@@ -165,8 +198,9 @@ void solveTurning(global const JointHead *j, JointVisit *v) {
     float before = v->KEPT_ANGULAR;
     float turnMass = jointMass(v->turnA + v->turnB);
     float omega = v->omegaA - v->omegaB;
-    float next = angularOf(v) == HOLD_TURN_RIGID ? solveRigid(j, before, turnMass, omega, away)
-                                                 : springOf(v, before, turnMass, omega, omega, away);
+    float next = angularOf(v) == HOLD_TURN_RIGID
+                     ? solvedImpulse(before, turnMass, omega, away, j->massScale, j->biasRate, j->impulseScale)
+                     : springOf(v, before, turnMass, omega, omega, away);
     giveTwist(v, before, next);
 }
 
@@ -192,7 +226,11 @@ float speedAcross(const JointVisit *v) {
     return along - 0.5f * v->distance * (v->omegaA + v->omegaB);
 }
 
-void giveAcross(JointVisit *v, float before, float next) {
+void moveAcross(global const JointHead *j, JointVisit *v, bool biased) {
+    float before = v->KEPT_ACROSS;
+    float m = acrossMass(v);
+    float speed = speedAcross(v);
+    float next = biased ? holdRigid(j, v, before, m, speed, v->direction) : relaxedImpulse(before, m, speed);
     v->KEPT_ACROSS = next;
     float change = next - before;
     v->pushX += -v->normalY * change;
@@ -201,16 +239,22 @@ void giveAcross(JointVisit *v, float before, float next) {
 }
 #endif
 
-void solveAlong(global const JointHead *j, JointVisit *v) {
+float moveLimit(global const JointHead *j, const JointVisit *v, bool biased, float before, float speed, float gap) {
+    return biased ? solvedLimit(before, v->mass, speed, gap, v->inverseH, j->massScale, j->biasRate, j->impulseScale, v->most)
+                  : relaxedLimit(before, v->mass, speed, gap, v->inverseH);
+}
+
+// Along the line from A to B, with or without bias.
+void moveAlong(global const JointHead *j, JointVisit *v, bool biased) {
     float nx = v->normalX;
     float ny = v->normalY;
     float d = v->distance;
     float speed = dotf(nx, ny, v->vx, v->vy);
     float push = 0.0f;
-    if (holds(v, HOLD_RIGID | HOLD_ELASTIC)) {
-        float begun = dotf(nx, ny, v->begunX, v->begunY);
+    if (holds(v, HOLD_RIGID) || (biased && holds(v, HOLD_ELASTIC))) {
         float before = v->KEPT_AXIAL;
-        float next = solveAxis(j, v, before, speed, begun, d - v->ROW_LENGTH);
+        float begun = dotf(nx, ny, v->begunX, v->begunY);
+        float next = biased ? solveAxis(j, v, before, speed, begun, d - v->ROW_LENGTH) : relaxedImpulse(before, v->mass, speed);
         v->KEPT_AXIAL = next;
         float change = next - before;
         push += change;
@@ -218,26 +262,21 @@ void solveAlong(global const JointHead *j, JointVisit *v) {
     }
     if (holds(v, HOLD_LOWER)) {
         float before = v->KEPT_LOWER;
-        float gap = d - v->ROW_MIN_LENGTH;
-        float next = solvedLimit(before, v->mass, speed, gap, v->inverseH, j->massScale, j->biasRate, j->impulseScale);
+        float next = moveLimit(j, v, biased, before, speed, d - v->ROW_MIN_LENGTH);
         v->KEPT_LOWER = next;
         push += next - before;
         speed += v->inverse * (next - before);
     }
     if (holds(v, HOLD_UPPER)) {
         float before = v->KEPT_UPPER;
-        float gap = v->ROW_MAX_LENGTH - d;
-        float next = solvedLimit(before, v->mass, -1.0f * speed, gap, v->inverseH, j->massScale, j->biasRate, j->impulseScale);
+        float next = moveLimit(j, v, biased, before, -1.0f * speed, v->ROW_MAX_LENGTH - d);
         v->KEPT_UPPER = next;
         push -= next - before;
     }
     v->pushX = nx * push;
     v->pushY = ny * push;
 #ifdef TURNING
-    if (holds(v, HOLD_ACROSS)) {
-        float before = v->KEPT_ACROSS;
-        giveAcross(v, before, solveRigid(j, before, acrossMass(v), speedAcross(v), v->direction));
-    }
+    if (holds(v, HOLD_ACROSS)) moveAcross(j, v, biased);
 #endif
 }
 
@@ -262,52 +301,15 @@ APART void solveJoint(global const JointHead *j, JointVisit *v) {
     solveTurning(j, v);
 #endif
     if (linearOf(v) == HOLD_AXIAL) {
-        solveAlong(j, v);
+        moveAlong(j, v, true);
     } else if (linearOf(v) == HOLD_POINT) {
         solvePoint(j, v);
     }
-}
-
-void relaxAlong(JointVisit *v) {
-    float nx = v->normalX;
-    float ny = v->normalY;
-    float d = v->distance;
-    float speed = dotf(nx, ny, v->vx, v->vy);
-    float push = 0.0f;
-    if (holds(v, HOLD_RIGID)) {
-        float before = v->KEPT_AXIAL;
-        float next = relaxedImpulse(before, v->mass, speed);
-        v->KEPT_AXIAL = next;
-        push += next - before;
-        speed += v->inverse * (next - before);
-    }
-    if (holds(v, HOLD_LOWER)) {
-        float before = v->KEPT_LOWER;
-        float gap = d - v->ROW_MIN_LENGTH;
-        float next = relaxedLimit(before, v->mass, speed, gap, v->inverseH);
-        v->KEPT_LOWER = next;
-        push += next - before;
-        speed += v->inverse * (next - before);
-    }
-    if (holds(v, HOLD_UPPER)) {
-        float before = v->KEPT_UPPER;
-        float gap = v->ROW_MAX_LENGTH - d;
-        float next = relaxedLimit(before, v->mass, -1.0f * speed, gap, v->inverseH);
-        v->KEPT_UPPER = next;
-        push -= next - before;
-    }
-    v->pushX = nx * push;
-    v->pushY = ny * push;
-#ifdef TURNING
-    if (holds(v, HOLD_ACROSS)) {
-        float before = v->KEPT_ACROSS;
-        giveAcross(v, before, relaxedImpulse(before, acrossMass(v), speedAcross(v)));
-    }
-#endif
+    countExact(v);
 }
 
 // The pass without bias.
-APART void relaxJoint(JointVisit *v) {
+APART void relaxJoint(global const JointHead *j, JointVisit *v) {
     giveNothing(v);
     measureJoint(v);
     lookAtEnds(v);
@@ -315,7 +317,7 @@ APART void relaxJoint(JointVisit *v) {
     relaxTurning(v);
 #endif
     if (linearOf(v) == HOLD_AXIAL) {
-        relaxAlong(v);
+        moveAlong(j, v, false);
     } else if (linearOf(v) == HOLD_DRAG || (linearOf(v) == HOLD_POINT && holds(v, HOLD_RIGID))) {
         float beforeX = v->KEPT_AXIAL;
         float beforeY = v->KEPT_ACROSS;
@@ -331,12 +333,6 @@ void endSubStepOfJoint(JointVisit *v) {
     v->KEPT_SUM_X += v->pushX;
     v->KEPT_SUM_Y += v->pushY;
     v->KEPT_SUM_ANGULAR += v->twist;
-    if (holds(v, HOLD_ELASTIC) && isExact(v)) {
-        v->KEPT_AXIAL = 0.0f;
-        v->KEPT_ACROSS = linearOf(v) == HOLD_POINT ? 0.0f : v->KEPT_ACROSS;
-        v->KEPT_ANGULAR = angularOf(v) == HOLD_TURN_ANGLE ? 0.0f : v->KEPT_ANGULAR;
-        giveAll(v);
-    }
 }
 
 // Whether it breaks by what it did in the step.

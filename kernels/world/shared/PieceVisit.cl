@@ -417,9 +417,11 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
 }
 
-// Where a circle would pass a piece, its move ends; a piece that moves takes it along. stopped: whether there was one.
-float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to, bool *stopped) {
+// Where a circle would pass a piece, its move ends; a piece that moves takes it along. stopped: whether there was one. stopper: the contact at rest
+// that has stopped it, or NONE; left: of the move.
+float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to, bool *stopped, int *stopper, float2 *left) {
     *stopped = false;
+    *stopper = NONE;
     // A loop, so that what looks for them is there once: first at all, then, if one takes it along, at those at rest.
 #pragma unroll 1
     for (int moving = 1; moving >= 0; moving--) {
@@ -428,7 +430,10 @@ float2 stopAtPieces(const World *w, int2 own, float4 c, float2 from, float2 to, 
         *stopped = true;
         int piece = w->piece[stop.contact].TOUCHED_PIECE;
         if (moving == 0 || pieceTraits(w, piece).TRAIT_MOTION == 0) {
-            return (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
+            float2 at = (float2)(from.x + stop.share * (to.x - from.x), from.y + stop.share * (to.y - from.y));
+            *stopper = stop.contact;
+            *left = (float2)(to.x - at.x, to.y - at.y);
+            return at;
         }
         to = takenAlong(w, piece, c, stop.place, w->subStep + 1);
     }
@@ -454,14 +459,35 @@ bool keepOut(const World *w, int2 own, float2 *d) {
     return true;
 }
 
+// What is left of a move goes on along what has stopped it, a short way: else a circle that is always pressed against it could never leave.
+// d: displacement.
+bool slide(const World *w, int stopper, float4 c, float2 left, float2 *d) {
+    if (!isConstraint(w->piece[stopper])) return false;
+    float4 g = w->measured[stopper];
+    float most = CAP * c.RADIUS;
+    float way = clampf(g.MEASURED_X * left.y - g.MEASURED_Y * left.x, -most, most);
+    *d = (float2)(d->x - g.MEASURED_Y * way, d->y + g.MEASURED_X * way);
+    return way != 0.0f;
+}
+
 // Ends a circle's move in a sub-step, from a displacement to another, so that no piece is passed, or entered; and measures the contacts there.
 float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
     int2 own = w->pieces[slot];
     bool stopped;
-    to = stopAtPieces(w, own, c, from, to, &stopped);
+    int stopper;
+    float2 left = (float2)(0.0f);
+    to = stopAtPieces(w, own, c, from, to, &stopped, &stopper, &left);
 #pragma unroll 1
     for (int round = 0;; round++) {
         measurePieces(w, own, c, to, w->subStep + 1);
+        if (stopper != NONE) {
+            bool slides = slide(w, stopper, c, left, &to);
+            stopper = NONE;
+            if (slides) {
+                round = -1;
+                continue;
+            }
+        }
         if (round == KEEP_OUT_ROUNDS || !keepOut(w, own, &to)) break;
     }
     if (stopped) {

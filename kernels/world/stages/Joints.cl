@@ -21,6 +21,13 @@ void takeTraits(const World *w, int joint, JointVisit *v) {
     v->traits[1] = traits[1];
 }
 
+void takeSpring(const World *w, JointVisit *v) {
+    v->spring[0] = (float4)(0.0f);
+    if (holds(v, HOLD_ELASTIC) || angularOf(v) == HOLD_TURN_ANGLE) {
+        v->spring[0] = jointVectors(w, w->joints->springs)[v->HOLD_SPRING];
+    }
+}
+
 // Once circles are sorted.
 int slotOfCircle(const World *w, int id) { return id == NONE ? NONE : workingSlotOf(w)[w->slotOf[id]]; }
 
@@ -73,11 +80,13 @@ void beginJoint(const World *w, int place) {
     *serial = v.HOLD_SERIAL;
     v.kept[0] = isNew ? (float4)(0.0f) : kept[0];
     v.kept[1] = isNew ? (float4)(0.0f) : kept[1];
+    takeSpring(w, &v);
     v.KEPT_AXIAL *= w->warmScale;
     v.KEPT_ACROSS *= w->warmScale;
     v.KEPT_LOWER *= w->warmScale;
     v.KEPT_UPPER *= w->warmScale;
     v.KEPT_ANGULAR *= w->warmScale;
+    forgetExact(&v);
     v.KEPT_SUM_X = 0.0f;
     v.KEPT_SUM_Y = 0.0f;
     v.KEPT_SUM_ANGULAR = 0.0f;
@@ -137,10 +146,7 @@ void takeJoint(const World *w, int place, int2 ends, int boundary, bool solving,
     takeTraits(w, joint, v);
     v->kept[0] = keptOf(w, joint)[0];
     v->kept[1] = keptOf(w, joint)[1];
-    v->spring[0] = (float4)(0.0f);
-    if (holds(v, HOLD_ELASTIC) || angularOf(v) == HOLD_TURN_ANGLE) {
-        v->spring[0] = jointVectors(w, w->joints->springs)[v->HOLD_SPRING];
-    }
+    takeSpring(w, v);
     v->h = w->k.h;
     v->inverseH = w->k.inverseH;
     v->begunX = v->begunY = v->distance = v->direction = 0.0f;
@@ -166,6 +172,7 @@ void takeWork(const World *w, int place, JointVisit *v) {
     float4 line = work[0];
     float4 masses = work[1];
     float2 shares = work[2].xy;
+    v->most = work[2].z;
     v->baseX = line.x;
     v->baseY = line.y;
     v->normalX = line.z;
@@ -179,6 +186,8 @@ void takeWork(const World *w, int place, JointVisit *v) {
     v->a.share = shares.x;
     v->b.share = shares.y;
 }
+
+bool relaxesAt(const World *w, int place) { return workOf(w, place)[2].w != 0.0f; }
 
 // The same for the first time.
 void beginWork(const World *w, int place, int2 ends, float2 shares, JointVisit *v) {
@@ -198,7 +207,8 @@ void beginWork(const World *w, int place, int2 ends, float2 shares, JointVisit *
     global float4 *work = workOf(w, place);
     work[0] = (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), 1.0f, 0.0f);
     work[1] = masses;
-    work[2] = (float4)(shares.x, shares.y, 0.0f, 0.0f);
+    float radius = hasB ? minf(a.RADIUS, b.RADIUS) : a.RADIUS;
+    work[2] = (float4)(shares.x, shares.y, greatestPush(radius, w->k.inverseH), relaxes(v) ? 1.0f : 0.0f);
     takeWork(w, place, v);
 }
 
@@ -311,29 +321,31 @@ float2 sharesOf(const World *w, int place, bool split) {
 void visitJoint(const World *w, int place, int pass, int subStep, bool split) {
     int2 ends = *endsOf(w, place);
     if (ends.x == NONE) return;
+    bool last = pass == JOINT_RELAX && subStep == w->k.subSteps - 1;
+    if (pass == JOINT_RELAX && !last && !relaxesAt(w, place)) return;
     JointVisit v;
     int boundary = pass == JOINT_RELAX ? subStep + 1 : subStep;
     if (pass != JOINT_PREPARE) takeWork(w, place, &v);
     takeJoint(w, place, ends, boundary, pass == JOINT_SOLVE, &v);
+    bool moves = relaxes(&v);
     if (pass == JOINT_PREPARE) {
         beginWork(w, place, ends, sharesOf(w, place, split), &v);
         measureJoint(&v);
         giveAll(&v);
     } else if (pass == JOINT_SOLVE) {
         solveJoint(w->joints, &v);
-    } else {
-        relaxJoint(&v);
+    } else if (moves) {
+        relaxJoint(w->joints, &v);
     }
-    if (pass != JOINT_PREPARE) {
+    if (pass == JOINT_SOLVE || (pass == JOINT_RELAX && moves)) {
         if (split) {
             giveToSums(w, place, ends, &v, true);
         } else {
             giveToCircles(w, ends, &v);
         }
     }
-    bool last = pass == JOINT_RELAX && subStep == w->k.subSteps - 1;
-    if (pass == JOINT_RELAX) endSubStepOfJoint(&v);
-    if (pass != JOINT_SOLVE && !last) {
+    if (pass == JOINT_RELAX && moves) endSubStepOfJoint(&v);
+    if (pass != JOINT_SOLVE && !last && moves) {
         loadEnds(w, ends, &v);
         if (split) {
             giveToSums(w, place, ends, &v, false);

@@ -132,7 +132,7 @@ class WorldJointStatesTest {
 
     private static void set(Joints joints, long joint, Random input) {
         if (joint != 0) {
-            joints.setBreaking(joint, 500 * input.nextFloat(), 900);
+            joints.setBreaking(joint, 50 * input.nextFloat(), 900);
             joints.setColliding(joint, input.nextBoolean());
         }
     }

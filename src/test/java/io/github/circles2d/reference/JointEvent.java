@@ -4,7 +4,7 @@ import io.github.circles2d.JointEvents;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A joint that went by itself; without another circle, that is -1. */
+/** A joint that went by itself; without another circle, that is 0. */
 public record JointEvent(long joint, long circle, long other, float force, float torque, JointEvents.Reason reason) {
     /** The events of a world. */
     public static List<JointEvent> of(JointEvents events) {

@@ -23,7 +23,17 @@ record JointSoftness(float massScale, float biasRate, float impulseScale) {
         return clamp(unlimited(impulse, m, v, way), -GREATEST_IMPULSE, GREATEST_IMPULSE);
     }
 
-    float unlimited(float impulse, float m, float v, float way) {
+    private float unlimited(float impulse, float m, float v, float way) {
         return (impulse - m * (massScale * v + massScale * (biasRate * way))) - impulseScale * impulse;
+    }
+
+    /** Of what is rigid, with the greatest speed by which it corrects. */
+    float hold(float impulse, float m, float v, float way, float most) {
+        return clamp(held(impulse, m, v, way, most), -GREATEST_IMPULSE, GREATEST_IMPULSE);
+    }
+
+    float held(float impulse, float m, float v, float way, float most) {
+        float soft = m * (massScale * (biasRate * way)) + impulseScale * impulse;
+        return (impulse - m * (massScale * v)) - clamp(soft, -(m * most), m * most);
     }
 }

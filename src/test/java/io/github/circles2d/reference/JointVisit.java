@@ -4,6 +4,7 @@ import static io.github.circles2d.reference.Numbers.clamp;
 import static io.github.circles2d.reference.Numbers.dot;
 import static io.github.circles2d.reference.Numbers.length;
 import static io.github.circles2d.reference.Numbers.max;
+import static io.github.circles2d.reference.Numbers.min;
 import static io.github.circles2d.reference.Numbers.minus;
 import static io.github.circles2d.reference.Numbers.plus;
 
@@ -14,6 +15,7 @@ import io.github.circles2d.reference.ReferenceJoint.Linear;
 final class JointVisit {
     private static final float GREATEST_IMPULSE = 1e20f;
     private static final float STRAIN = 0.1f;
+    private static final float PUSH = 0.2f;
     private static final float[] NOTHING = {0f, 0f};
     private static final float RADIANS_PER_UNIT = 1.4629181e-9f;
     private static final float UNITS_PER_RADIAN = 683565275.576f;
@@ -30,6 +32,7 @@ final class JointVisit {
     private final AnchorMotion anchor;
 
     private final float[] between;
+
     private float[] normal = {1f, 0f};
 
     /** From A to B. */
@@ -69,9 +72,22 @@ final class JointVisit {
         joint.least *= warmScale;
         joint.greatest *= warmScale;
         joint.turning *= warmScale;
+        if (isExact()) {
+            forgetImpulses();
+        }
         joint.sum[0] = 0f;
         joint.sum[1] = 0f;
         joint.sumOfTurning = 0f;
+    }
+
+    /** Whether it has a spring, and an exact one, whose impulses are not kept. */
+    private boolean isExact() {
+        return joint.isElastic() && spring.exact();
+    }
+
+    /** Whether it does something without bias. */
+    boolean relaxes() {
+        return !isExact() || joint.hasLeast || joint.hasGreatest;
     }
 
     boolean isSplit() {
@@ -182,6 +198,11 @@ final class JointVisit {
         return minus(c.velocityBeforeImpulses, c.isStatic() ? NOTHING : c.gain);
     }
 
+    /** The greatest speed by which it corrects. */
+    private float most() {
+        return PUSH * (b == null ? a.radius : min(a.radius, b.radius)) * k.inverseH();
+    }
+
     /** One over a sum of inverse masses. */
     private static float mass(float sum) {
         return sum > 0f ? 1f / sum : 0f;
@@ -234,7 +255,7 @@ final class JointVisit {
     private float byAxis(float impulse, float v, float vBegun, float way) {
         float m = mass(inverse);
         return joint.rigid
-                ? rigid.solve(impulse, m, v, way)
+                ? rigid.hold(impulse, m, v, way, most())
                 : bySpring(impulse, spring.exact() ? springMass() : m, v, vBegun, way);
     }
 
@@ -243,7 +264,7 @@ final class JointVisit {
         float m = mass(inverse);
         float next = impulse - m * (gap > 0f ? v + gap * k.inverseH() : v);
         if (biased && gap <= 0f) {
-            next = rigid.unlimited(impulse, m, v, gap);
+            next = rigid.held(impulse, m, v, gap, most());
         }
         return clamp(next, 0f, GREATEST_IMPULSE);
     }
@@ -294,6 +315,25 @@ final class JointVisit {
             joint.across = byAxis(beforeAcross, velocity[1], begun[1], offset[1]);
             cut(before, beforeAcross);
         }
+        forgetExact();
+    }
+
+    /** What an exact spring has given counts at once, and is not kept. */
+    private void forgetExact() {
+        if (!isExact()) {
+            return;
+        }
+        float[] given = isAlong() ? new float[] {normal[0] * joint.along, normal[1] * joint.along} : push;
+        joint.sum[0] += given[0];
+        joint.sum[1] += given[1];
+        joint.sumOfTurning += twist;
+        forgetImpulses();
+    }
+
+    private void forgetImpulses() {
+        joint.along = 0f;
+        joint.across = 0f;
+        joint.turning = 0f;
     }
 
     void relax(int subStep) {
@@ -369,7 +409,7 @@ final class JointVisit {
         float m = mass(inverse + arm * arm * (turnA + turnB));
         float v = (-normal[1] * velocity[0] + normal[0] * velocity[1]) - arm * (omegaA + omegaB);
         float before = joint.across;
-        joint.across = biased ? rigid.solve(before, m, v, direction) : relaxed(before, m, v);
+        joint.across = biased ? rigid.hold(before, m, v, direction, most()) : relaxed(before, m, v);
         float change = joint.across - before;
         push[0] += -normal[1] * change;
         push[1] += normal[0] * change;
@@ -383,12 +423,6 @@ final class JointVisit {
         joint.sum[0] += push[0];
         joint.sum[1] += push[1];
         joint.sumOfTurning += twist;
-        if (joint.isElastic() && spring.exact()) {
-            joint.along = 0f;
-            joint.across = joint.linear == Linear.POINT ? 0f : joint.across;
-            joint.turning = joint.angular == Angular.ANGLE ? 0f : joint.turning;
-            giveAll();
-        }
     }
 
     boolean breaks() {

@@ -460,10 +460,25 @@ final class PieceContact extends Constraint {
     /** Where a piece stops a circle on its move. */
     private record Stop(PieceContact contact, float share, float[] place) {}
 
-    /** Ends the move of a circle in a sub-step, so that no piece is passed, or entered; and measures the contacts there. */
+    /**
+     * Ends the move of a circle in a sub-step, so that no piece is passed, or entered: there it slides on, and a piece that moves takes it along. Then it measures the contacts there. */
     static void move(Circle c, float[] from, int subStep) {
-        boolean stopped = stop(c, from, subStep);
+        Stop first = firstStop(c, from, subStep, true);
+        boolean stopped = first != null;
+        if (stopped && first.contact.piece.body.motion != null) {
+            first.contact.takeAlong(first.place, subStep + 1);
+            first = firstStop(c, from, subStep, false);
+        }
+        float[] left = new float[2];
+        for (int a = 0; a < 2 && first != null; a++) {
+            float to = c.displacement[a];
+            c.displacement[a] = from[a] + first.share * (to - from[a]);
+            left[a] = to - c.displacement[a];
+        }
         measure(c.pieceContacts, subStep + 1);
+        if (first != null && first.contact.acts()) {
+            slide(c, first.contact.normal, left, subStep);
+        }
         keepOut(c, subStep);
         c.pieceContacts.stream()
                 .filter(contact -> stopped && contact.separation <= Piece.GRAZE * c.radius)
@@ -489,18 +504,15 @@ final class PieceContact extends Constraint {
         }
     }
 
-    /** Where the circle would pass a piece, its move ends; one that moves takes it along. Returns whether there was one. */
-    private static boolean stop(Circle c, float[] from, int subStep) {
-        Stop first = firstStop(c, from, subStep, true);
-        boolean stopped = first != null;
-        if (stopped && first.contact.piece.body.motion != null) {
-            first.contact.takeAlong(first.place, subStep + 1);
-            first = firstStop(c, from, subStep, false);
+    /** Goes on along a tangent, a short way. */
+    private static void slide(Circle c, float[] n, float[] left, int subStep) {
+        float most = Circle.CAP * c.radius;
+        float way = Numbers.clamp(n[0] * left[1] - n[1] * left[0], -most, most);
+        if (way != 0f) {
+            c.displacement[0] -= n[1] * way;
+            c.displacement[1] += n[0] * way;
+            measure(c.pieceContacts, subStep + 1);
         }
-        for (int a = 0; a < 2 && first != null; a++) {
-            c.displacement[a] = from[a] + first.share * (c.displacement[a] - from[a]);
-        }
-        return stopped;
     }
 
     private static Stop firstStop(Circle c, float[] from, int subStep, boolean alsoMoving) {

@@ -185,21 +185,28 @@ final class ReferenceJoints {
         takeAll(Circle::takeJointGains);
     }
 
+    /** Exact springs alone do nothing without bias. */
     void relax(int subStep) {
         eachColoured(visit -> {
-            visit.relax(subStep);
-            visit.give();
-            visit.end();
-            visit.giveToSums();
+            if (visit.relaxes()) {
+                visit.relax(subStep);
+                visit.give();
+                visit.end();
+                visit.giveToSums();
+            }
         });
         eachSplit(visit -> {
-            visit.relax(subStep);
-            visit.giveToFixed(true);
+            if (visit.relaxes()) {
+                visit.relax(subStep);
+                visit.giveToFixed(true);
+            }
         });
         takeAll(Circle::takeJointGains);
         eachSplit(visit -> {
-            visit.end();
-            visit.giveToFixed(false);
+            if (visit.relaxes()) {
+                visit.end();
+                visit.giveToFixed(false);
+            }
         });
         takeAll(Circle::takeJointImpulses);
     }

@@ -7,7 +7,7 @@ import java.util.Arrays;
 
 /**
  * The joints' part of stage Solver: passes between those over like and over cross contacts. {@link JointStep} has the order; each worker takes some of
- * the batches, and then its share of each colour of the joints that are in none. {@link JointVisits} treats a joint.
+ * the batches, and then its share of each colour of the joints that are in none. {@link JointWorker} treats them.
  */
 final class JointPasses {
     /** Joints of a colour from which on workers share them; fewer are not worth it. */
@@ -22,7 +22,7 @@ final class JointPasses {
     final JointStates states = new JointStates();
     private final State state;
     private final Team team;
-    private final JointVisits[] visits;
+    private final JointWorker[] workers;
     private final SplitJoints split;
     private JointStep joints;
     private StepConstants k;
@@ -36,9 +36,9 @@ final class JointPasses {
         this.state = state;
         this.team = team;
         split = new SplitJoints(state);
-        visits = new JointVisits[team.most()];
-        for (int worker = 0; worker < visits.length; worker++) {
-            visits[worker] = new JointVisits(state, states);
+        workers = new JointWorker[team.most()];
+        for (int worker = 0; worker < workers.length; worker++) {
+            workers[worker] = new JointWorker(state, states);
         }
     }
 
@@ -61,8 +61,8 @@ final class JointPasses {
             jointed = new boolean[state.capacity()];
         }
         state.jointed = jointed;
-        for (JointVisits each : visits) {
-            each.begin(joints, k, work, slots);
+        for (JointWorker each : workers) {
+            each.ensure(joints, k, work, slots);
         }
     }
 
@@ -72,7 +72,7 @@ final class JointPasses {
         team.sync(worker);
         int to = team.part(joints.count, worker + 1);
         for (int place = team.part(joints.count, worker); place < to; place++) {
-            if (visits[worker].begin(place)) {
+            if (workers[worker].begin(place)) {
                 mark(slots[JointWork.slots(place) + JointWork.A]);
                 mark(slots[JointWork.slots(place) + JointWork.B]);
             }
@@ -90,7 +90,7 @@ final class JointPasses {
         pass(worker, PREPARE, 0);
         if (joints.splits()) {
             if (worker == 0) {
-                split.prepare(joints, visits[0], work, k);
+                split.prepare(joints, workers[0], work, k);
             }
             team.sync(worker);
         }
@@ -126,7 +126,7 @@ final class JointPasses {
 
     /** A pass over the joints that have a colour. */
     private void pass(int worker, int what, int sub) {
-        JointVisits own = visits[worker];
+        JointWorker own = workers[worker];
         int to = team.part(joints.batches, worker + 1);
         for (int batch = team.part(joints.batches, worker); batch < to; batch++) {
             int first = JointStep.BATCH_STRIDE * batch;
@@ -139,7 +139,7 @@ final class JointPasses {
         }
     }
 
-    private void visitShare(int worker, JointVisits own, int what, int sub, int from, int to) {
+    private void visitShare(int worker, JointWorker own, int what, int sub, int from, int to) {
         int joints = to - from;
         if (joints == 0) {
             return;
@@ -152,35 +152,17 @@ final class JointPasses {
         team.sync(worker);
     }
 
-    private void visit(JointVisits own, int what, int sub, int from, int to) {
-        for (int place = from; place < to; place++) {
-            if (!own.acts(place)) {
-                continue;
-            }
-            switch (what) {
-                case PREPARE -> {
-                    own.prepare(place);
-                    own.giveToSums();
-                }
-                case SOLVE -> {
-                    own.solve(place, sub);
-                    own.give();
-                }
-                default -> {
-                    own.relax(place, sub);
-                    own.give();
-                    own.end(place);
-                    if (what == RELAX) {
-                        own.giveToSums();
-                    }
-                }
-            }
+    private static void visit(JointWorker own, int what, int sub, int from, int to) {
+        switch (what) {
+            case PREPARE -> own.prepare(from, to);
+            case SOLVE -> own.solve(from, to, sub);
+            default -> own.relax(from, to, sub, what == RELAX_LAST);
         }
     }
 
     private void breakJoints() {
         for (int place = 0; place < joints.count; place++) {
-            if (visits[0].acts(place) && visits[0].breaks(place)) {
+            if (workers[0].acts(place) && workers[0].visits.breaks(place)) {
                 states.breakJoint(joints.order[place]);
             }
         }

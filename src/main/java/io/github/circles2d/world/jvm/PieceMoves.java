@@ -40,6 +40,12 @@ final class PieceMoves {
     private float stopY;
     private float share;
 
+    /** The contact at rest that has stopped a circle, or -1, and what is left of its move. */
+    private int stopper;
+
+    private float leftX;
+    private float leftY;
+
     PieceMoves(State state, PieceMeasure measure) {
         this.state = state;
         contacts = state.pieces;
@@ -53,12 +59,30 @@ final class PieceMoves {
         }
         boolean stopped = stop(slot, fromX, fromY, sub);
         measure.measure(slot, sub + 1);
+        if (stopper >= 0 && slide(slot)) {
+            measure.measure(slot, sub + 1);
+        }
         for (int round = 0; round < ROUNDS && keepOut(slot); round++) {
             measure.measure(slot, sub + 1);
         }
         if (stopped) {
             touch(slot);
         }
+    }
+
+    /** What is left of a move goes on along what has stopped it, a short way: else a circle that is always pressed against it could never leave. */
+    private boolean slide(int slot) {
+        if (!measure.isConstraint(stopper)) {
+            return false;
+        }
+        int s = CircleRow.of(slot);
+        float nx = contacts.rows[PieceContactRow.of(stopper) + NX];
+        float ny = contacts.rows[PieceContactRow.of(stopper) + NY];
+        float most = Tuning.CAP * state.circle[s + RADIUS];
+        float way = CircleMath.clamp(nx * leftY - ny * leftX, -most, most);
+        state.motion[s + DX] -= ny * way;
+        state.motion[s + DY] += nx * way;
+        return way != 0f;
     }
 
     /** The circle touches what has stopped it, also where rounding leaves a gap: else it would stand there for ever. */
@@ -171,16 +195,15 @@ final class PieceMoves {
 
     /** Where a circle would pass a piece, its move ends; a piece that moves takes it along. Returns whether there was one. */
     private boolean stop(int slot, float fromX, float fromY, int sub) {
-        int stopper = firstStop(slot, fromX, fromY, sub, true);
+        stopper = firstStop(slot, fromX, fromY, sub, true);
         if (stopper < 0) {
             return false;
         }
-        if (measure.motion(stopper) == 0) {
-            stopAt(slot, fromX, fromY);
-            return true;
+        if (measure.motion(stopper) != 0) {
+            takeAlong(slot, stopper, sub + 1);
+            stopper = firstStop(slot, fromX, fromY, sub, false);
         }
-        takeAlong(slot, stopper, sub + 1);
-        if (firstStop(slot, fromX, fromY, sub, false) >= 0) {
+        if (stopper >= 0) {
             stopAt(slot, fromX, fromY);
         }
         return true;
@@ -188,8 +211,14 @@ final class PieceMoves {
 
     private void stopAt(int slot, float fromX, float fromY) {
         int s = CircleRow.of(slot);
-        state.motion[s + DX] = fromX + share * (state.motion[s + DX] - fromX);
-        state.motion[s + DY] = fromY + share * (state.motion[s + DY] - fromY);
+        float toX = state.motion[s + DX];
+        float toY = state.motion[s + DY];
+        float x = fromX + share * (toX - fromX);
+        float y = fromY + share * (toY - fromY);
+        state.motion[s + DX] = x;
+        state.motion[s + DY] = y;
+        leftX = toX - x;
+        leftY = toY - y;
     }
 
     /** The contact that stops a circle first, with its share of the move and the place; -1 if none does. */
@@ -199,10 +228,10 @@ final class PieceMoves {
         float dx = state.motion[s + DX];
         float dy = state.motion[s + DY];
         boolean fast = CircleMath.isLonger(dx - fromX, dy - fromY, Tuning.CAP * r);
-        int stopper = -1;
+        int first = -1;
         share = 1f;
         if (!fast && !(moving && measure.terrain.bodies > 1)) {
-            return stopper;
+            return first;
         }
         for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
             int motion = measure.motion(c);
@@ -225,13 +254,13 @@ final class PieceMoves {
                 float t = PieceSweep.time(contacts.pieces, row, measure.shape(c), x, y, ux, uy, r, side);
                 if (t < share) {
                     share = t;
-                    stopper = c;
+                    first = c;
                     stopX = x + t * ux;
                     stopY = y + t * uy;
                 }
             }
         }
-        return stopper;
+        return first;
     }
 
     /** Sets a circle's displacement to the place where a piece that moves has met it, as the piece has it at a boundary. */

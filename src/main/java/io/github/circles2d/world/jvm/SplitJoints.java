@@ -21,11 +21,12 @@ import java.util.Arrays;
  */
 final class SplitJoints {
     private static final int SUMS = 3;
+    private static final int ENDS = 2;
 
     private final State state;
 
     private JointStep joints;
-    private JointVisits visits;
+    private JointWorker worker;
     private float[] work;
     private StepConstants k;
 
@@ -51,24 +52,27 @@ final class SplitJoints {
     }
 
     /** Makes the joints ready that begin has begun, and gives their impulses. */
-    void prepare(JointStep step, JointVisits itsVisits, float[] itsWork, StepConstants constants) {
+    void prepare(JointStep step, JointWorker itsWorker, float[] itsWork, StepConstants constants) {
         joints = step;
-        visits = itsVisits;
+        worker = itsWorker;
         work = itsWork;
         k = constants;
         Arrays.fill(shares, 0, joints.splitCircles, 0);
         for (int place = joints.splitStart; place < joints.count; place++) {
-            if (visits.acts(place)) {
+            if (worker.acts(place)) {
                 count(end(place, JointWork.A));
                 count(end(place, JointWork.B));
             }
         }
         for (int place = joints.splitStart; place < joints.count; place++) {
-            if (visits.acts(place)) {
+            if (worker.acts(place)) {
                 work[JointWork.of(place) + JointWork.SHARE_A] = share(end(place, JointWork.A));
                 work[JointWork.of(place) + JointWork.SHARE_B] = share(end(place, JointWork.B));
-                visits.prepare(place);
-                add(place, false);
+                worker.visits.prepare(place);
+                if (worker.relaxes(place)) {
+                    worker.push.loadCircles();
+                    add(place, false);
+                }
             }
         }
         takeAll(false);
@@ -76,7 +80,7 @@ final class SplitJoints {
 
     /** The number of the circle at an end of a joint, or -1. */
     private int end(int place, int which) {
-        return joints.splitEnds[JointWork.slots(place - joints.splitStart) + which];
+        return joints.splitEnds[ENDS * (place - joints.splitStart) + which];
     }
 
     private void count(int circle) {
@@ -91,8 +95,8 @@ final class SplitJoints {
 
     void solve(int sub) {
         for (int place = joints.splitStart; place < joints.count; place++) {
-            if (visits.acts(place)) {
-                visits.solve(place, sub);
+            if (worker.acts(place)) {
+                worker.visits.solve(place, sub);
                 add(place, true);
             }
         }
@@ -101,8 +105,8 @@ final class SplitJoints {
 
     void relax(int sub) {
         for (int place = joints.splitStart; place < joints.count; place++) {
-            if (visits.acts(place)) {
-                visits.relax(place, sub);
+            if (worker.acts(place) && worker.relaxes(place)) {
+                worker.visits.relax(place, sub);
                 add(place, true);
             }
         }
@@ -112,8 +116,9 @@ final class SplitJoints {
     /** Behind the relaxing pass. */
     void end(boolean last) {
         for (int place = joints.splitStart; place < joints.count; place++) {
-            if (visits.acts(place)) {
-                visits.end(place);
+            if (worker.acts(place) && worker.relaxes(place)) {
+                worker.visits.end(place);
+                worker.push.loadCircles();
                 if (!last) {
                     add(place, false);
                 }
@@ -134,12 +139,12 @@ final class SplitJoints {
         if (wA != 0f) {
             float by = speeds ? wA : 1f;
             float bySpin = speeds ? work[o + JointWork.INV_INERTIA_A] : 1f;
-            add(a, speeds, -1f * (by * visits.pushX), -1f * (by * visits.pushY), bySpin * visits.spinOfA());
+            add(a, speeds, -1f * (by * worker.push.x), -1f * (by * worker.push.y), bySpin * worker.push.spinOfA());
         }
         if (b >= 0 && wB != 0f) {
             float by = speeds ? wB : 1f;
             float bySpin = speeds ? work[o + JointWork.INV_INERTIA_B] : 1f;
-            add(b, speeds, by * visits.pushX, by * visits.pushY, bySpin * visits.spinOfB());
+            add(b, speeds, by * worker.push.x, by * worker.push.y, bySpin * worker.push.spinOfB());
         }
     }
 

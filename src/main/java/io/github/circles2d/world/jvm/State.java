@@ -382,6 +382,16 @@ public final class State {
         return Motion.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
+    /** The same, but 0 for a static circle. */
+    float fallX(int slot, StepConstants k) {
+        return isStatic(slot) ? 0f : gainX(slot, k);
+    }
+
+    /** The same along y. */
+    float fallY(int slot, StepConstants k) {
+        return isStatic(slot) ? 0f : gainY(slot, k);
+    }
+
     /** How much greater the x of one slot is than that of another. */
     float differenceX(int slot, int other) {
         float d = circle[CircleRow.of(other) + X] - circle[CircleRow.of(slot) + X];

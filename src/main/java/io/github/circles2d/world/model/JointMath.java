@@ -31,10 +31,25 @@ public final class JointMath {
         return strain > Tuning.JOINT_STRAIN * radius;
     }
 
-    /** With bias. */
+    /** The greatest speed by which a joint corrects where its ends are; radius: the lesser one of its circles. */
+    public static float greatestPush(float radius, float inverseH) {
+        return Tuning.JOINT_PUSH * radius * inverseH;
+    }
+
+    /** With bias, by a spring. */
     public static float solve(
             float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
         return kept((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
+    }
+
+    /** With bias, of what is rigid; most: {@link #greatestPush}. */
+    public static float hold(float impulse, float m, float v, float c, Softness s, float most) {
+        return kept(held(impulse, m, v, c, s, most));
+    }
+
+    private static float held(float impulse, float m, float v, float c, Softness s, float most) {
+        float soft = m * (s.massScale * (s.biasRate * c)) + s.impulseScale * impulse;
+        return (impulse - m * (s.massScale * v)) - CircleMath.clamp(soft, -1f * (m * most), m * most);
     }
 
     /** Without bias. */
@@ -48,10 +63,8 @@ public final class JointMath {
     }
 
     /** Of a limit, from which B is away by gap, with bias; v is positive if B goes away from it. */
-    public static float solveLimit(float impulse, float m, float v, float gap, float inverseH, Softness s) {
-        float next = gap > 0f
-                ? impulse - m * (v + gap * inverseH)
-                : (impulse - m * (s.massScale * v + s.massScale * (s.biasRate * gap))) - s.impulseScale * impulse;
+    public static float solveLimit(float impulse, float m, float v, float gap, float inverseH, Softness s, float most) {
+        float next = gap > 0f ? impulse - m * (v + gap * inverseH) : held(impulse, m, v, gap, s, most);
         return CircleMath.clamp(next, 0f, GREATEST_IMPULSE);
     }
 

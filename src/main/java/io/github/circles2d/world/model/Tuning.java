@@ -72,6 +72,9 @@ public final class Tuning {
     /** A ratio. */
     static final float JOINT_DAMPING = 2f;
 
+    /** Greatest speed by which a joint corrects, in radii a sub-step: less than {@link #CAP}, so that it leads nothing through terrain or stops it there. */
+    public static final float JOINT_PUSH = 0.2f;
+
     /** In radii; joints of balls that hang and swing are nearer to their lengths. */
     public static final float JOINT_STRAIN = 0.1f;
 

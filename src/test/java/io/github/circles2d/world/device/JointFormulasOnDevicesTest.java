@@ -27,7 +27,7 @@ class JointFormulasOnDevicesTest {
     private static final int FLOATS = 8;
 
     private static final int INPUT = FLOATS + 4;
-    private static final int OUTPUT = 12;
+    private static final int OUTPUT = 14;
 
     private static final String PROBE = """
             kernel void probe(global const int *in, global const float *soft, global int *out, int count) {
@@ -36,19 +36,21 @@ class JointFormulasOnDevicesTest {
                 float p[8];
                 for (int k = 0; k < 8; k++) p[k] = as_float(in[12 * i + k]);
                 global const int *angle = in + 12 * i + 8;
-                global int *to = out + 12 * i;
+                global int *to = out + 14 * i;
                 to[0] = as_int(keptImpulse(p[0]));
                 to[1] = as_int(jointMass(p[1]));
                 to[2] = as_int(solvedImpulse(p[0], p[1], p[2], p[3], soft[0], soft[1], soft[2]));
                 to[3] = as_int(relaxedImpulse(p[0], p[1], p[2]));
                 to[4] = as_int(springImpulse(p[1], p[2], p[3], p[4], p[5], p[6], p[7]));
-                to[5] = as_int(solvedLimit(p[0], p[1], p[2], p[3], p[4], soft[0], soft[1], soft[2]));
+                to[5] = as_int(solvedLimit(p[0], p[1], p[2], p[3], p[4], soft[0], soft[1], soft[2], fabs(p[5])));
                 to[6] = as_int(relaxedLimit(p[0], p[1], p[2], p[3], p[4]));
                 to[7] = as_int(shareWithin(p[0], p[1], p[2]));
                 to[8] = as_int(turnedAway(angle[0], angle[1], p[0], angle[2], angle[3], p[1]));
                 to[9] = meanTurn(angle[0], angle[1], p[0], angle[2], angle[3], p[1]);
                 to[10] = as_int(sinOfUnits(angle[0]));
                 to[11] = as_int(cosOfUnits(angle[1]));
+                to[12] = as_int(heldImpulse(p[0], p[1], p[2], p[3], soft[0], soft[1], soft[2], fabs(p[4])));
+                to[13] = as_int(greatestPush(p[0], p[1]));
             }
             """;
 
@@ -126,13 +128,15 @@ class JointFormulasOnDevicesTest {
             JointMath.solve(p[0], p[1], p[2], p[3], soft.massScale, soft.biasRate, soft.impulseScale),
             JointMath.relax(p[0], p[1], p[2]),
             JointMath.spring(p[1], p[2], p[3], p[4], p[5], p[6], p[7]),
-            JointMath.solveLimit(p[0], p[1], p[2], p[3], p[4], soft),
+            JointMath.solveLimit(p[0], p[1], p[2], p[3], p[4], soft, Math.abs(p[5])),
             JointMath.relaxLimit(p[0], p[1], p[2], p[3], p[4]),
             JointMath.shareWithin(p[0], p[1], p[2]),
             JointMath.turnedAway(in[a], in[a + 1], p[0], in[a + 2], in[a + 3], p[1]),
             0f,
             JointMath.sin(in[a]),
-            JointMath.cos(in[a + 1])
+            JointMath.cos(in[a + 1]),
+            JointMath.hold(p[0], p[1], p[2], p[3], soft, Math.abs(p[4])),
+            JointMath.greatestPush(p[0], p[1])
         };
         for (int k = 0; k < OUTPUT; k++) {
             to[k] = Float.floatToRawIntBits(results[k]);

@@ -79,6 +79,7 @@ public final class WorldSource {
                 .define("RADIANS_PER_UNIT", JointMath.RADIANS_PER_UNIT)
                 .define("GREATEST_JOINT_IMPULSE", JointMath.GREATEST_IMPULSE)
                 .define("JOINT_STRAIN", Tuning.JOINT_STRAIN)
+                .define("JOINT_PUSH", Tuning.JOINT_PUSH)
                 .define("SCAN_GROUP", Scan.GROUP)
                 .define("SCAN_EACH", Scan.EACH)
                 .define("BLOCK_LOG", DeviceArrays.BLOCK_LOG);
