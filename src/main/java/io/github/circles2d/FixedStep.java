@@ -354,8 +354,8 @@ public final class FixedStep {
 
     /**
      * The positions to draw, by id: element 2 k is x of the circle with the id k ({@link World#id}), and element 2 k + 1 is y. They are
-     * NaN if no circle has the id, or if its circle has been added since the last step. Before the first step, the positions are the
-     * present ones.
+     * NaN if no circle has the id, or if its circle has been added since the last step. There are elements for all ids below {@link
+     * World#idLimit}, those of new circles too. Before the first step, the positions are the present ones.
      *
      * @param living takes a bit for each id, 1 if there is a position: id k is bit k % 64 of element k / 64. Further bits become 0.
      *     It has an element for each 64 of {@link World#idLimit}, or more; may be null
@@ -367,7 +367,8 @@ public final class FixedStep {
     public FloatBuffer positions(long[] living) {
         take();
         int length = after.limit();
-        ensure(length);
+        int whole = 2 * ids();
+        ensure(whole);
         BulkCopies.get(before, from, length);
         BulkCopies.get(after, to, length);
         float alpha = alpha();
@@ -379,9 +380,10 @@ public final class FixedStep {
                 to[k] = from[k] + (to[k] - from[k]) * alpha;
             }
         }
-        BulkCopies.put(shown, to, length);
+        Arrays.fill(to, length, whole, Float.NaN);
+        BulkCopies.put(shown, to, whole);
         world.markGone(shown, 2, living);
-        ((Buffer) view).clear().limit(length);
+        ((Buffer) view).clear().limit(whole);
         return view;
     }
 
@@ -398,7 +400,8 @@ public final class FixedStep {
     public FloatBuffer radii() {
         take();
         keepsRadii = true;
-        ensureRadii(world.idLimit());
+        int whole = ids();
+        ensureRadii(whole);
         if (!hasRadii) {
             world.readRadiiById(radiiBefore, null);
             world.readRadiiById(radiiAfter, null);
@@ -408,8 +411,11 @@ public final class FixedStep {
         for (int k = 0; k < length; k++) {
             shownRadii.put(k, radiiBefore[k] + (radiiAfter[k] - radiiBefore[k]) * alpha);
         }
+        for (int k = length; k < whole; k++) {
+            shownRadii.put(k, Float.NaN);
+        }
         world.markGone(shownRadii, 1, null);
-        ((Buffer) viewOfRadii).clear().limit(length);
+        ((Buffer) viewOfRadii).clear().limit(whole);
         return viewOfRadii;
     }
 
@@ -427,7 +433,8 @@ public final class FixedStep {
     public FloatBuffer angles() {
         take();
         keepsAngles = true;
-        ensureAngles(world.idLimit());
+        int whole = ids();
+        ensureAngles(whole);
         if (!hasAngles) {
             world.readAngleUnits(anglesBefore);
             world.readAngleUnits(anglesAfter);
@@ -438,8 +445,11 @@ public final class FixedStep {
             int way = anglesAfter[k] - anglesBefore[k]; // the short one: turns wrap
             shownAngles.put(k, Surface.radians(anglesBefore[k] + (int) ((double) way * alpha)));
         }
+        for (int k = length; k < whole; k++) {
+            shownAngles.put(k, Float.NaN);
+        }
         world.markGone(shownAngles, 1, null);
-        ((Buffer) viewOfAngles).clear().limit(length);
+        ((Buffer) viewOfAngles).clear().limit(whole);
         return viewOfAngles;
     }
 
@@ -513,6 +523,11 @@ public final class FixedStep {
             }
         }
         requireOwnRequest();
+    }
+
+    /** How many ids have a place: those of the last request, and those that have come since. */
+    private int ids() {
+        return Math.max(after.limit() / 2, world.idLimit());
     }
 
     private void requireOwnRequest() {

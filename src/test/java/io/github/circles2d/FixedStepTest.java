@@ -222,7 +222,7 @@ class FixedStepTest {
             long late = world.add(3, 5, 0.1f, 1);
             FloatBuffer positions = loop.positions(null);
             assertThat(positions.get(0)).isEqualTo(8);
-            assertThat(positions.limit()).isEqualTo(2 * World.id(late));
+            assertThat(positions.get(2 * World.id(late))).isNaN();
             loop.advance(STEP, null);
             assertThat(x(loop, a)).isEqualTo(2);
             assertThat(x(loop, late)).isEqualTo(3);
@@ -695,6 +695,41 @@ class FixedStepTest {
                     .isThrownBy(() -> loop.positions(new long[0]))
                     .withMessageContaining("living");
             assertThat(loop.positions(new long[1]).remaining()).isEqualTo(2);
+        }
+    }
+
+    /** A level is built, or the game adds circles, between a step and the picture after it. */
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aCircleWithANewIdHasAPlaceThatIsNotANumberUntilItsFirstStep(Backend backend) {
+        try (World world = world(backend)) {
+            long old = world.add(5, 5, 1, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
+            loop.angles();
+            loop.advance(STEP, null);
+            for (int k = 1; k <= 70; k++) {
+                long late = world.add(3, 3, 0.1f, 1);
+                FloatBuffer positions = loop.positions(null);
+                assertThat(positions.limit()).isEqualTo(2 * world.idLimit());
+                assertThat(loop.radii().limit()).isEqualTo(world.idLimit());
+                assertThat(loop.angles().limit()).isEqualTo(world.idLimit());
+                assertThat(positions.get(2 * World.id(late))).isNaN();
+                assertThat(positions.get(2 * World.id(late) + 1)).isNaN();
+                assertThat(loop.radii().get(World.id(late))).isNaN();
+                assertThat(loop.angles().get(World.id(late))).isNaN();
+                assertThat(positions.get(2 * World.id(old))).isEqualTo(5);
+                assertThat(loop.radii().get(World.id(old))).isEqualTo(1);
+            }
+            long[] living = {-1, -1};
+            loop.positions(living);
+            assertThat(living).containsExactly(1, 0);
+            loop.advance(STEP, null);
+            assertThat(loop.positions(living).get(2 * World.id(world.handle(70))))
+                    .isEqualTo(3);
+            assertThat(living).containsExactly(-1, (1 << 7) - 1);
+            assertThat(loop.radii().get(70)).isEqualTo(0.1f);
+            assertThat(loop.angles().get(70)).isZero();
         }
     }
 
