@@ -156,13 +156,15 @@ public final class FixedStep {
 
     /**
      * Makes the steps that are due. If the Runnable throws, the step that it came before and those after it are not made, neither now nor
-     * later.
+     * later. The Runnable makes no steps of this world, unless it goes back in time, repeats steps and calls {@link #reset}. It may make
+     * those of other worlds.
      *
      * @param frameSeconds time since the last frame in seconds, at least 0 and finite
      * @param beforeStep runs before each step; may be null. Keep one in a field: a lambda that is made in each frame may be garbage
      * @return the number of steps made, 0 to the greatest number of a frame
      * @throws IllegalArgumentException if the time is out of range
-     * @throws IllegalStateException if the Runnable calls this method
+     * @throws IllegalStateException if the Runnable calls this method; or if it has made steps, which stay, and has not called {@link
+     *     #reset}
      */
     public int advance(float frameSeconds, Runnable beforeStep) {
         int steps = due(frameSeconds);
@@ -244,7 +246,12 @@ public final class FixedStep {
 
     private int make(int steps, Runnable beforeStep) {
         for (int k = 1; k <= steps; k++) {
+            long made = world.stepsMade();
             beforeStep.run();
+            if (world.stepsMade() != made && !wasReset) {
+                throw new IllegalStateException("the world has made steps between those of the loop:"
+                        + " what runs before a step cannot make steps of its own, unless it calls reset");
+            }
             if (k == steps || wasReset) {
                 makeLast();
                 return k;
@@ -476,10 +483,10 @@ public final class FixedStep {
      *
      * @param body a body of the loop's world
      * @param pose takes x and y of its pivot, and its angle in radians
-     * @throws IllegalArgumentException if the body has been removed, or the array is shorter than three elements
+     * @throws IllegalArgumentException if the body is of another world or has been removed, or the array is shorter than three elements
      */
     public void pose(TerrainBody body, float[] pose) {
-        long handle = Limits.notNull("body", body).handle();
+        long handle = Limits.notNull("body", body).handleIn(world.simulation());
         if (Limits.notNull("pose", pose).length < 3) {
             throw new IllegalArgumentException("pose has " + pose.length + " elements, but must have 3");
         }

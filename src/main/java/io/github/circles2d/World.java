@@ -310,8 +310,8 @@ public final class World implements AutoCloseable {
      * Removes all circles and joints, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
      * are free, and pairs that touched end. It takes about as long as a read. Changes of circles that still wait for a step are dropped.
      *
-     * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, kinds and
-     * the responses of {@link #setResponse}, the reported types and events that have not been taken, {@link #idLimit}, and the length of
+     * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, {@link
+     * #terrain}, which {@link Terrain#clear} removes, kinds and the responses of {@link #setResponse}, the reported types and events that have not been taken, {@link #idLimit}, and the length of
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
@@ -1091,6 +1091,11 @@ public final class World implements AutoCloseable {
      */
     public void step(float timeStep, int steps) {
         simulation.step(timeStep, steps);
+    }
+
+    /** The number of steps that were asked for. */
+    long stepsMade() {
+        return simulation.steps();
     }
 
     /**

@@ -117,6 +117,31 @@ class FixedStepTest {
     }
 
     @Test
+    void aStepOfTheWorldBeforeAStepIsRefusedUnlessTheLoopIsReset() {
+        try (World world = world();
+                World other = world()) {
+            long a = world.add(1, 5, 0.1f, 1, 4, 0);
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> loop.advance(3 * STEP, () -> world.step(STEP)))
+                    .withMessageContaining("cannot make steps");
+            assertThat(world.x(a)).as("one step has been made").isEqualTo(1 + 4 * STEP);
+            assertThat(loop.advance(2 * STEP, () -> other.step(STEP))).isEqualTo(2);
+
+            Rewind rewind = new Rewind(world, 1);
+            rewind.save(0);
+            float now = world.x(a);
+            Runnable repeats = () -> {
+                rewind.restore(0);
+                world.step(STEP, 2);
+                loop.reset();
+            };
+            assertThat(loop.advance(3 * STEP, repeats)).isOne();
+            assertThat(world.x(a)).isCloseTo(now + 3 * 4 * STEP, ROUNDING);
+        }
+    }
+
+    @Test
     void slowMotionMakesFewerStepsOfTheSameLength() {
         try (World world = world();
                 World same = world()) {
@@ -827,6 +852,11 @@ class FixedStepTest {
             assertThat(loop.pieces(pieces, handles)).isOne();
             assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(lift, pose));
             assertThatIllegalArgumentException().isThrownBy(() -> loop.pose(late, new float[2]));
+            try (World other = world()) {
+                assertThatIllegalArgumentException()
+                        .isThrownBy(() -> new FixedStep(other, STEP).pose(late, pose))
+                        .withMessageContaining("is of another world");
+            }
         }
     }
 

@@ -99,6 +99,7 @@ public final class Simulation implements AutoCloseable {
     private final Searches searches;
     private final Searches terrainSearches;
     private final GridLevels levels = new GridLevels();
+    private long steps;
 
     /** A world without circles; closes the pipeline. The parameters have been checked. */
     public Simulation(Pipeline pipeline, WorldParameters start) {
@@ -332,6 +333,12 @@ public final class Simulation implements AutoCloseable {
             makeSteps(timeStep, steps - made);
         }
         log.stepped(steps);
+        this.steps += steps;
+    }
+
+    /** The number of steps that have been made, whatever state has been restored. */
+    public long steps() {
+        return steps;
     }
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
