@@ -98,6 +98,14 @@ public final class Rewind {
     }
 
     /**
+     * Drops all frames, as for a new level: the next {@link #save} begins anew, with any number. The memory of the frames stays for those
+     * that come.
+     */
+    public void clear() {
+        ring.clear();
+    }
+
+    /**
      * Whether a frame can be restored.
      *
      * @param frame the number of the frame

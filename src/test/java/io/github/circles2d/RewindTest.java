@@ -145,6 +145,38 @@ class RewindTest {
     }
 
     @Test
+    void afterAClearNoFrameIsThereAndTheNextSaveBeginsAnew() {
+        try (World world = WorldScenes.jvm().build()) {
+            long ball = world.add(0.5f, 0.5f, 0.1f, 1);
+            world.setTag(ball, 9);
+            Rewind rewind = new Rewind(world, 3);
+            rewind.clear();
+            for (int frame = 0; frame < 5; frame++) {
+                rewind.save(frame);
+            }
+            long bytes = rewind.bytes();
+            rewind.clear();
+            assertThat(rewind.size()).isZero();
+            for (int frame = 0; frame < 5; frame++) {
+                assertThat(rewind.has(frame)).isFalse();
+            }
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> rewind.restore(4))
+                    .withMessage("frame 4 is not there: no frame has been saved");
+            assertThatIllegalStateException().isThrownBy(rewind::oldest);
+            for (int frame = 1; frame < 6; frame++) {
+                world.setTag(ball, frame);
+                rewind.save(frame);
+            }
+            assertThat(rewind.size()).isEqualTo(3);
+            assertThat(rewind.oldest()).isEqualTo(3);
+            rewind.restore(3);
+            assertThat(world.tag(ball)).isEqualTo(3);
+            assertThat(rewind.bytes()).as("the memory is used again").isEqualTo(bytes);
+        }
+    }
+
+    @Test
     void aFrameThatIsNotThereIsRefusedWithTheRangeAndChangesNothing() {
         try (World world = WorldScenes.jvm().build()) {
             Rewind rewind = new Rewind(world, 3);

@@ -27,6 +27,11 @@ public final class SnapshotRing {
         number = new int[frames];
     }
 
+    /** Drops all frames. */
+    public void clear() {
+        size = 0;
+    }
+
     /** The number of frames. */
     public int size() {
         return size;
