@@ -227,7 +227,7 @@ public final class Joint {
     }
 
     /**
-     * With a greatest force, of a pin or of friction.
+     * With a greatest force, of a pin, also one that {@link #mouse} has made, or of friction.
      *
      * @param maxForce at least 0; may be infinite
      * @return another definition

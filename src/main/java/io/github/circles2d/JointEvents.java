@@ -59,6 +59,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return its handle, which is stale
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long joint(int event) {
         return rows.joint(event);
@@ -69,6 +70,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return its handle; stale if the circle has been removed
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long circle(int event) {
         return rows.circle(event);
@@ -79,6 +81,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return its handle; stale if the circle has been removed; 0 if the joint held one alone
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long other(int event) {
         return rows.other(event);
@@ -89,6 +92,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return the mean force of the step, at least 0; 0 if it did not break
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float force(int event) {
         return rows.force(event);
@@ -99,6 +103,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return the mean torque of the step on the first circle; 0 if it did not break
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float torque(int event) {
         return rows.torque(event);
@@ -109,6 +114,7 @@ public final class JointEvents {
      *
      * @param event its number, from 0 on
      * @return the reason
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public Reason reason(int event) {
         return REASONS[rows.reason(event)];

@@ -472,7 +472,7 @@ public final class Joints {
     }
 
     /**
-     * Sets the greatest force of a pin or of friction.
+     * Sets the greatest force of a pin, also one that {@link Joint#mouse} has made, or of friction.
      *
      * @param joint the handle of a joint
      * @param maxForce at least 0; may be infinite

@@ -119,8 +119,8 @@ class WorldJointsApiTest {
         refused(() -> Joint.distance(Float.NaN), "the length is NaN, but must be from 0.0 to 1.0E9");
         refused(() -> Joint.distance(INFINITE), "the length is Infinity, but must be from 0.0 to 1.0E9");
         refused(() -> Joint.rope(-2), "the greatest length is -2.0, but must be from 0.0 to Infinity");
-        refused(() -> Joint.limits(5, 3), "the least length is 5.0, but must be from 0.0 to 3.0");
-        refused(() -> Joint.limits(-1, 3), "the least length is -1.0, but must be from 0.0 to 3.0");
+        refused(() -> Joint.limits(5, 3), "the least length is 5.0, but must be at most the greatest length, 3.0");
+        refused(() -> Joint.limits(-1, 3), "the least length is -1.0, but must be from 0.0 to 1.0E9");
         refused(() -> Joint.limits(INFINITE, INFINITE), "the least length is Infinity, but must be from 0.0 to 1.0E9");
         refused(() -> Joint.limits(1, Float.NaN), "the greatest length is NaN, but must be from 0.0 to Infinity");
         refused(() -> Joint.spring(1e5f, 1), "the frequency is 100000.0, but must be from 0.0 to 10000.0");

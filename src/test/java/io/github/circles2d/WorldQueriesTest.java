@@ -515,7 +515,7 @@ class WorldQueriesTest {
     }
 
     private static void isNamed(String parameter, Runnable call) {
-        assertThatNullPointerException().isThrownBy(call::run).withMessage(parameter);
+        assertThatNullPointerException().isThrownBy(call::run).withMessage(parameter + " must not be null");
     }
 
     @Test

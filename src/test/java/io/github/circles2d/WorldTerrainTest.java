@@ -166,7 +166,7 @@ class WorldTerrainTest {
             assertThatThrownBy(() -> terrain.addArc(0, 0, 1, 1, 1, ArcSide.INNER))
                     .hasMessageContaining("greater");
             assertThatThrownBy(() -> terrain.addArc(0, 0, 1, 0, 7, ArcSide.INNER))
-                    .hasMessageContaining("2 pi");
+                    .hasMessageContaining("2 pi, in radians");
             assertThatThrownBy(() -> terrain.addSegments(new float[] {0, 0, 1, 0, 5, 5, 5, 5}, 0, null))
                     .hasMessageContaining("segment 1");
             assertThatThrownBy(() -> Chain.of(0, 0, 1, 0, 1, 0)).hasMessageContaining("point 2");

@@ -111,6 +111,10 @@ class WorldTest {
             refused(() -> world.step(1.5f));
             refused(() -> world.step(0.1f, 0));
             refused(() -> world.setBounds(0, 0, 0.1f, 0.1f));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.setBounds(0, 0, 0.1f, 0.1f))
+                    .withMessageContaining("the greatest radius of a circle is " + world.radius(a) + ", but")
+                    .withMessageEndingWith("to 0.05 in bounds from 0.0, 0.0 to 0.1, 0.1");
             refused(() -> world.setBounds(5, 0, 5, 10));
             refused(() -> WorldScenes.jvm().subSteps(0));
             refused(() -> WorldScenes.jvm().subSteps(17));

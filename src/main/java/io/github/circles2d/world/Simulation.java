@@ -253,8 +253,8 @@ public final class Simulation implements AutoCloseable {
         Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(before.edgeX(), before.edgeY());
         Limits.moved(before, next);
         if (handles.size() > 0) {
-            Limits.within("the greatest radius", handles.greatestRadius(), next.leastRadius(), next.greatestRadius());
-            Limits.within("the least radius", handles.leastRadius(), next.leastRadius(), next.greatestRadius());
+            Limits.room("the greatest radius of a circle", handles.greatestRadius(), next);
+            Limits.room("the least radius of a circle", handles.leastRadius(), next);
             growth.requireRoom(next);
         }
         pending.apply();

@@ -125,8 +125,7 @@ public final class Growth {
         for (int k = 0; k < count; k++) {
             if (grows(ids[k])) {
                 float radius = CircleField.growthRadius(fields.get(GROWTH, ids[k]));
-                Limits.within(
-                        "the radius to which a circle grows", radius, bounds.leastRadius(), bounds.greatestRadius());
+                Limits.room("the radius to which a circle grows", radius, bounds);
             }
         }
     }

@@ -76,7 +76,11 @@ public enum JointSetting {
                 boolean has = JointForm.kind(form) == JointForm.LIMITS || JointForm.kind(form) == JointForm.SPRING;
                 require(has, form, "limits");
                 Limits.within("the greatest length", b, 0f, Float.POSITIVE_INFINITY);
-                Limits.within("the least length", a, 0f, Math.min(b, Limits.COORDINATE));
+                Limits.within("the least length", a, 0f, Limits.COORDINATE);
+                if (a > b) {
+                    throw new IllegalArgumentException(
+                            "the least length is " + a + ", but must be at most the greatest length, " + b);
+                }
             }
             case SPRING -> {
                 require(JointForm.has(form, JointRow.ELASTIC), form, "spring");

@@ -146,6 +146,16 @@ public final class Limits {
         return within("radius", radius, bounds.leastRadius(), bounds.greatestRadius());
     }
 
+    /** Refuses bounds in which a circle that is there has no room. */
+    public static void room(String what, float radius, Bounds next) {
+        if (!(radius >= next.leastRadius() && radius <= next.greatestRadius())) {
+            throw new IllegalArgumentException(
+                    what + " is " + radius + ", but must be from " + next.leastRadius() + " to "
+                            + next.greatestRadius() + " in bounds from " + next.minX() + ", " + next.minY() + " to "
+                            + next.maxX() + ", " + next.maxY());
+        }
+    }
+
     public static void growth(float radius, int steps, Bounds bounds) {
         radius(radius, bounds);
         within("the number of steps", steps, 1, GROWTH_STEPS);

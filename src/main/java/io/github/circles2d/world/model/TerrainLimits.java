@@ -44,7 +44,7 @@ public final class TerrainLimits {
     public static long opening(String what, double angle) {
         long units = Rotation.units(angle);
         if (!(Math.abs(angle) < MORE_THAN_A_TURN) || Math.abs(units) > Rotation.TURN + SLACK) {
-            throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi");
+            throw new IllegalArgumentException(what + " is " + angle + ", but must be from -2 pi to 2 pi, in radians");
         }
         if (Math.abs(units) < LEAST_OPENING) {
             throw new IllegalArgumentException(what + " is " + angle + ", which is 0, or too near to it");

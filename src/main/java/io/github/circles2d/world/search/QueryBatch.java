@@ -1,10 +1,10 @@
 package io.github.circles2d.world.search;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.shared.WorldSettings;
-import java.util.Objects;
 
 /** The queries of a call, and the caller's arrays for what they find. A single query is a batch of one. */
 final class QueryBatch {
@@ -47,7 +47,7 @@ final class QueryBatch {
 
     void begin(CategoryFilter only, QueryShape what, float[] numbers, int count) {
         end();
-        Objects.requireNonNull(numbers, what.plural());
+        Limits.notNull(what.plural(), numbers);
         int has = numbers.length / what.stride();
         if (count < 0 || count > has) {
             throw new IllegalArgumentException("n is " + count + ", but must be from 0 to " + has + ", as "
@@ -89,18 +89,18 @@ final class QueryBatch {
 
     /** Takes the arrays of queries that find all. */
     void takeAll(long[] to, float[] hitsTo) {
-        handles = Objects.requireNonNull(to, "handles");
+        handles = Limits.notNull("handles", to);
         hits = hitsTo;
     }
 
     void takeEnds(int[] to) {
-        ends = Objects.requireNonNull(to, "ends");
+        ends = Limits.notNull("ends", to);
         requireRoom("ends", to.length, n);
     }
 
     /** Takes the arrays of queries that find a few circles each. */
     void takeFew(long[] to, float[] distancesTo) {
-        handles = Objects.requireNonNull(to, "handles");
+        handles = Limits.notNull("handles", to);
         requireRoom("handles", to.length, (long) n * most);
         if (distancesTo != null) {
             requireRoom("distances", distancesTo.length, (long) n * most);
