@@ -120,6 +120,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return {@link #BEGIN}, {@link #HIT} or {@link #END}
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public int type(int event) {
         return rows.type(event);
@@ -131,6 +132,7 @@ public final class Events {
      * @param event its number, from 0 on
      * @return the number of the step: 0 for the first step since the call of {@link World#events} before, or since the request that was
      *     taken; 2^31 - 1 for that step and all later ones
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public int step(int event) {
         return rows.step(event);
@@ -141,6 +143,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return its handle; stale if the circle has been removed
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long a(int event) {
         return rows.a(event);
@@ -151,9 +154,29 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return its handle; stale if the circle has been removed; 0 for a wall and for a piece of terrain
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long b(int event) {
         return rows.b(event);
+    }
+
+    /**
+     * The other circle of an event, for who asks about one circle.
+     *
+     * @param event its number, from 0 on
+     * @param circle the handle of one of its circles
+     * @return the handle of the other one; stale if the circle has been removed; 0 for a wall and for a piece of terrain
+     * @throws IllegalArgumentException if the circle is none of the event's
+     * @throws IndexOutOfBoundsException if there is no such event
+     */
+    public long other(int event, long circle) {
+        long a = rows.a(event);
+        long b = rows.b(event);
+        if (circle != a && (circle != b || b == 0)) {
+            throw new IllegalArgumentException("the circle with the handle " + circle + " is not in the event " + event
+                    + ", but must be " + a + (b == 0 ? "" : " or " + b));
+        }
+        return circle == a ? b : a;
     }
 
     /**
@@ -161,6 +184,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return its handle; stale if the piece has been removed; 0 if there are two circles, or a wall
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public long piece(int event) {
         return rows.piece(event);
@@ -171,6 +195,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return which; null if there are two circles, or a piece of terrain
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public Side side(int event) {
         int side = rows.side(event);
@@ -182,6 +207,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return lengths per second, at least 0; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float speed(int event) {
         return rows.speed(event);
@@ -192,6 +218,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return lengths per second, at least 0; 0 for an end, and if one of the two has no friction ({@link Kind#setFriction})
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float slipSpeed(int event) {
         return rows.slipSpeed(event);
@@ -202,6 +229,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return an impulse, mass times length per second, at least 0; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float impulse(int event) {
         return rows.impulse(event);
@@ -213,6 +241,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return x; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float x(int event) {
         return rows.x(event);
@@ -223,6 +252,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return y; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float y(int event) {
         return rows.y(event);
@@ -233,6 +263,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return x of a unit vector; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float normalX(int event) {
         return rows.normalX(event);
@@ -243,6 +274,7 @@ public final class Events {
      *
      * @param event its number, from 0 on
      * @return y of a unit vector; 0 for an end
+     * @throws IndexOutOfBoundsException if there is no such event
      */
     public float normalY(int event) {
         return rows.normalY(event);

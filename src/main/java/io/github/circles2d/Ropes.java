@@ -170,7 +170,9 @@ public final class Ropes {
     }
 
     /**
-     * Adds a bridge: circles between two places, which rigid joints hold.
+     * Adds a bridge: circles between two places, which rigid joints hold. Its circles stop others, its joints stop nobody: fast circles can
+     * slip through between two planks that are apart, or much lighter. So take enough planks that neighbours overlap, each about as heavy
+     * as what falls on it.
      *
      * @param world the world
      * @param from where it begins

@@ -107,6 +107,32 @@ class WorldEventsTest {
     }
 
     @Test
+    void anEventTellsTheOtherCircleOfOneOfItsOwn() {
+        world.report(ALL | Events.WALL);
+        long a = world.add(-49, 0, 1, 1);
+        long b = world.add(-47, 0, 1, 1);
+        long none = world.add(20, 0, 1, 1);
+        world.step(DT);
+        Events events = world.events();
+        assertThat(events.side(1)).isEqualTo(Events.Side.LEFT);
+        assertThat(events.other(0, a)).isEqualTo(b);
+        assertThat(events.other(0, b)).isEqualTo(a);
+        assertThat(events.other(1, a)).isZero();
+        for (long wrong : new long[] {none, 0}) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> events.other(0, wrong))
+                    .withMessage("the circle with the handle " + wrong + " is not in the event 0, but must be " + a
+                            + " or " + b);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> events.other(1, wrong))
+                    .withMessageEndingWith("but must be " + a);
+        }
+        assertThatExceptionOfType(IndexOutOfBoundsException.class)
+                .isThrownBy(() -> events.other(events.size(), a))
+                .withMessage("there is no event " + events.size() + " of " + events.size());
+    }
+
+    @Test
     void aRemovedCircleEndsUnderItsHandleAndItsSuccessorBegins() {
         world.report(Events.BEGIN | Events.END | Events.WALL);
         long a = world.add(-49, 0, 1, 1);
