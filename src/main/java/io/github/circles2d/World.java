@@ -1095,7 +1095,7 @@ public final class World implements AutoCloseable {
 
     /** The number of steps that were asked for. */
     long stepsMade() {
-        return simulation.steps();
+        return simulation.stepCount();
     }
 
     /**

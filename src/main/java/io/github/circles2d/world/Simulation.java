@@ -99,7 +99,7 @@ public final class Simulation implements AutoCloseable {
     private final Searches searches;
     private final Searches terrainSearches;
     private final GridLevels levels = new GridLevels();
-    private long steps;
+    private long stepCount;
 
     /** A world without circles; closes the pipeline. The parameters have been checked. */
     public Simulation(Pipeline pipeline, WorldParameters start) {
@@ -333,12 +333,12 @@ public final class Simulation implements AutoCloseable {
             makeSteps(timeStep, steps - made);
         }
         log.stepped(steps);
-        this.steps += steps;
+        stepCount += steps;
     }
 
     /** The number of steps that have been made, whatever state has been restored. */
-    public long steps() {
-        return steps;
+    public long stepCount() {
+        return stepCount;
     }
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
