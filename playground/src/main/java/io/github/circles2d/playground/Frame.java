@@ -35,6 +35,16 @@ final class Frame {
     float[] joint = new float[0];
     int[] jointColour = new int[0];
 
+    /** Whether contacts are shown; and those of the last step, as {@link Contacts} has them. */
+    boolean showsContacts;
+
+    int contacts;
+    float[] contact = new float[0];
+    float meanImpulse;
+
+    /** The length of the normal of a mean impulse. */
+    float normalLength;
+
     String stage = "";
     Backend backend = Backend.JVM;
     String device = "";
@@ -77,6 +87,13 @@ final class Frame {
             int room = count + (count >> 1);
             piece = new float[room * stride];
             pieceColour = new int[room];
+        }
+    }
+
+    /** Makes room for so many contacts. */
+    void ensureContacts(int count) {
+        if (contact.length < Contacts.STRIDE * count) {
+            contact = new float[Contacts.STRIDE * (count + (count >> 1))];
         }
     }
 

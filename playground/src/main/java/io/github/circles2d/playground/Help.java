@@ -26,6 +26,7 @@ final class Help {
         {"S", "slow motion: 1/2 to 1/16"},
         {"R", "start again"},
         {"C", "paint by speed, pressure, contacts"},
+        {"V", "contacts, normals, impulses"},
         {"N", "next back end, same hash"},
         {"G", "graphs"},
         {"ctrl + O  S  P  C", "open, save, picture, copy"},

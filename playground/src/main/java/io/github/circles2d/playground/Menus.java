@@ -51,6 +51,7 @@ final class Menus {
         addBackends(switcher);
         JMenu view = menu("View");
         shownItem(view, "Back to all", "HOME", canvas::goHome);
+        shownItem(view, "Contact points", "V", () -> loop.ask(Session::toggleContacts));
         shownItem(view, "Graphs", "G", canvas::toggleGraphs);
         shownItem(view, "Keys", "H", canvas::toggleHelp);
     }

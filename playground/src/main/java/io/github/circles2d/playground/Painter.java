@@ -31,6 +31,7 @@ final class Painter {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         JointPainter.paint(g, width, height, camera, frame);
         PiecePainter.paint(g, width, height, camera, frame);
+        ContactPainter.paint(g, width, height, camera, frame);
         for (Mark mark : frame.marks) {
             paint(g, mark, width, height, camera);
         }

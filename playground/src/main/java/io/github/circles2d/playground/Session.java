@@ -20,6 +20,7 @@ final class Session implements AutoCloseable {
     private final Hand hand = new Hand();
     private final Readout readout = new Readout();
     private final Gauges gauges = new Gauges();
+    private final Contacts contacts = new Contacts();
     private final Runnable beforeStep;
 
     private PaintMode paint = PaintMode.SPEED;
@@ -56,6 +57,8 @@ final class Session implements AutoCloseable {
             gauges.noteStep((System.nanoTime() - start) / 1e6 / steps);
         }
         readout.fill(frame, sandbox, paint);
+        contacts.read(world(), steps);
+        contacts.fill(frame, sandbox.grain());
         if (steps > 0) {
             gauges.noteEnergy(frame.energy);
         }
@@ -87,6 +90,9 @@ final class Session implements AutoCloseable {
     private boolean back() {
         boolean went = sandbox.back();
         hand.wentBack(sandbox);
+        if (went) {
+            contacts.start(world());
+        }
         return went;
     }
 
@@ -126,6 +132,7 @@ final class Session implements AutoCloseable {
         long start = System.nanoTime();
         sandbox.stepOnce(beforeStep);
         world().finish();
+        contacts.read(world(), 1);
         gauges.noteStep((System.nanoTime() - start) / 1e6);
         touched = true;
     }
@@ -163,6 +170,15 @@ final class Session implements AutoCloseable {
 
     void nextPaint() {
         paint = paint.next();
+    }
+
+    /** Shows the contacts of each step from now on, or not any more. */
+    void toggleContacts() {
+        contacts.set(world(), !contacts.isOn());
+        say(
+                contacts.isOn()
+                        ? "contacts of each step: the longer the normal, the greater the impulse"
+                        : "contacts are not shown");
     }
 
     /** How large circles are that are poured, in those that are usual in the world. */
@@ -242,6 +258,7 @@ final class Session implements AutoCloseable {
         long before = world().hash();
         sandbox.switchTo(backend);
         sandbox.loop().setSpeed(speed);
+        contacts.start(world());
         gauges.forgetTimes();
         long hash = gauges.hashNow(sandbox);
         touched = true;
@@ -268,6 +285,7 @@ final class Session implements AutoCloseable {
 
     private void restarted() {
         gauges.forget();
+        contacts.start(world());
         rewinding = false;
         sandbox.loop().setSpeed(speed);
         touched = true;

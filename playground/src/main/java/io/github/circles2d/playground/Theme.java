@@ -36,6 +36,11 @@ final class Theme {
     static final Color DISABLED = new Color(0x7a8796);
 
     static final Color ACCENT = new Color(0x4cc2ff);
+    /** Where surfaces touch, and their normals. */
+    static final Color CONTACT = new Color(0xff5f6d);
+
+    static final Color NORMAL = new Color(0xf4f7fa);
+
     static final Color WARM = new Color(0xffb454);
     static final Color LINE = new Color(0x2b3542);
 

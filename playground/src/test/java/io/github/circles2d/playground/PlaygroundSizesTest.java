@@ -38,7 +38,7 @@ class PlaygroundSizesTest {
                     .contains("the back end is marked: true", "time runs: true")
                     .contains("420 x 320, graphs are shown: false", "1000 x 800, graphs are shown: true")
                     .contains("Pause or go on=SPACE, One step=PERIOD, One step back=COMMA, Slower=S, Start again=R")
-                    .contains("Next back end=N", "Back to all=HOME, Graphs=G, Keys=H")
+                    .contains("Next back end=N", "Back to all=HOME, Contact points=V, Graphs=G, Keys=H")
                     .contains("Open world ...=ctrl O", "Quit=ctrl Q");
             assertThat(output.lines().filter(line -> line.endsWith(": false") && !line.contains("graphs are shown")))
                     .isEmpty();

@@ -251,6 +251,10 @@ final class WindowProgram {
         key(KeyEvent.VK_C);
         Thread.sleep(300);
         save("10-contacts");
+        key(KeyEvent.VK_V);
+        Thread.sleep(500);
+        save("10-contact-points");
+        key(KeyEvent.VK_V);
         key(KeyEvent.VK_H);
         Thread.sleep(300);
         save("11-help");
