@@ -45,6 +45,9 @@ final class Frame {
     /** The length of the normal of a mean impulse. */
     float normalLength;
 
+    /** The numbers of the circle that is selected; empty if none is. */
+    List<String> card = List.of();
+
     String stage = "";
     Backend backend = Backend.JVM;
     String device = "";

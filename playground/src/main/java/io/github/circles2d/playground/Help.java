@@ -11,7 +11,7 @@ final class Help {
         {"1 to 5", "grab, pour, explode, draw, erase"},
         {"6 to 8", "draw a line, an arc, a chain"},
         {"9  J  K  L", "cut; make a rope, a spring, a pin"},
-        {"left button", "use the tool"},
+        {"left button", "use the tool; grab selects"},
         {"[ ]  shift + wheel", "brush size; turns held terrain"},
         {"F (held)", "pour at the mouse"},
         {"X", "explode at the mouse"},

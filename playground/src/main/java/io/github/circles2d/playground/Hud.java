@@ -65,6 +65,10 @@ final class Hud {
         if (layout.message() != null) {
             paintMessage(g, layout.message(), message);
         }
+        Rectangle card = frame.card.isEmpty() ? null : layout.right(width, height, messageSize(g, frame.card));
+        if (card != null) {
+            paintCard(g, card, frame.card);
+        }
     }
 
     /** Where the panels were when they were painted last; null before. */
@@ -154,6 +158,15 @@ final class Hud {
         g.setFont(Theme.font(SIZE));
         g.setColor(Theme.WARM);
         for (int k = 0; k < lines.size(); k++) {
+            g.drawString(lines.get(k), at.x + PAD, at.y + 19 + k * LINE);
+        }
+    }
+
+    private static void paintCard(Graphics2D g, Rectangle at, List<String> lines) {
+        panel(g, at.x, at.y, at.width, at.height);
+        g.setFont(Theme.font(SIZE));
+        for (int k = 0; k < lines.size(); k++) {
+            g.setColor(k == 0 ? Theme.ACCENT : Theme.TEXT);
             g.drawString(lines.get(k), at.x + PAD, at.y + 19 + k * LINE);
         }
     }

@@ -19,6 +19,10 @@ import java.util.List;
 record HudLayout(Rectangle figures, Rectangle legend, Rectangle steps, Rectangle energy, Rectangle message) {
     static final int MARGIN = 14;
     private static final int GAP = 8;
+
+    /** In a narrower window there are no cards at the right. */
+    static final int CARDS_FROM = 640;
+
     private static final Dimension GRAPH = new Dimension(240, 74);
 
     /** Pixels between a message and the lower end of the canvas. */
@@ -103,6 +107,22 @@ record HudLayout(Rectangle figures, Rectangle legend, Rectangle steps, Rectangle
     /** What is shown. */
     List<Rectangle> panels() {
         return present(figures, legend, steps, energy, message);
+    }
+
+    /** A place at the right for a card, below what is there; null if there is none. A card keeps its width while its numbers change. */
+    Rectangle right(int width, int height, Dimension size) {
+        int wide = Math.max(size.width, GRAPH.width);
+        Rectangle card = new Rectangle(width - MARGIN - wide, MARGIN, wide, size.height);
+        for (boolean moved = true; moved; ) {
+            moved = false;
+            for (Rectangle other : panels()) {
+                if (card.intersects(other)) {
+                    card.y = bottom(other);
+                    moved = true;
+                }
+            }
+        }
+        return width >= CARDS_FROM && card.y + card.height <= height - EDGE ? card : null;
     }
 
     private boolean fits(int width, int height) {

@@ -21,6 +21,7 @@ final class Session implements AutoCloseable {
     private final Readout readout = new Readout();
     private final Gauges gauges = new Gauges();
     private final Contacts contacts = new Contacts();
+    private final Selection selection = new Selection();
     private final Runnable beforeStep;
 
     private PaintMode paint = PaintMode.SPEED;
@@ -115,6 +116,7 @@ final class Session implements AutoCloseable {
         frame.friction = sandbox.friction();
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
+        frame.card = selection.lines(world());
         gauges.show(frame);
         messageFrames = Math.max(0, messageFrames - 1);
         frame.message = messageFrames > 0 ? message : "";
@@ -208,6 +210,9 @@ final class Session implements AutoCloseable {
 
     void press(float x, float y) {
         use(() -> hand.press(sandbox, x, y));
+        if (hand.kind() == ToolKind.GRAB) {
+            selection.set(held());
+        }
     }
 
     void moveMouse(float x, float y) {
@@ -286,6 +291,7 @@ final class Session implements AutoCloseable {
     private void restarted() {
         gauges.forget();
         contacts.start(world());
+        selection.set(0);
         rewinding = false;
         sandbox.loop().setSpeed(speed);
         touched = true;

@@ -85,6 +85,7 @@ final class SizesProgram {
             window.setBounds(0, 0, size.width, size.height);
             window.validate();
         });
+        loop.ask(SizesProgram::select);
         becomesShown(MESSAGE);
         say(name + ", the window has its size", onEventThread(() -> window.getSize()
                 .equals(size)));
@@ -117,6 +118,14 @@ final class SizesProgram {
             save(name + " help, its end");
         }
         SwingUtilities.invokeAndWait(canvas::hideHelp);
+    }
+
+    /** Clicks a circle, so that its card is in the picture. */
+    private static void select(Session session) {
+        long circle = session.world().handle(0);
+        session.setTool(ToolKind.GRAB);
+        session.press(session.world().x(circle), session.world().y(circle));
+        session.release();
     }
 
     /** Waits until a frame with that message is painted. */
