@@ -28,6 +28,7 @@ final class Bar extends JPanel {
     private final FlatSlider restitution;
     private final FlatSlider friction;
     private final FlatSlider rolling;
+    private final FlatButton subSteps;
     private final int width;
 
     /** A bar in a window that is to have so many pixels across. */
@@ -58,6 +59,14 @@ final class Bar extends JPanel {
         friction = slider("Friction", "of walls and of circles that are no belts", 1, Session::setFriction, loop);
         rolling = slider(
                 "Rolling", "rolling resistance: circles roll on at 0", 0.3f, Session::setRollingResistance, loop);
+        subSteps = button(
+                "Sub-steps 16 -",
+                "one sub-step a step fewer: less exact and faster; starts the scene again",
+                () -> loop.ask(session -> session.addSubSteps(-1)));
+        button(
+                "+",
+                "one sub-step a step more: more exact and slower; starts the scene again",
+                () -> loop.ask(session -> session.addSubSteps(1)));
     }
 
     /** As high as its rows are, where the layout itself knows of one row only; and it asks for no width. */
@@ -102,6 +111,7 @@ final class Bar extends JPanel {
         paints.forEach((mode, button) -> button.setSelected(mode == frame.paint));
         pause.setSelected(frame.paused);
         slow.setSelected(frame.speed < 1);
+        subSteps.setText("Sub-steps " + frame.subSteps + " -");
         slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
         size.show(frame.size);
         gravity.show(frame.gravity, frame.greatestGravity);

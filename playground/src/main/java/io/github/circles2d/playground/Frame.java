@@ -72,6 +72,7 @@ final class Frame {
     float greatestGravity = 1;
     float restitution;
     float friction;
+    int subSteps;
     float rollingResistance;
     String message = "";
     List<Mark> marks = List.of();

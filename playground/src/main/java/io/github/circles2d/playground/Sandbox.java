@@ -25,6 +25,9 @@ final class Sandbox implements AutoCloseable {
     private Stage stage;
     private int step;
 
+    /** What a person has set for this stage; 0 for its own. */
+    private int subSteps;
+
     /** The gravity of the stage: a slider keeps its direction, and goes up to twice as much. */
     private float stageGravityX;
 
@@ -37,7 +40,13 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes a stage in place of what is. If it cannot be opened, all stays as it is. */
     void load(Stage next, Backend backend) {
-        World opened = next.builder().get().backend(backend).threads(THREADS).build();
+        load(next, backend, 0);
+    }
+
+    /** The same with another number of sub-steps than the stage has. A saved world keeps its own. */
+    private void load(Stage next, Backend backend, int wishedSubSteps) {
+        World.Builder builder = next.builder().get().backend(backend).threads(THREADS);
+        World opened = (wishedSubSteps == 0 ? builder : builder.subSteps(wishedSubSteps)).build();
         try {
             next.circles().accept(opened);
             WorldStats figures = opened.stats();
@@ -45,6 +54,7 @@ final class Sandbox implements AutoCloseable {
             replace(opened, figures);
             grain = usual;
             stage = next;
+            subSteps = wishedSubSteps;
             stageGravityX = opened.gravityX();
             stageGravityY = opened.gravityY();
             begin(0);
@@ -52,6 +62,16 @@ final class Sandbox implements AutoCloseable {
             opened.close();
             throw e;
         }
+    }
+
+    /** Takes the stage from its start, with the sub-steps that a person has set. */
+    void restart() {
+        load(stage, stats.backend(), subSteps);
+    }
+
+    /** The same with so many sub-steps, 1 to 16. */
+    void restart(int wishedSubSteps) {
+        load(stage, stats.backend(), wishedSubSteps);
     }
 
     /** Goes on with the same state on another back end. If there is no such, all stays as it is. */

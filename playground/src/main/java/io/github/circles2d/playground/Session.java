@@ -16,6 +16,8 @@ final class Session implements AutoCloseable {
 
     private static final int MOST_STEPS = 4;
 
+    private static final int MOST_SUB_STEPS = 16;
+
     private final Sandbox sandbox;
     private final Hand hand = new Hand();
     private final Readout readout = new Readout();
@@ -114,6 +116,7 @@ final class Session implements AutoCloseable {
         frame.greatestGravity = sandbox.greatestGravity();
         frame.restitution = sandbox.restitution();
         frame.friction = sandbox.friction();
+        frame.subSteps = world().subSteps();
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
         frame.card = selection.lines(world());
@@ -250,12 +253,29 @@ final class Session implements AutoCloseable {
         hand.letGo(sandbox);
         sandbox.load(stage, sandbox.stats().backend());
         restarted();
-        String note = StageNotes.of(stage.name());
-        say(note.isEmpty() ? stage.name() : note);
+        sayStage();
     }
 
     void restart() {
-        load(sandbox.stage());
+        hand.letGo(sandbox);
+        sandbox.restart();
+        restarted();
+        sayStage();
+    }
+
+    /** Starts again with so many sub-steps more, or fewer. */
+    void addSubSteps(int more) {
+        int wished = Math.min(Math.max(world().subSteps() + more, 1), MOST_SUB_STEPS);
+        hand.letGo(sandbox);
+        sandbox.restart(wished);
+        restarted();
+        boolean taken = world().subSteps() == wished;
+        say(taken ? wished + " sub-steps a step, from the start" : "a saved world keeps its sub-steps");
+    }
+
+    private void sayStage() {
+        String note = StageNotes.of(sandbox.stage().name());
+        say(note.isEmpty() ? sandbox.stage().name() : note);
     }
 
     /** Goes on with another back end, and says whether the hash is the same. */

@@ -446,4 +446,28 @@ class PlaygroundSessionTest {
         assertThat(frame.message).contains("too little memory");
         assertThat(frame.circles).isZero();
     }
+
+    @Test
+    void otherSubStepsStartTheSceneAgainAndAnotherSceneHasItsOwn() {
+        frames(10);
+        session.addSubSteps(2);
+        frames(1);
+        assertThat(frame.subSteps).isEqualTo(6);
+        assertThat(step()).isLessThan(5);
+        session.restart();
+        frames(1);
+        assertThat(frame.subSteps).as("they stay when it starts again").isEqualTo(6);
+        session.switchTo(Backend.JVM);
+        frames(1);
+        assertThat(frame.subSteps).as("and on another back end").isEqualTo(6);
+        session.addSubSteps(-20);
+        frames(1);
+        assertThat(frame.subSteps).isEqualTo(1);
+        session.addSubSteps(20);
+        frames(1);
+        assertThat(frame.subSteps).isEqualTo(16);
+        session.load(Stages.named("marbles"));
+        frames(1);
+        assertThat(frame.subSteps).isEqualTo(4);
+    }
 }
