@@ -79,7 +79,7 @@ final class Bar extends JPanel {
         int above = GAP_Y;
         for (Component part : getComponents()) {
             Dimension size = part.getPreferredSize();
-            if (x > 0 && x + GAP_X + size.width > room) {
+            if (x > 0 && x + size.width > room) { // the layout leaves out this gap, too
                 above += row + GAP_Y;
                 x = 0;
                 row = 0;
