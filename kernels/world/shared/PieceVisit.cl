@@ -462,7 +462,8 @@ bool keepOut(const World *w, int2 own, float2 *d) {
 // What is left of a move goes on along what has stopped it, a short way: else a circle that is always pressed against it could never leave.
 // d: displacement.
 bool slide(const World *w, int stopper, float4 c, float2 left, float2 *d) {
-    if (!isConstraint(w->piece[stopper])) return false;
+    int4 touched = w->piece[stopper];
+    if (!isConstraint(touched) || touched.TOUCHED_FEATURE != AT_FACE) return false; // around an end it would pass
     float4 g = w->measured[stopper];
     float most = CAP * c.RADIUS;
     float way = clampf(g.MEASURED_X * left.y - g.MEASURED_Y * left.x, -most, most);

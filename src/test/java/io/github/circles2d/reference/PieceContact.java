@@ -476,7 +476,7 @@ final class PieceContact extends Constraint {
             left[a] = to - c.displacement[a];
         }
         measure(c.pieceContacts, subStep + 1);
-        if (first != null && first.contact.acts()) {
+        if (first != null && first.contact.acts() && first.contact.feature == Piece.Feature.FACE) {
             slide(c, first.contact.normal, left, subStep);
         }
         keepOut(c, subStep);

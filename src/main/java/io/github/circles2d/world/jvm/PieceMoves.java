@@ -72,8 +72,9 @@ final class PieceMoves {
 
     /** What is left of a move goes on along what has stopped it, a short way: else a circle that is always pressed against it could never leave. */
     private boolean slide(int slot) {
-        if (!measure.isConstraint(stopper)) {
-            return false;
+        if (!measure.isConstraint(stopper)
+                || contacts.numbers[PieceContactRow.numbers(stopper) + FEATURE] != PieceGap.FACE) {
+            return false; // around an end it would pass
         }
         int s = CircleRow.of(slot);
         float nx = contacts.rows[PieceContactRow.of(stopper) + NX];
