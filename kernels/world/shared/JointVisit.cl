@@ -153,7 +153,7 @@ float solveAxis(global const JointHead *j, const JointVisit *v, float before, fl
                                 : springOf(v, before, isExact(v) ? springMass(v) : v->mass, speed, begun, c);
 }
 
-// What an exact spring has given counts at once, and is not kept. Also what it has left from when it was not exact.
+// Exact springs keep no impulse, nor one from when they were not exact.
 void forgetExact(JointVisit *v) {
     if (isLinearExact(v)) {
         v->KEPT_AXIAL = 0.0f;
@@ -162,6 +162,7 @@ void forgetExact(JointVisit *v) {
     if (isAngularExact(v)) v->KEPT_ANGULAR = 0.0f;
 }
 
+// What an exact spring has given counts at once.
 void countExact(JointVisit *v) {
     if (isLinearExact(v)) {
         bool along = linearOf(v) == HOLD_AXIAL;

@@ -627,6 +627,40 @@ class WorldJointsApiTest {
     // ---- where they are, and what they do
     // ----------------------------------------------------------------------------
 
+    /** Pressed against a floor for ever, it swings about the place under its anchor; it must neither stand still nor get faster and faster. */
+    @Test
+    void aRopeThatTerrainKeepsTooLongLeavesItsBallSlow() {
+        world.terrain().addSegment(-50, 10, 50, 10);
+        long ball = world.add(0.5f, 9, 1, 1);
+        long rope = joints.add(ball, 0, 20, Joint.rope(9));
+        world.step(STEP, 60);
+        float furthest = 0;
+        for (int k = 0; k < 1140; k++) {
+            world.step(STEP);
+            furthest = Math.max(furthest, Math.abs(world.x(ball)));
+            assertThat(Math.hypot(world.vx(ball), world.vy(ball)))
+                    .as("step %d", k)
+                    .isLessThan(100);
+            assertThat(world.y(ball)).isCloseTo(9, within(0.01f));
+        }
+        assertThat(furthest).isBetween(0.01f, 0.5f);
+        assertThat(joints.length(rope)).isCloseTo(11, within(0.05f));
+    }
+
+    /** By at most a fifth of a radius in each of four sub-steps. */
+    @Test
+    void aRopeThatIsMuchTooShortDoesNotThrowItsBall() {
+        long ball = world.add(30, 0, 0.5f, 1);
+        long rope = joints.add(ball, 0, 0, Joint.rope(9));
+        float before = joints.length(rope);
+        for (int k = 0; k < 240; k++) {
+            world.step(STEP);
+            assertThat(before - joints.length(rope)).as("step %d", k).isLessThan(0.41f);
+            before = joints.length(rope);
+        }
+        assertThat(before).isCloseTo(9, within(0.05f));
+    }
+
     @Test
     void anAnchorOnABodyMovesWithIt() {
         TerrainBody arm = world.terrain().addBody(0, 0, 0);

@@ -36,7 +36,7 @@ public final class JointMath {
         return Tuning.JOINT_PUSH * radius * inverseH;
     }
 
-    /** With bias, by a spring. */
+    /** With bias, by an implicit spring, or of a fixed angle. */
     public static float solve(
             float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
         return kept((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
