@@ -5,7 +5,7 @@ package io.github.circles2d.opencl;
  * scales, and an exhaustive run repeats nothing.
  */
 public final class TestScale {
-    /** Whether tests take minutes, as CI's last run does. */
+    /** Whether tests may take minutes. */
     public static final boolean EXHAUSTIVE = Boolean.getBoolean("circles2d.exhaustive");
 
     private TestScale() {}
