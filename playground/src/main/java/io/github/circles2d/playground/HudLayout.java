@@ -65,7 +65,7 @@ record HudLayout(
     static HudLayout of(int width, int height, double aspect, boolean legend, Graphs graphs) {
         Rectangle canvas = new Rectangle(Math.max(width, 1), Math.max(height, 1));
         HudLayout line = line(canvas, aspect, legend, graphs == Graphs.OVER_THE_SCENE);
-        for (boolean shown : graphs == Graphs.NO ? new boolean[] {false} : new boolean[] {true, false}) {
+        for (boolean shown : choices(graphs)) {
             HudLayout column = column(canvas, aspect, legend, shown);
             HudLayout rows = rows(canvas, aspect, legend, shown);
             HudLayout larger = rows.size() > column.size() ? rows : column;
@@ -74,6 +74,14 @@ record HudLayout(
             }
         }
         return line;
+    }
+
+    private static boolean[] choices(Graphs graphs) {
+        return switch (graphs) {
+            case NO -> new boolean[] {false};
+            case IF_THERE_IS_ROOM -> new boolean[] {true, false};
+            case OVER_THE_SCENE -> new boolean[] {true};
+        };
     }
 
     private static HudLayout column(Rectangle canvas, double aspect, boolean legend, boolean graphs) {

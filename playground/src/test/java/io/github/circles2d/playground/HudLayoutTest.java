@@ -88,6 +88,9 @@ class HudLayoutTest {
         assertThat(of(700, 500, USUAL).steps()).isNull();
         assertThat(asked.steps()).matches(asked.arena()::intersects);
         assertThat(asked.arena()).isEqualTo(of(700, 500, USUAL).arena());
+        assertThat(of(1280, 250, USUAL).steps()).as("a low column").isNull();
+        assertThat(HudLayout.of(1280, 250, USUAL, true, Graphs.OVER_THE_SCENE).steps())
+                .isNotNull();
         assertThat(HudLayout.of(1280, 693, USUAL, true, Graphs.NO).panels()).hasSize(2);
     }
 
