@@ -837,9 +837,9 @@ class FixedStepTest {
             long[] handles = new long[2];
             assertThat(loop.pieces(pieces, handles)).isEqualTo(2);
             assertThat(handles[1]).isEqualTo(terrain.handle(1));
-            assertThat(pieces[2]).isCloseTo(2 - (float) Math.cos(0.0125), ROUNDING);
-            assertThat(pieces[3]).isCloseTo(3.025f - (float) Math.sin(0.0125), ROUNDING);
-            assertThat(pieces[Terrain.PIECE_STRIDE + 3]).isEqualTo(1);
+            assertThat(pieces[Terrain.X1]).isCloseTo(2 - (float) Math.cos(0.0125), ROUNDING);
+            assertThat(pieces[Terrain.Y1]).isCloseTo(3.025f - (float) Math.sin(0.0125), ROUNDING);
+            assertThat(pieces[Terrain.PIECE_STRIDE + Terrain.Y1]).isEqualTo(1);
 
             // what a call puts elsewhere before a step starts from there; what comes after it is where it is
             loop.advance(STEP, () -> lift.teleport(5, 5, 0));

@@ -93,7 +93,7 @@ final class Readout {
         frame.ensurePieces(terrain.size(), Terrain.PIECE_STRIDE);
         frame.pieces = sandbox.loop().pieces(frame.piece, null);
         for (int k = 0; k < frame.pieces; k++) {
-            Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + 1]);
+            Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + Terrain.KIND]);
             frame.pieceColour[k] = kind.beltSpeed() != 0 ? Theme.BELT : kind.isOneWay() ? Theme.ONE_WAY : Theme.STATIC;
         }
     }
