@@ -127,7 +127,7 @@ public final class Main extends JLabel {
         g.translate(0, image.getHeight());
         g.scale(SCALE, -SCALE);
         drawTerrain(g);
-        int joints = game.world.joints().readEnds(numbers);
+        int joints = loop.jointEnds(numbers, null);
         g.setColor(new Color(0xcfd8e6));
         g.setStroke(new BasicStroke(0.3f));
         for (int k = 0; k < joints; k++) {
