@@ -77,21 +77,19 @@ final class Hud {
     }
 
     private void paintCards(Graphics2D g, HudLayout layout, Frame frame) {
-        List<Integer> heights = new ArrayList<>();
-        if (frame.showsProfile) {
-            heights.add(ProfileCard.height(frame));
+        List<String> circle = new ArrayList<>();
+        for (String line : frame.card) {
+            circle.addAll(wrap(line, metrics(g, SIZE), HudLayout.COLUMN - 2 * PAD));
         }
-        if (!frame.card.isEmpty()) {
-            heights.add(textHeight(frame.card));
+        Rectangle[] places = layout.cards(
+                frame.showsProfile ? ProfileCard.height(frame) : 0, circle.isEmpty() ? 0 : textHeight(circle));
+        if (places[0] != null) {
+            ProfileCard.paint(g, places[0], frame);
+            shown.add(places[0]);
         }
-        List<Rectangle> places = layout.cards(heights);
-        for (Rectangle place : places) {
-            if (frame.showsProfile && place == places.get(0)) {
-                ProfileCard.paint(g, place, frame);
-            } else {
-                paintText(g, place, frame.card, Theme.ACCENT, Theme.TEXT);
-            }
-            shown.add(place);
+        if (places[1] != null) {
+            paintText(g, places[1], circle, Theme.ACCENT, Theme.TEXT);
+            shown.add(places[1]);
         }
     }
 

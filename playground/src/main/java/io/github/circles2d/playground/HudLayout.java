@@ -187,14 +187,16 @@ record HudLayout(
     }
 
     /**
-     * Places for cards of these heights, as many as have one: beside the arena, if need be in place of graphs, else over it at the right.
+     * Places for cards of these heights: beside the arena, if need be in place of graphs, else over it at the right; null for a height of 0, and
+     * where there is no place.
      */
-    List<Rectangle> cards(List<Integer> heights) {
-        List<Rectangle> cards = new ArrayList<>();
-        for (int height : heights) {
-            Rectangle card = card(height, cards);
-            if (card != null) {
-                cards.add(card);
+    Rectangle[] cards(int... heights) {
+        Rectangle[] cards = new Rectangle[heights.length];
+        List<Rectangle> before = new ArrayList<>();
+        for (int k = 0; k < heights.length; k++) {
+            cards[k] = heights[k] == 0 ? null : card(heights[k], before);
+            if (cards[k] != null) {
+                before.add(cards[k]);
             }
         }
         return cards;

@@ -6,6 +6,7 @@ import io.github.circles2d.playground.HudLayout.Graphs;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -100,7 +101,7 @@ class HudLayoutTest {
         for (int width = 340; width < 1900; width += 20) {
             for (int height = 200; height < 1100; height += 50) {
                 HudLayout layout = of(width, height, USUAL);
-                List<Rectangle> cards = layout.cards(List.of(CARD, CARD));
+                List<Rectangle> cards = cards(layout, CARD, CARD);
                 for (Rectangle card : cards) {
                     assertThat(layout.canvas().contains(card)).isTrue();
                     assertThat(List.of(layout.figures())).noneMatch(card::intersects);
@@ -117,15 +118,28 @@ class HudLayoutTest {
         assertThat(beside).isGreaterThan(1000);
     }
 
+    private static List<Rectangle> cards(HudLayout layout, int... heights) {
+        return Arrays.stream(layout.cards(heights)).filter(card -> card != null).toList();
+    }
+
+    @Test
+    void aCardThatHasNoPlaceLeavesItToTheNext() {
+        HudLayout layout = of(1280, 693, USUAL);
+        Rectangle[] places = layout.cards(2000, CARD);
+        assertThat(places[0]).isNull();
+        assertThat(places[1]).isNotNull();
+        assertThat(layout.cards(0, CARD)).containsExactly(null, places[1]);
+    }
+
     @Test
     void twoCardsStandBesideAWideScene() {
         HudLayout layout = of(1280, 693, USUAL);
-        assertThat(layout.cards(List.of(CARD, CARD)))
+        assertThat(cards(layout, CARD, CARD))
                 .hasSize(2)
                 .noneMatch(layout.arena()::intersects)
                 .allMatch(card -> layout.panels().stream().noneMatch(card::intersects));
         HudLayout low = of(1280, 500, USUAL);
-        assertThat(low.cards(List.of(CARD, CARD)))
+        assertThat(cards(low, CARD, CARD))
                 .hasSize(2)
                 .as("beside the scene, or in place of the graphs")
                 .noneMatch(low.arena()::intersects);
