@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 /**
  * Where the scene and the panels beside it are: within the canvas, and none over another. The panels are a column at the right or rows
  * above the scene, whichever leaves it larger, or a line above it where both would make it small. What has no room is left out. Nothing
- * here depends on the numbers that are shown, nor on messages and cards, so the scene stays where it is.
+ * here depends on the numbers that are shown, nor on messages and the card of a circle, so the scene stays where it is while a person clicks.
  *
  * @param canvas all there is
  * @param scene the room of the scene; above it is a line for messages
@@ -51,6 +51,9 @@ record HudLayout(
     /** Panels beside the scene may make it smaller by this factor than a line does. */
     private static final double LEAST_SCALE = 0.8;
 
+    /** The same while a card is open that a person has opened to look at. */
+    private static final double LEAST_SCALE_FOR_CARD = 0.6;
+
     /** In a narrower canvas no card lies over the scene. */
     static final int CARDS_FROM = 560;
 
@@ -61,15 +64,21 @@ record HudLayout(
         OVER_THE_SCENE
     }
 
-    /** Lays out a canvas for an arena, whose aspect is its width over its height. */
-    static HudLayout of(int width, int height, double aspect, boolean legend, Graphs graphs) {
+    /**
+     * Lays out a canvas.
+     *
+     * @param aspect the width of the arena over its height
+     * @param legend whether there is one
+     * @param card whether a card is open that stays, so that the scene may be smaller
+     */
+    static HudLayout of(int width, int height, double aspect, boolean legend, Graphs graphs, boolean card) {
         Rectangle canvas = new Rectangle(Math.max(width, 1), Math.max(height, 1));
         HudLayout line = line(canvas, aspect, legend, graphs == Graphs.OVER_THE_SCENE);
         for (boolean shown : choices(graphs)) {
             HudLayout column = column(canvas, aspect, legend, shown);
             HudLayout rows = rows(canvas, aspect, legend, shown);
             HudLayout larger = rows.size() > column.size() ? rows : column;
-            if (larger.size() >= LEAST_SCALE * line.size()) {
+            if (larger.size() >= (card ? LEAST_SCALE_FOR_CARD : LEAST_SCALE) * line.size()) {
                 return larger;
             }
         }

@@ -49,7 +49,13 @@ final class PlaygroundCanvas extends JComponent {
             arena = frame.arena;
             home = true;
         }
-        layout = HudLayout.of(getWidth(), getHeight(), arena.width() / arena.height(), Hud.hasLegend(frame), graphs);
+        layout = HudLayout.of(
+                getWidth(),
+                getHeight(),
+                arena.width() / arena.height(),
+                Hud.hasLegend(frame),
+                graphs,
+                frame.showsProfile);
         if (home) {
             camera = Camera.home(arena, layout.arena(), getWidth(), getHeight());
         }

@@ -16,7 +16,7 @@ class HudLayoutTest {
     private static final int CARD = 142;
 
     private static HudLayout of(int width, int height, double aspect) {
-        return HudLayout.of(width, height, aspect, true, Graphs.IF_THERE_IS_ROOM);
+        return HudLayout.of(width, height, aspect, true, Graphs.IF_THERE_IS_ROOM, false);
     }
 
     @Test
@@ -25,7 +25,7 @@ class HudLayoutTest {
             for (int height = 130; height <= 1100; height += 13) {
                 for (double aspect : new double[] {0.2, 1, USUAL, 4}) {
                     for (Graphs graphs : new Graphs[] {Graphs.NO, Graphs.IF_THERE_IS_ROOM}) {
-                        HudLayout layout = HudLayout.of(width, height, aspect, true, graphs);
+                        HudLayout layout = HudLayout.of(width, height, aspect, true, graphs, false);
                         List<Rectangle> all = new ArrayList<>(layout.panels());
                         all.add(layout.arena());
                         requireApart(layout, all, width, height);
@@ -85,14 +85,16 @@ class HudLayoutTest {
 
     @Test
     void graphsThatHaveNoRoomAreShownOverTheSceneOnDemand() {
-        HudLayout asked = HudLayout.of(700, 500, USUAL, true, Graphs.OVER_THE_SCENE);
+        HudLayout asked = HudLayout.of(700, 500, USUAL, true, Graphs.OVER_THE_SCENE, false);
         assertThat(of(700, 500, USUAL).steps()).isNull();
         assertThat(asked.steps()).matches(asked.arena()::intersects);
         assertThat(asked.arena()).isEqualTo(of(700, 500, USUAL).arena());
         assertThat(of(1280, 250, USUAL).steps()).as("a low column").isNull();
-        assertThat(HudLayout.of(1280, 250, USUAL, true, Graphs.OVER_THE_SCENE).steps())
+        assertThat(HudLayout.of(1280, 250, USUAL, true, Graphs.OVER_THE_SCENE, false)
+                        .steps())
                 .isNotNull();
-        assertThat(HudLayout.of(1280, 693, USUAL, true, Graphs.NO).panels()).hasSize(2);
+        assertThat(HudLayout.of(1280, 693, USUAL, true, Graphs.NO, false).panels())
+                .hasSize(2);
     }
 
     @Test
@@ -116,6 +118,17 @@ class HudLayoutTest {
             }
         }
         assertThat(beside).isGreaterThan(1000);
+    }
+
+    @Test
+    void aCardThatStaysMayMakeTheSceneSmaller() {
+        assertThat(of(800, 456, USUAL).figures().height).as("a line").isEqualTo(HudLayout.LINE);
+        HudLayout open = HudLayout.of(800, 456, USUAL, true, Graphs.IF_THERE_IS_ROOM, true);
+        assertThat(open.figures().x).isGreaterThan(open.arena().x + open.arena().width);
+        assertThat(cards(open, CARD)).hasSize(1).noneMatch(open.arena()::intersects);
+        assertThat(HudLayout.of(640, 300, 2.5, true, Graphs.NO, true).arena())
+                .as("but not by more")
+                .isEqualTo(of(640, 300, 2.5).arena());
     }
 
     private static List<Rectangle> cards(HudLayout layout, int... heights) {
