@@ -58,12 +58,42 @@ public final class Blobs {
             float mass,
             float hertz,
             float dampingRatio) {
+        return ring(world, x, y, radius, count, circleRadius, mass, hertz, dampingRatio, 0);
+    }
+
+    /**
+     * Adds a ring, a soft ball, of circles of a {@link Kind}.
+     *
+     * @param world the world
+     * @param x x of the centre
+     * @param y y of the centre
+     * @param radius the radius of the ring, to the centres of its circles, greater than 0
+     * @param count the number of circles, 3 to 100,000
+     * @param circleRadius the radius of each
+     * @param mass the mass of each
+     * @param hertz the frequency of the springs, 0 to 10,000
+     * @param dampingRatio their damping ratio, 0 to 1,000
+     * @param kind the number of the kind of each circle, 0 to 255
+     * @return as {@link #ring(World, float, float, float, int, float, float, float, float)}
+     * @throws IllegalArgumentException if a value is out of range, or there is no such kind
+     */
+    public static JointedCircles ring(
+            World world,
+            float x,
+            float y,
+            float radius,
+            int count,
+            float circleRadius,
+            float mass,
+            float hertz,
+            float dampingRatio,
+            int kind) {
         Limits.notNull("world", world);
         positive("radius", radius);
         Limits.within("the number of circles", count, 3, MOST);
         Joint around = Joint.spring(hertz, dampingRatio);
         Joint across = Joint.spring(ACROSS * hertz, dampingRatio);
-        Builder builder = new Builder(count, circleRadius, mass);
+        Builder builder = new Builder(count, circleRadius, mass, kind);
         for (int k = 0; k < count; k++) {
             double angle = 2 * Math.PI * k / count;
             builder.circle(x + radius * StrictMath.cos(angle), y + radius * StrictMath.sin(angle));
@@ -118,9 +148,41 @@ public final class Blobs {
             float mass,
             float hertz,
             float dampingRatio) {
+        return lattice(world, x, y, columns, rows, spacing, circleRadius, mass, hertz, dampingRatio, 0);
+    }
+
+    /**
+     * Adds a hexagonal lattice, a block of jelly, of circles of a {@link Kind}.
+     *
+     * @param world the world
+     * @param x x of the middle
+     * @param y y of the middle
+     * @param columns the circles of a row, at least 2
+     * @param rows the rows, at least 2; at most 100,000 circles together
+     * @param spacing how far circles are apart, greater than 0
+     * @param circleRadius the radius of each
+     * @param mass the mass of each
+     * @param hertz the frequency of the springs, 0 to 10,000
+     * @param dampingRatio their damping ratio, 0 to 1,000
+     * @param kind the number of the kind of each circle, 0 to 255
+     * @return as {@link #lattice(World, float, float, int, int, float, float, float, float, float)}
+     * @throws IllegalArgumentException if a value is out of range, or there is no such kind
+     */
+    public static JointedCircles lattice(
+            World world,
+            float x,
+            float y,
+            int columns,
+            int rows,
+            float spacing,
+            float circleRadius,
+            float mass,
+            float hertz,
+            float dampingRatio,
+            int kind) {
         Limits.notNull("world", world);
         Joint spring = Joint.spring(hertz, dampingRatio);
-        Builder builder = grid(columns, rows, spacing, circleRadius, mass);
+        Builder builder = grid(columns, rows, spacing, circleRadius, mass, kind);
         double left = x - 0.5 * spacing * (columns - 0.5);
         double low = y - 0.5 * spacing * ROW * (rows - 1);
         for (int k = 0; k < columns * rows; k++) {
@@ -171,8 +233,40 @@ public final class Blobs {
             float mass,
             float hertz,
             float dampingRatio) {
+        return cloth(world, x, y, columns, rows, spacing, circleRadius, mass, hertz, dampingRatio, 0);
+    }
+
+    /**
+     * Adds a cloth of circles of a {@link Kind}.
+     *
+     * @param world the world
+     * @param x x of the middle
+     * @param y y of the middle
+     * @param columns the circles of a row, at least 2
+     * @param rows the rows, at least 2; at most 100,000 circles together
+     * @param spacing how far circles are apart, greater than 0
+     * @param circleRadius the radius of each
+     * @param mass the mass of each
+     * @param hertz the frequency of the threads; those of the diagonals have half of it; 0 to 10,000
+     * @param dampingRatio their damping ratio, 0 to 1,000
+     * @param kind the number of the kind of each circle, 0 to 255
+     * @return as {@link #cloth(World, float, float, int, int, float, float, float, float, float)}
+     * @throws IllegalArgumentException if a value is out of range, or there is no such kind
+     */
+    public static JointedCircles cloth(
+            World world,
+            float x,
+            float y,
+            int columns,
+            int rows,
+            float spacing,
+            float circleRadius,
+            float mass,
+            float hertz,
+            float dampingRatio,
+            int kind) {
         Limits.notNull("world", world);
-        Builder builder = grid(columns, rows, spacing, circleRadius, mass);
+        Builder builder = grid(columns, rows, spacing, circleRadius, mass, kind);
         Joint thread = Joint.spring(hertz, dampingRatio).withLength(spacing).withLimits(0, GIVE * spacing);
         Joint diagonal = Joint.spring(0.5f * hertz, dampingRatio);
         double left = x - 0.5 * spacing * (columns - 1);
@@ -198,7 +292,7 @@ public final class Blobs {
         return builder.add(world, joints, threads, thread, diagonal);
     }
 
-    private static Builder grid(int columns, int rows, float spacing, float circleRadius, float mass) {
+    private static Builder grid(int columns, int rows, float spacing, float circleRadius, float mass, int kind) {
         Limits.within("columns", columns, 2, MOST / 2);
         Limits.within("rows", rows, 2, MOST / 2);
         if ((long) columns * rows > MOST) {
@@ -206,7 +300,7 @@ public final class Blobs {
                     + " columns and " + rows + " rows, but must be at most " + MOST);
         }
         positive("spacing", spacing);
-        return new Builder(columns * rows, circleRadius, mass);
+        return new Builder(columns * rows, circleRadius, mass, kind);
     }
 
     private static void positive(String what, float value) {
@@ -221,12 +315,14 @@ public final class Blobs {
         private final float[] circles;
         private final float radius;
         private final float mass;
+        private final int kind;
         private int count;
 
-        Builder(int most, float radius, float mass) {
+        Builder(int most, float radius, float mass, int kind) {
             circles = new float[4 * most];
             this.radius = radius;
             this.mass = mass;
+            this.kind = kind;
         }
 
         void circle(double x, double y) {
@@ -239,8 +335,7 @@ public final class Blobs {
 
         /** Pairs of numbers of circles; the first ones get a joint, and the others another. */
         JointedCircles add(World world, int[] pairs, int first, Joint joint, Joint others) {
-            JointedCircles made = new JointedCircles(new long[count], new long[pairs.length / 2]);
-            world.addAll(circles, made.circles());
+            JointedCircles made = JointedCircles.add(world, circles, kind, pairs.length / 2);
             try {
                 join(world, made, pairs, 0, first, joint);
                 join(world, made, pairs, first, pairs.length / 2, others);

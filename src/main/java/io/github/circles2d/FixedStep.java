@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.circles.BulkCopies;
+import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
@@ -37,7 +38,7 @@ import java.util.Arrays;
  * how far along. So they are up to a step old, and move evenly. No call comes between the two places: a circle that a call moves
  * elsewhere, or that is new, appears at its place and is not drawn across the screen. The effect of a call shows from the next step on,
  * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, and {@link
- * #angles} the angles of circles that turn, likewise; {@link #pieces} and {@link #pose} have the terrain.
+ * #angles} the angles of circles that turn, likewise; {@link #pieces} and {@link #pose} have the terrain, and {@link #jointEnds} the joints.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -113,6 +114,7 @@ public final class FixedStep {
     private final BodyPoses bodiesBefore = new BodyPoses();
     private final BodyPoses bodiesAfter = new BodyPoses();
     private final BodyPoses bodiesBetween = new BodyPoses();
+    private final DrawnPlaces drawn = new DrawnPlaces(bodiesBefore, bodiesAfter, bodiesBetween);
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -496,6 +498,23 @@ public final class FixedStep {
         pose[0] = (float) bodiesBetween.x(id);
         pose[1] = (float) bodiesBetween.y(id);
         pose[2] = Surface.radians(bodiesBetween.angle(id));
+    }
+
+    /**
+     * Where the ends of joints are to be drawn: as {@link Joints#readEnds}, but each end is at its circle as {@link #positions} has it, or at
+     * its place of a body of terrain as {@link #pose} has that. An anchor in the world, and a circle that has been added since the last
+     * step, are where they are now. What is removed or breaks is gone at once. The loop keeps poses as for {@link #pieces}.
+     *
+     * @param ends takes four elements a joint, in the order of their ids: x and y of the first end, then of the second one
+     * @param handles takes the handles of the joints; may be null
+     * @return the number of joints
+     * @throws IllegalArgumentException if an array is too short
+     * @throws IllegalStateException if the game has requested positions of its own since the last step
+     */
+    public int jointEnds(float[] ends, long[] handles) {
+        FloatBuffer positions = positions(null);
+        keepBodies();
+        return world.simulation().jointReads().readEnds(drawn.at(positions, alpha()), ends, handles);
     }
 
     private void keepBodies() {

@@ -142,11 +142,30 @@ public final class Ropes {
      *     would overlap
      */
     public static JointedCircles rope(World world, End from, End to, int count, float radius, float mass, float slack) {
+        return rope(world, from, to, count, radius, mass, slack, 0);
+    }
+
+    /**
+     * Adds a rope that keeps its length, of circles of a kind: one whose mask leaves others out passes them.
+     *
+     * @param world the world
+     * @param from where it begins
+     * @param to where it ends
+     * @param count the number of its circles between the ends, 1 to 100,000
+     * @param radius the radius of each
+     * @param mass the mass of each
+     * @param slack by which share it is longer than the ends are apart, 0 to 1
+     * @param kind the number of the {@link Kind} of each, 0 to 255
+     * @return as {@link #rope(World, End, End, int, float, float, float)}
+     * @throws IllegalArgumentException as {@link #rope(World, End, End, int, float, float, float)}, or if there is no such kind
+     */
+    public static JointedCircles rope(
+            World world, End from, End to, int count, float radius, float mass, float slack, int kind) {
         if (!check(world, from, to).isCircle() && !to.isCircle()) {
             throw new IllegalArgumentException(
                     "both ends of the rope are places, but one must be a circle: bridge joins places");
         }
-        return add(world, from, to, count, radius, mass, slack, null, true);
+        return add(world, from, to, count, radius, mass, slack, kind, null, true);
     }
 
     /**
@@ -165,8 +184,28 @@ public final class Ropes {
      */
     public static JointedCircles rope(
             World world, End from, End to, int count, float radius, float mass, float slack, Joint link) {
+        return rope(world, from, to, count, radius, mass, slack, link, 0);
+    }
+
+    /**
+     * Adds a rope of links of any kind, of circles of a {@link Kind}. Nothing else holds its length.
+     *
+     * @param world the world
+     * @param from where it begins
+     * @param to where it ends
+     * @param count the number of its circles between the ends, 1 to 100,000
+     * @param radius the radius of each
+     * @param mass the mass of each
+     * @param slack by which share it is longer than the ends are apart, 0 to 1
+     * @param link what joins each to the next: a joint of two circles, that an anchor may have, too
+     * @param kind the number of the kind of each circle, 0 to 255
+     * @return the circles from the first end to the last, and the joints likewise
+     * @throws IllegalArgumentException as {@link #rope(World, End, End, int, float, float, float, Joint)}, or if there is no such kind
+     */
+    public static JointedCircles rope(
+            World world, End from, End to, int count, float radius, float mass, float slack, Joint link, int kind) {
         check(world, from, to);
-        return add(world, from, to, count, radius, mass, slack, Limits.notNull("link", link), false);
+        return add(world, from, to, count, radius, mass, slack, kind, Limits.notNull("link", link), false);
     }
 
     /**
@@ -186,8 +225,27 @@ public final class Ropes {
      */
     public static JointedCircles bridge(
             World world, End from, End to, int count, float radius, float mass, float slack) {
+        return bridge(world, from, to, count, radius, mass, slack, 0);
+    }
+
+    /**
+     * Adds a bridge of circles of a {@link Kind}, which may have a surface of their own.
+     *
+     * @param world the world
+     * @param from where it begins
+     * @param to where it ends
+     * @param count the number of its circles, 1 to 100,000
+     * @param radius the radius of each
+     * @param mass the mass of each
+     * @param slack by which share it is longer than the ends are apart, 0 to 1
+     * @param kind the number of the kind of each, 0 to 255
+     * @return the circles from the first end to the last, and the joints likewise
+     * @throws IllegalArgumentException as {@link #bridge(World, End, End, int, float, float, float)}, or if there is no such kind
+     */
+    public static JointedCircles bridge(
+            World world, End from, End to, int count, float radius, float mass, float slack, int kind) {
         check(world, from, to);
-        return add(world, from, to, count, radius, mass, slack, null, false);
+        return add(world, from, to, count, radius, mass, slack, kind, null, false);
     }
 
     private static End check(World world, End from, End to) {
@@ -208,6 +266,7 @@ public final class Ropes {
             float radius,
             float mass,
             float slack,
+            int kind,
             Joint link,
             boolean limited) {
         Limits.within("the number of circles", count, 1, MOST);
@@ -222,8 +281,7 @@ public final class Ropes {
         boolean left = dx * world.gravityY() - dy * world.gravityX() > 0;
         float[] circles = layOut(x, y, dx, dy, lengths, left ? 1 : -1, radius, mass);
         int joints = lengths.length + (limited ? 1 : 0);
-        JointedCircles made = new JointedCircles(new long[count], new long[joints]);
-        world.addAll(circles, made.circles());
+        JointedCircles made = JointedCircles.add(world, circles, kind, joints);
         try {
             join(world, from, to, made, lengths, link);
             if (limited) {

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.terrain.PieceRead;
 
 /**
@@ -36,8 +37,56 @@ import io.github.circles2d.world.terrain.PieceRead;
  * is. The rules of {@link World} for threads, failures and closed worlds hold here, too.
  */
 public final class Terrain {
-    /** Elements that {@link #readPieces} gives for a piece. */
+    /** Elements of a piece, as {@link #readPieces} and {@link FixedStep#pieces} give it: from {@link #FORM} to {@link #INSIDE}. */
     public static final int PIECE_STRIDE = PieceRead.STRIDE;
+
+    /** In a piece: its form, which is {@link #SEGMENT}, {@link #LINE} or {@link #ARC}. */
+    public static final int FORM = PieceRead.SHAPE;
+
+    /** In a piece: the number of its kind, 0 to 255. */
+    public static final int KIND = PieceRead.KIND;
+
+    /** In a segment or a line: x of its start. */
+    public static final int X1 = PieceRead.X1;
+
+    /** In a segment or a line: y of its start. */
+    public static final int Y1 = PieceRead.Y1;
+
+    /** In a segment or a line: x of its end. */
+    public static final int X2 = PieceRead.X2;
+
+    /** In a segment or a line: y of its end. */
+    public static final int Y2 = PieceRead.Y2;
+
+    /** In a segment: the radius around it; in a line: 0. */
+    public static final int THICKNESS = PieceRead.THICKNESS;
+
+    /** In an arc: x of the centre. */
+    public static final int CENTRE_X = PieceRead.CENTRE_X;
+
+    /** In an arc: y of the centre. */
+    public static final int CENTRE_Y = PieceRead.CENTRE_Y;
+
+    /** In an arc: its radius. */
+    public static final int RADIUS = PieceRead.RADIUS;
+
+    /** In an arc: the angle where it begins, in radians. */
+    public static final int FROM = PieceRead.FROM;
+
+    /** In an arc: the angle where it ends, anticlockwise from {@link #FROM}, in radians, and greater by 2 pi at most. */
+    public static final int TO = PieceRead.TO;
+
+    /** In an arc: 1 if circles are inside it, else 0; in a segment or a line: 0. */
+    public static final int INSIDE = PieceRead.INSIDE;
+
+    /** Form: a segment, with two sides. */
+    public static final int SEGMENT = PieceRow.SEGMENT;
+
+    /** Form: a line of a chain. Circles are at its right, from its start to its end. */
+    public static final int LINE = PieceRow.LINE;
+
+    /** Form: an arc, alone or of a chain. */
+    public static final int ARC = PieceRow.ARC;
 
     private final Simulation simulation;
 
@@ -311,9 +360,18 @@ public final class Terrain {
     }
 
     /**
-     * What all pieces look like now, in the order of their ids, for drawing. A piece has {@link #PIECE_STRIDE} elements: its form (1 a segment, 2 a
-     * line of a chain, 3 an arc), its kind, and then of a segment or a line x and y of both ends and the thickness; of an arc x and y of
-     * the centre, the radius, the angles where it begins and where it ends, anticlockwise, in radians, and 1 if circles are inside, else 0.
+     * What all pieces look like now, in the order of their ids, for drawing. A piece has {@link #PIECE_STRIDE} elements: its {@link #FORM} and
+     * its {@link #KIND}, and then of a segment or a line its ends, {@link #X1}, {@link #Y1}, {@link #X2} and {@link #Y2}, and its {@link
+     * #THICKNESS}; of an arc {@link #CENTRE_X}, {@link #CENTRE_Y}, {@link #RADIUS}, {@link #FROM}, {@link #TO} and {@link #INSIDE}.
+     *
+     * <pre>{@code
+     * int count = terrain.readPieces(pieces, null);
+     * for (int row = 0; row < count * Terrain.PIECE_STRIDE; row += Terrain.PIECE_STRIDE) {
+     *     if (pieces[row + Terrain.FORM] == Terrain.SEGMENT) {
+     *         draw(pieces[row + Terrain.X1], pieces[row + Terrain.Y1], pieces[row + Terrain.X2], pieces[row + Terrain.Y2]);
+     *     }
+     * }
+     * }</pre>
      *
      * @param pieces takes {@link #PIECE_STRIDE} elements a piece
      * @param handles takes their handles; may be null

@@ -157,6 +157,28 @@ class BlobsTest {
     }
 
     @Test
+    void allCirclesAreOfTheKindThatTheCallSays() {
+        try (World world = world(0)) {
+            world.kind(5).setRestitution(0.75f);
+            JointedCircles[] all = {
+                Blobs.ring(world, 0, 10, 2, 24, 0.2f, 1, 10, 1, 5),
+                Blobs.lattice(world, 10, 10, 4, 6, 1, 0.2f, 1, 10, 1, 5),
+                Blobs.cloth(world, 20, 10, 6, 4, 1, 0.2f, 1, 10, 1, 5)
+            };
+            for (JointedCircles made : all) {
+                assertThat(made.circles()).hasSize(24);
+                for (long circle : made.circles()) {
+                    assertThat(world.kindOf(circle)).isEqualTo(5);
+                }
+                assertThat(world.restitution(made.circles()[23])).isEqualTo(0.75f);
+            }
+            assertThat(world.kindOf(
+                            Blobs.ring(world, 0, 20, 2, 24, 0.2f, 1, 10, 1).circles()[0]))
+                    .isZero();
+        }
+    }
+
+    @Test
     void whatCannotBeIsRefusedAndNothingIsAdded() {
         try (World world = world(0)) {
             refused(world, "radius is 0", () -> Blobs.ring(world, 0, 10, 0, 24, 0.2f, 1, 10, 1));
@@ -170,6 +192,9 @@ class BlobsTest {
             refused(world, "rows is 0", () -> Blobs.cloth(world, 0, 10, 5, 0, 1, 0.2f, 1, 10, 1));
             refused(world, "must be at most", () -> Blobs.cloth(world, 0, 10, 50_000, 50_000, 1, 0.2f, 1, 10, 1));
             refused(world, "spacing is -1", () -> Blobs.lattice(world, 0, 10, 5, 5, -1, 0.2f, 1, 10, 1));
+            refused(world, "the kind is 256", () -> Blobs.ring(world, 0, 10, 2, 24, 0.2f, 1, 10, 1, 256));
+            refused(world, "the kind is -1", () -> Blobs.lattice(world, 0, 10, 5, 5, 1, 0.2f, 1, 10, 1, -1));
+            refused(world, "the kind is 999", () -> Blobs.cloth(world, 0, 10, 5, 5, 1, 0.2f, 1, 10, 1, 999));
             refused(world, "x is", () -> Blobs.lattice(world, 1e6f, 10, 5, 5, 1, 0.2f, 1, 10, 1));
         }
     }

@@ -837,9 +837,9 @@ class FixedStepTest {
             long[] handles = new long[2];
             assertThat(loop.pieces(pieces, handles)).isEqualTo(2);
             assertThat(handles[1]).isEqualTo(terrain.handle(1));
-            assertThat(pieces[2]).isCloseTo(2 - (float) Math.cos(0.0125), ROUNDING);
-            assertThat(pieces[3]).isCloseTo(3.025f - (float) Math.sin(0.0125), ROUNDING);
-            assertThat(pieces[Terrain.PIECE_STRIDE + 3]).isEqualTo(1);
+            assertThat(pieces[Terrain.X1]).isCloseTo(2 - (float) Math.cos(0.0125), ROUNDING);
+            assertThat(pieces[Terrain.Y1]).isCloseTo(3.025f - (float) Math.sin(0.0125), ROUNDING);
+            assertThat(pieces[Terrain.PIECE_STRIDE + Terrain.Y1]).isEqualTo(1);
 
             // what a call puts elsewhere before a step starts from there; what comes after it is where it is
             loop.advance(STEP, () -> lift.teleport(5, 5, 0));
@@ -878,6 +878,126 @@ class FixedStepTest {
             loop.advance(0.5f * STEP, null);
             loop.pose(cart, pose);
             assertThat(pose[0]).isCloseTo(0.025f, ROUNDING);
+        }
+    }
+
+    // ---- joints
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Requires that an end lies at a place. */
+    private static void requireEnd(float[] ends, int joint, int end, double x, double y) {
+        assertThat((double) ends[4 * joint + 2 * end]).isCloseTo(x, within(1e-5));
+        assertThat((double) ends[4 * joint + 2 * end + 1]).isCloseTo(y, within(1e-5));
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void jointsEndWhereCirclesAndBodiesAreDrawn(Backend backend) {
+        try (World world = world(backend)) {
+            Joints joints = world.joints();
+            TerrainBody lift = world.terrain().addBody(7, 2, 0.5f);
+            lift.addSegment(-1, 0, 1, 0);
+            lift.setVelocity(0, 6.4f);
+            lift.setAngularVelocity(3.2f);
+            long a = world.add(2, 6, 0.1f, 1, 6.4f, 0);
+            long b = world.add(2, 8, 0.1f, 1, 0, -6.4f);
+            long c = world.add(7, 5, 0.1f, 1, -3.2f, 3.2f);
+            long[] added = {
+                joints.add(a, b, Joint.rope(5)),
+                joints.add(a, 1, 1, Joint.rope(9)),
+                joints.add(c, lift, -1, 0.25f, Joint.rope(9)),
+                joints.add(c, Joint.motor(1, 1)),
+            };
+            FixedStep loop = new FixedStep(world, STEP);
+            float[] ends = new float[16];
+            long[] handles = new long[4];
+            float[] pose = new float[3];
+            loop.jointEnds(ends, null); // from here on the loop keeps poses
+            requireEnd(ends, 0, 0, 2, 6);
+            for (int frame = 0; frame < 12; frame++) {
+                loop.advance(1.375f * STEP, null);
+                assertThat(loop.jointEnds(ends, handles)).isEqualTo(4);
+                assertThat(handles).isEqualTo(added);
+                var shown = loop.positions(null);
+                int first = 2 * World.id(a);
+                int second = 2 * World.id(b);
+                int third = 2 * World.id(c);
+                requireEnd(ends, 0, 0, shown.get(first), shown.get(first + 1));
+                requireEnd(ends, 0, 1, shown.get(second), shown.get(second + 1));
+                requireEnd(ends, 1, 0, shown.get(first), shown.get(first + 1));
+                requireEnd(ends, 1, 1, 1, 1);
+                loop.pose(lift, pose);
+                double cos = Math.cos(pose[2]);
+                double sin = Math.sin(pose[2]);
+                requireEnd(ends, 2, 0, shown.get(third), shown.get(third + 1));
+                requireEnd(ends, 2, 1, pose[0] - cos - 0.25 * sin, pose[1] - sin + 0.25 * cos);
+                requireEnd(ends, 3, 0, shown.get(third), shown.get(third + 1));
+                requireEnd(ends, 3, 1, shown.get(third), shown.get(third + 1));
+            }
+            loop.reset();
+            float[] now = new float[16];
+            joints.readEnds(now);
+            loop.jointEnds(ends, null);
+            for (int k = 0; k < 16; k++) {
+                assertThat(ends[k]).as("element " + k).isCloseTo(now[k], ROUNDING);
+            }
+        }
+    }
+
+    @Test
+    void jointsOfNewCirclesEndWhereTheseAreAndThoseOfOldOnesGoAtOnce() {
+        try (World world = world()) {
+            Joints joints = world.joints();
+            long a = world.add(2, 6, 0.1f, 1, 6.4f, 0);
+            long b = world.add(2, 8, 0.1f, 1, 6.4f, 0);
+            joints.add(a, b, Joint.rope(5));
+            FixedStep loop = new FixedStep(world, STEP);
+            float[] ends = new float[12];
+            loop.advance(1.5f * STEP, null);
+            long late = world.add(8, 8, 0.1f, 1);
+            long mouse = joints.add(late, 9, 9, Joint.rope(5));
+            joints.add(a, late, Joint.rope(9));
+            assertThat(loop.jointEnds(ends, null)).isEqualTo(3);
+            requireEnd(ends, 0, 0, 2.05, 6);
+            requireEnd(ends, 1, 0, 8, 8);
+            requireEnd(ends, 1, 1, 9, 9);
+            requireEnd(ends, 2, 0, 2.05, 6);
+            requireEnd(ends, 2, 1, 8, 8);
+            joints.setAnchor(mouse, 9, 5);
+            loop.jointEnds(ends, null);
+            requireEnd(ends, 1, 1, 9, 5);
+            world.remove(b);
+            assertThat(loop.jointEnds(ends, null)).isEqualTo(2);
+            requireEnd(ends, 0, 1, 9, 5);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> loop.jointEnds(new float[7], null))
+                    .withMessageContaining("ends");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> loop.jointEnds(ends, new long[1]))
+                    .withMessageContaining("handles");
+            world.requestPositions();
+            assertThatIllegalStateException().isThrownBy(() -> loop.jointEnds(ends, null));
+        }
+    }
+
+    @Test
+    void jointsAcrossTheSeamEndAtTheNearerImage() {
+        try (World world = World.builder()
+                .bounds(0, 0, 10, 10)
+                .edges(Edge.WRAP, Edge.WALL)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody cart = world.terrain().addBody(9.95f, 3, 0);
+            cart.setVelocity(6.4f, 0);
+            long ball = world.add(9.5f, 2, 0.1f, 1, 6.4f, 0);
+            world.joints().add(ball, cart, 0, 0, Joint.rope(5));
+            FixedStep loop = new FixedStep(world, STEP);
+            float[] ends = new float[4];
+            loop.jointEnds(ends, null);
+            loop.advance(1.75f * STEP, null);
+            loop.jointEnds(ends, null);
+            requireEnd(ends, 0, 0, 9.575, 2);
+            requireEnd(ends, 0, 1, 10.025, 3);
         }
     }
 }

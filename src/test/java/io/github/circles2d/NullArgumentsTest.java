@@ -128,6 +128,7 @@ class NullArgumentsTest {
         calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
         calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
+        calls.put("FixedStep.jointEnds", Map.of("ends", () -> loop.jointEnds(null, null)));
         calls.put("FixedStep.pieces", Map.of("pieces", () -> loop.pieces(null, null)));
         calls.put(
                 "FixedStep.pose",

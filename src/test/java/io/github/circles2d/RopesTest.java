@@ -154,6 +154,40 @@ class RopesTest {
     }
 
     @Test
+    void allCirclesAreOfTheKindThatTheCallSays() {
+        try (World world = world()) {
+            world.kind(3).setRestitution(0.25f).setMask(0);
+            long weight = world.add(0, 0, 1, 1);
+            Ropes.End top = Ropes.at(0, 20);
+            Ropes.End end = Ropes.circle(weight);
+            JointedCircles[] all = {
+                Ropes.rope(world, top, end, 20, 0.1f, 1, 0, 3),
+                Ropes.rope(world, Ropes.at(9, 20), end, 20, 0.1f, 1, 0, Joint.distance(), 3),
+                Ropes.bridge(world, Ropes.at(-40, 9), Ropes.at(-20, 9), 20, 0.5f, 1, 0, 3)
+            };
+            for (JointedCircles made : all) {
+                assertThat(made.circles()).hasSize(20);
+                for (long circle : made.circles()) {
+                    assertThat(world.kindOf(circle)).isEqualTo(3);
+                }
+                assertThat(world.restitution(made.circles()[19])).isEqualTo(0.25f);
+            }
+            assertThat(all[0].joints()).as("with its limit").hasSize(22);
+            assertThat(all[1].joints()).hasSize(21);
+            assertThat(all[2].joints()).hasSize(21);
+            assertThat(world.kindOf(weight)).as("an end stays as it is").isZero();
+            long plain = Ropes.rope(world, top, end, 20, 0.1f, 1, 0).circles()[0];
+            assertThat(world.kindOf(plain)).isZero();
+
+            long ball = world.add(-30, 12, 0.5f, 1);
+            world.step(STEP, 90);
+            assertThat(world.y(ball))
+                    .as("it falls through a bridge that meets nothing")
+                    .isLessThan(5);
+        }
+    }
+
+    @Test
     void whatCannotBeIsRefusedAndNothingIsAdded() {
         try (World world = world()) {
             long a = world.add(0, 0, 1, 1);
@@ -180,6 +214,9 @@ class RopesTest {
             refused(world, "handle", () -> Ropes.rope(world, from, Ropes.circle(gone), 9, 0.1f, 1, 0));
             refused(world, "static", () -> Ropes.rope(world, from, to, 9, 0.1f, Float.POSITIVE_INFINITY, 0));
             refused(world, "pin", () -> Ropes.rope(world, from, to, 9, 0.1f, 1, 0, Joint.pin()));
+            refused(world, "the kind is 256", () -> Ropes.rope(world, from, to, 9, 0.1f, 1, 0, 256));
+            refused(world, "the kind is -1", () -> Ropes.rope(world, from, to, 9, 0.1f, 1, 0, Joint.distance(), -1));
+            refused(world, "the kind is 1000", () -> Ropes.bridge(world, from, to, 9, 0.1f, 1, 0, 1000));
             refused(world, "the handle of the end is 0", () -> Ropes.circle(0));
             refused(world, "x is NaN", () -> Ropes.at(Float.NaN, 0));
             refused(world, "y is 2.0E9", () -> Ropes.on(world.terrain().ground(), 0, 2e9f));

@@ -224,9 +224,16 @@ class WorldAllocationTest {
             System.arraycopy(handles, 300, right, 0, 300);
             joints.addAll(left, right, Joint.distance(), added);
             long motor = joints.add(left[0], Joint.motor(2, 1e-3f));
+            TerrainBody lift = world.terrain().addBody(0.5f, 0.5f, 0);
+            lift.setAngularVelocity(1);
+            joints.add(left[2], lift, 0.1f, 0, spring);
+            FixedStep loop = new FixedStep(world, scene.timeStep());
             Rewind rewind = new Rewind(world, 3);
             int[] frames = new int[1];
             Runnable frame = () -> {
+                loop.reset();
+                loop.advance(1.5f * scene.timeStep(), null);
+                consume(loop.jointEnds(ends, handles));
                 long broken = joints.add(left[1], right[2], weak);
                 world.step(scene.timeStep());
                 consume(joints.contains(broken) ? 1 : joints.events().size());

@@ -71,14 +71,20 @@ class WorldTerrainQueriesTest {
             int rays = 0;
             for (int k = 0; k < n; k++) {
                 int at = Terrain.PIECE_STRIDE * k;
-                double d = Line2D.ptSegDist(pieces[at + 2], pieces[at + 3], pieces[at + 4], pieces[at + 5], x, y)
-                        - pieces[at + 6];
+                double d = Line2D.ptSegDist(
+                                pieces[at + Terrain.X1],
+                                pieces[at + Terrain.Y1],
+                                pieces[at + Terrain.X2],
+                                pieces[at + Terrain.Y2],
+                                x,
+                                y)
+                        - pieces[at + Terrain.THICKNESS];
                 if (d <= radius) {
                     overlapping[count++] = handles[k];
                 }
                 nearest = Math.min(nearest, d);
                 double far = Math.sqrt(squared(pieces, at, x, y, dx, dy));
-                rays += far <= pieces[at + 6] ? 1 : 0;
+                rays += far <= pieces[at + Terrain.THICKNESS] ? 1 : 0;
             }
             long[] found = new long[n];
             assertThat(queries.overlapCircle(x, y, radius, found)).isEqualTo(count);
@@ -97,10 +103,10 @@ class WorldTerrainQueriesTest {
 
     /** The square of the distance of two segments. */
     private static double squared(float[] pieces, int at, float x, float y, float dx, float dy) {
-        double ax = pieces[at + 2];
-        double ay = pieces[at + 3];
-        double bx = pieces[at + 4];
-        double by = pieces[at + 5];
+        double ax = pieces[at + Terrain.X1];
+        double ay = pieces[at + Terrain.Y1];
+        double bx = pieces[at + Terrain.X2];
+        double by = pieces[at + Terrain.Y2];
         double toX = (double) x + dx;
         double toY = (double) y + dy;
         if (Line2D.linesIntersect(ax, ay, bx, by, x, y, toX, toY)) {

@@ -42,6 +42,46 @@ class WorldTerrainTest {
     }
 
     @Test
+    void theColumnsOfPiecesHaveNames() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            world.kind(7);
+            terrain.addSegment(1, 2, 3, 5, 0.5f, 7);
+            terrain.addChain(Chain.from(20, 10).lineTo(12, 10).lineTo(12, 20));
+            terrain.addArc(40, 30, 6, 1, 2.5f, ArcSide.INNER, 7);
+            terrain.addArc(60, 30, 5, -1, 1, ArcSide.OUTER);
+            float[] pieces = new float[5 * Terrain.PIECE_STRIDE];
+            assertThat(terrain.readPieces(pieces, null)).isEqualTo(5);
+
+            assertThat(pieces[Terrain.FORM]).isEqualTo(Terrain.SEGMENT);
+            assertThat(pieces[Terrain.KIND]).isEqualTo(7);
+            assertThat(pieces[Terrain.X1]).isEqualTo(1);
+            assertThat(pieces[Terrain.Y1]).isEqualTo(2);
+            assertThat(pieces[Terrain.X2]).isEqualTo(3);
+            assertThat(pieces[Terrain.Y2]).isEqualTo(5);
+            assertThat(pieces[Terrain.THICKNESS]).isEqualTo(0.5f);
+            assertThat(pieces[Terrain.INSIDE]).isZero();
+
+            int row = Terrain.PIECE_STRIDE;
+            assertThat(pieces[row + Terrain.FORM]).isEqualTo(Terrain.LINE);
+            assertThat(pieces[row + Terrain.X1]).isEqualTo(20);
+            assertThat(pieces[row + Terrain.X2]).isEqualTo(12);
+            assertThat(pieces[row + Terrain.THICKNESS]).isZero();
+
+            row = 3 * Terrain.PIECE_STRIDE;
+            assertThat(pieces[row + Terrain.FORM]).isEqualTo(Terrain.ARC);
+            assertThat(pieces[row + Terrain.KIND]).isEqualTo(7);
+            assertThat(pieces[row + Terrain.CENTRE_X]).isEqualTo(40);
+            assertThat(pieces[row + Terrain.CENTRE_Y]).isEqualTo(30);
+            assertThat(pieces[row + Terrain.RADIUS]).isEqualTo(6);
+            assertThat(pieces[row + Terrain.FROM]).isCloseTo(1, within(1e-6f));
+            assertThat(pieces[row + Terrain.TO]).isCloseTo(2.5f, within(1e-6f));
+            assertThat(pieces[row + Terrain.INSIDE]).isEqualTo(1);
+            assertThat(pieces[row + Terrain.PIECE_STRIDE + Terrain.INSIDE]).isZero();
+        }
+    }
+
+    @Test
     void aBodyMovesByItsVelocities() {
         try (World world = world()) {
             TerrainBody body = world.terrain().addBody(10, 20, 0);
@@ -55,9 +95,9 @@ class WorldTerrainTest {
             assertThat(body.angle()).isCloseTo(PI / 2, within(1e-4f));
             float[] piece = new float[Terrain.PIECE_STRIDE];
             assertThat(world.terrain().readPieces(piece, null)).isEqualTo(1);
-            assertThat(piece[2]).isEqualTo(body.x());
-            assertThat(piece[4]).isCloseTo(13, within(1e-4f));
-            assertThat(piece[5]).isCloseTo(20.5f, within(1e-4f));
+            assertThat(piece[Terrain.X1]).isEqualTo(body.x());
+            assertThat(piece[Terrain.X2]).isCloseTo(13, within(1e-4f));
+            assertThat(piece[Terrain.Y2]).isCloseTo(20.5f, within(1e-4f));
         }
     }
 
@@ -203,8 +243,8 @@ class WorldTerrainTest {
                     .hasMessageContaining("wraps");
             float[] piece = new float[Terrain.PIECE_STRIDE];
             terrain.readPieces(piece, null);
-            assertThat(piece[2]).isEqualTo(-20);
-            assertThat(piece[4]).isEqualTo(30);
+            assertThat(piece[Terrain.X1]).isEqualTo(-20);
+            assertThat(piece[Terrain.X2]).isEqualTo(30);
             terrain.addArc(0, 0, 1000, 1, 1.04f, ArcSide.INNER); // a slight bend, 40 long
             TerrainBody body = terrain.addBody(199, 0, 0);
             assertThat(body.x()).isEqualTo(99);
@@ -255,7 +295,7 @@ class WorldTerrainTest {
             for (float from : new float[] {0, -3, 100, -1000}) {
                 long circle = world.terrain().addArc(50, 50, 5, from, from + 2 * PI, ArcSide.INNER);
                 world.terrain().readPieces(piece, null);
-                assertThat(piece[6] - piece[5]).isCloseTo(2 * PI, within(1e-6f));
+                assertThat(piece[Terrain.TO] - piece[Terrain.FROM]).isCloseTo(2 * PI, within(1e-6f));
                 world.terrain().remove(circle);
             }
         }

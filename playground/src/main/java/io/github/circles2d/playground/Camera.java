@@ -1,5 +1,7 @@
 package io.github.circles2d.playground;
 
+import java.awt.Rectangle;
+
 /**
  * Which part of the world the picture shows. In the world y points up, in the picture down.
  *
@@ -8,7 +10,7 @@ package io.github.circles2d.playground;
  * @param scale pixels a length
  */
 record Camera(double x, double y, double scale) {
-    /** Part of the picture that an arena fills if all of it is shown. */
+    /** Part of a picture without panels that an arena fills. */
     private static final double FILL = 0.94;
 
     private static final double LEAST_FACTOR = 0.2;
@@ -18,6 +20,15 @@ record Camera(double x, double y, double scale) {
     static Camera home(Arena arena, int width, int height) {
         double scale = Math.min(Math.max(width, 1) / arena.width(), Math.max(height, 1) / arena.height()) * FILL;
         return new Camera((arena.minX() + arena.maxX()) / 2.0, (arena.minY() + arena.maxY()) / 2.0, scale);
+    }
+
+    /** Shows a whole arena in a part of a picture. */
+    static Camera home(Arena arena, Rectangle part, int width, int height) {
+        double scale = Math.max(Math.min(part.width / arena.width(), part.height / arena.height()), 1 / arena.width());
+        return new Camera(
+                (arena.minX() + arena.maxX()) / 2.0 - (part.getCenterX() - width / 2.0) / scale,
+                (arena.minY() + arena.maxY()) / 2.0 + (part.getCenterY() - height / 2.0) / scale,
+                scale);
     }
 
     double screenX(double worldX, int width) {
@@ -50,13 +61,15 @@ record Camera(double x, double y, double scale) {
         return new Camera(x - dx / scale, y + dy / scale, scale);
     }
 
-    /** Keeps the scale within sight of the arena, and the middle of the picture within it. */
-    Camera clamp(Arena arena, int width, int height) {
-        double home = home(arena, width, height).scale;
+    /** Keeps the scale within sight of the arena, and what is in the middle of the arena's part of the picture within the arena. */
+    Camera clamp(Arena arena, Rectangle part, int width, int height) {
+        double home = home(arena, part, width, height).scale;
         double to = Math.min(Math.max(scale, home * LEAST_FACTOR), home * GREATEST_FACTOR);
+        double dx = (part.getCenterX() - width / 2.0) / to;
+        double dy = (part.getCenterY() - height / 2.0) / to;
         return new Camera(
-                Math.min(Math.max(x, arena.minX()), arena.maxX()),
-                Math.min(Math.max(y, arena.minY()), arena.maxY()),
+                Math.min(Math.max(x + dx, arena.minX()), arena.maxX()) - dx,
+                Math.min(Math.max(y - dy, arena.minY()), arena.maxY()) + dy,
                 to);
     }
 }

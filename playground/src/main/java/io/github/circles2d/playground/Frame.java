@@ -45,6 +45,11 @@ final class Frame {
     /** The length of the normal of a mean impulse. */
     float normalLength;
 
+    /** Whether the times of the stages are shown; and these, empty before the first steps. */
+    boolean showsProfile;
+
+    List<StepProfile.Part> profile = List.of();
+
     /** The numbers of the circle that is selected; empty if none is. */
     List<String> card = List.of();
 

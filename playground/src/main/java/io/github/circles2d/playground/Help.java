@@ -28,6 +28,7 @@ final class Help {
         {"C", "paint by speed, pressure, contacts"},
         {"V", "contacts, normals, impulses"},
         {"N", "next back end, same hash"},
+        {"T", "times of a step by stage"},
         {"G", "graphs"},
         {"ctrl + O  S  P  C", "open, save, picture, copy"},
     };

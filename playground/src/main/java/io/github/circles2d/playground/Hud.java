@@ -19,13 +19,12 @@ final class Hud {
     private static final int PAD = 12;
     private static final int LINE = 19;
     private static final float SIZE = 13;
-    private static final int LEGEND_BAR = 132;
     private static final int LEGEND_GAP = 6;
 
     private final Graph steps = new Graph("ms a step", Theme.ACCENT, 0.97);
     private final Graph energy = new Graph("energy", Theme.WARM, 1);
     private final FrameRate rate = new FrameRate();
-    private HudLayout layout;
+    private final List<Rectangle> shown = new ArrayList<>();
 
     /** Draws how far the tool in hand reaches. */
     void paintBrush(Graphics2D g, Point mouse, Camera camera, Frame frame) {
@@ -39,73 +38,99 @@ final class Hud {
         g.draw(new Ellipse2D.Double(mouse.x - r, mouse.y - r, 2 * r, 2 * r));
     }
 
-    void paint(Graphics2D g, int width, int height, Frame frame, boolean graphs) {
+    void paint(Graphics2D g, HudLayout layout, Frame frame) {
         rate.tick(System.nanoTime());
         smooth(g);
-        int room = width - 2 * HudLayout.MARGIN - 2 * PAD;
-        List<String> lines = lines(frame);
-        List<String> message = frame.message.isEmpty() ? List.of() : wrap(frame.message, metrics(g, SIZE), room);
-        layout = HudLayout.of(
-                width,
-                height,
-                figuresSize(g, lines, room),
-                legendSize(g, frame),
-                message.isEmpty() ? null : messageSize(g, message),
-                graphs);
-        if (layout.figures() != null) {
-            paintFigures(g, layout.figures(), lines, frame);
+        shown.clear();
+        List<String> message = frame.message.isEmpty()
+                ? List.of()
+                : wrap(frame.message, metrics(g, SIZE), layout.messageWidth() - 2 * PAD);
+        Rectangle note = layout.message(textSize(g, message));
+        if (!message.isEmpty()) {
+            shown.add(note);
         }
-        if (layout.steps() != null) {
-            steps.paint(g, layout.steps(), frame.stepTimes, format("%.2f", frame.stepMillis));
-            energy.paint(g, layout.energy(), frame.energies, format("%.3g", frame.energy));
+        paintCards(g, layout, frame);
+        if (isFree(layout.figures())) {
+            paintFigures(g, layout.figures(), lines(frame), frame);
         }
-        if (layout.legend() != null) {
+        if (isFree(layout.legend())) {
             paintLegend(g, layout.legend(), frame);
         }
-        if (layout.message() != null) {
-            paintMessage(g, layout.message(), message);
+        if (isFree(layout.steps())) {
+            steps.paint(g, layout.steps(), frame.stepTimes, format("%.2f", frame.stepMillis));
         }
-        Rectangle card = frame.card.isEmpty() ? null : layout.right(width, height, messageSize(g, frame.card));
-        if (card != null) {
-            paintCard(g, card, frame.card);
+        if (isFree(layout.energy())) {
+            energy.paint(g, layout.energy(), frame.energies, format("%.3g", frame.energy));
+        }
+        if (!message.isEmpty()) {
+            paintText(g, note, message, Theme.WARM, Theme.WARM);
         }
     }
 
-    /** Where the panels were when they were painted last; null before. */
-    HudLayout layout() {
-        return layout;
+    /** Whether a panel is to be shown, since it is there and nothing has taken its place. */
+    private boolean isFree(Rectangle panel) {
+        boolean free = panel != null && shown.stream().noneMatch(panel::intersects);
+        if (free) {
+            shown.add(panel);
+        }
+        return free;
+    }
+
+    private void paintCards(Graphics2D g, HudLayout layout, Frame frame) {
+        List<String> circle = new ArrayList<>();
+        for (String line : frame.card) {
+            circle.addAll(wrap(line, metrics(g, SIZE), HudLayout.COLUMN - 2 * PAD));
+        }
+        Rectangle[] places = layout.cards(
+                frame.showsProfile ? ProfileCard.height(frame) : 0, circle.isEmpty() ? 0 : textHeight(circle));
+        if (places[0] != null) {
+            ProfileCard.paint(g, places[0], frame);
+            shown.add(places[0]);
+        }
+        if (places[1] != null) {
+            paintText(g, places[1], circle, Theme.ACCENT, Theme.TEXT);
+            shown.add(places[1]);
+        }
+    }
+
+    /** The panels, cards and the message that were painted last. */
+    List<Rectangle> shown() {
+        return List.copyOf(shown);
     }
 
     /** The lines of the panel. */
     List<String> lines(Frame frame) {
         String speed = frame.speed == 1 ? "" : format(", speed 1/%.0f", 1 / frame.speed);
         String state = frame.rewinding
-                ? format(", back in time (%,d steps left)", frame.stepsToRewind)
+                ? format(", rewinding (%,d left)", frame.stepsToRewind)
                 : frame.paused ? ", paused" : speed;
         return List.of(
                 format("%s, %,d circles", frame.stage, frame.circles),
                 format("step %,d%s", frame.step, state),
                 format("%s, %.0f frames a second", frame.backend, rate.perSecond()),
-                format("hash %016x at step %,d", frame.hash, frame.hashStep));
-    }
-
-    private static Dimension figuresSize(Graphics2D g, List<String> lines, int room) {
-        int widest = 0;
-        for (int k = 0; k < lines.size(); k++) {
-            widest = Math.max(widest, g.getFontMetrics(font(k)).stringWidth(lines.get(k)));
-        }
-        return new Dimension(Math.min(widest, room) + 2 * PAD, lines.size() * LINE + PAD + 2);
+                format("hash %016x at %,d", frame.hash, frame.hashStep));
     }
 
     private static void paintFigures(Graphics2D g, Rectangle at, List<String> lines, Frame frame) {
+        boolean oneLine = at.height < HudLayout.FIGURES;
         panel(g, at.x, at.y, at.width, at.height);
+        int x = at.x + PAD;
+        int y = at.y + (oneLine ? 19 : PAD + 8);
         for (int k = 0; k < lines.size(); k++) {
             g.setFont(font(k));
+            FontMetrics metrics = g.getFontMetrics();
+            int room = at.x + at.width - PAD - x;
+            if (oneLine && k > 0 && metrics.stringWidth(lines.get(k)) > room) {
+                return;
+            }
             boolean remark = k == 1 && (frame.paused || frame.rewinding || frame.speed < 1);
             g.setColor(remark ? Theme.WARM : k < 2 ? Theme.TEXT : Theme.FAINT);
-            String line =
-                    wrap(lines.get(k), g.getFontMetrics(), at.width - 2 * PAD).get(0);
-            g.drawString(line, at.x + PAD, at.y + PAD + 8 + k * LINE);
+            g.drawString(wrap(lines.get(k), metrics, room).get(0), x, y);
+            if (oneLine) {
+                x += metrics.stringWidth(lines.get(k)) + 2 * PAD;
+            } else {
+                y += LINE;
+            }
         }
     }
 
@@ -113,11 +138,9 @@ final class Hud {
         return line == 0 ? Theme.bold(SIZE) : line == 3 ? Theme.digits(SIZE - 1) : Theme.font(SIZE);
     }
 
-    /** Null for colours without a meaning. */
-    private static Dimension legendSize(Graphics2D g, Frame frame) {
-        boolean none = Shades.legend(frame.paint).length == 0;
-        int text = metrics(g, SIZE - 1).stringWidth(frame.paint.label() + "0" + most(frame));
-        return none ? null : new Dimension(text + LEGEND_BAR + 3 * PAD + 2 * LEGEND_GAP, 26);
+    /** Whether the colours of a frame have a meaning. */
+    static boolean hasLegend(Frame frame) {
+        return Shades.legend(frame.paint).length > 0;
     }
 
     /** The number at the end of the legend; from there on all circles have the last colour. */
@@ -135,38 +158,36 @@ final class Hud {
         panel(g, at.x, at.y, at.width, at.height);
         g.setColor(Theme.FAINT);
         g.drawString(frame.paint.label(), at.x + PAD, at.y + 18);
-        int end = at.x + at.width - PAD - g.getFontMetrics().stringWidth(most);
-        int left = end - LEGEND_GAP - LEGEND_BAR;
-        g.drawString("0", left - LEGEND_GAP - g.getFontMetrics().stringWidth("0"), at.y + 18);
+        FontMetrics metrics = g.getFontMetrics();
+        int end = at.x + at.width - PAD - metrics.stringWidth(most);
+        int zero = at.x + PAD + metrics.stringWidth(frame.paint.label()) + PAD;
+        int left = zero + metrics.stringWidth("0") + LEGEND_GAP;
+        int bar = end - LEGEND_GAP - left;
+        g.drawString("0", zero, at.y + 18);
         g.drawString(most, end, at.y + 18);
         for (int k = 0; k < colours.length; k++) {
-            int from = left + LEGEND_BAR * k / colours.length;
-            int to = left + LEGEND_BAR * (k + 1) / colours.length;
+            int from = left + bar * k / colours.length;
+            int to = left + bar * (k + 1) / colours.length;
             g.setColor(new Color(colours[k]));
             g.fillRect(from, at.y + 9, to - from, 8);
         }
     }
 
-    private static Dimension messageSize(Graphics2D g, List<String> lines) {
+    private static Dimension textSize(Graphics2D g, List<String> lines) {
         FontMetrics metrics = metrics(g, SIZE);
         int widest = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
-        return new Dimension(widest + 2 * PAD, 9 + lines.size() * LINE);
+        return new Dimension(widest + 2 * PAD, textHeight(lines));
     }
 
-    private static void paintMessage(Graphics2D g, Rectangle at, List<String> lines) {
-        panel(g, at.x, at.y, at.width, at.height);
-        g.setFont(Theme.font(SIZE));
-        g.setColor(Theme.WARM);
-        for (int k = 0; k < lines.size(); k++) {
-            g.drawString(lines.get(k), at.x + PAD, at.y + 19 + k * LINE);
-        }
+    private static int textHeight(List<String> lines) {
+        return 9 + lines.size() * LINE;
     }
 
-    private static void paintCard(Graphics2D g, Rectangle at, List<String> lines) {
+    private static void paintText(Graphics2D g, Rectangle at, List<String> lines, Color first, Color others) {
         panel(g, at.x, at.y, at.width, at.height);
         g.setFont(Theme.font(SIZE));
         for (int k = 0; k < lines.size(); k++) {
-            g.setColor(k == 0 ? Theme.ACCENT : Theme.TEXT);
+            g.setColor(k == 0 ? first : others);
             g.drawString(lines.get(k), at.x + PAD, at.y + 19 + k * LINE);
         }
     }

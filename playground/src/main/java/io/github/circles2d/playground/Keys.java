@@ -33,6 +33,7 @@ final class Keys {
         keys.on(() -> loop.ask(Session::restart), "R");
         keys.on(() -> loop.ask(Session::nextPaint), "C");
         keys.on(() -> loop.ask(Session::toggleContacts), "V");
+        keys.on(() -> loop.ask(Session::toggleProfile), "T");
         keys.on(() -> loop.ask(Session::explode), "X");
         keys.on(() -> loop.ask(session -> session.scaleBrush(-1)), "OPEN_BRACKET");
         keys.on(() -> loop.ask(session -> session.scaleBrush(1)), "CLOSE_BRACKET");

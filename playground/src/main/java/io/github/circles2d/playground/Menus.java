@@ -52,6 +52,7 @@ final class Menus {
         JMenu view = menu("View");
         shownItem(view, "Back to all", "HOME", canvas::goHome);
         shownItem(view, "Contact points", "V", () -> loop.ask(Session::toggleContacts));
+        shownItem(view, "Times by stage", "T", () -> loop.ask(Session::toggleProfile));
         shownItem(view, "Graphs", "G", canvas::toggleGraphs);
         shownItem(view, "Keys", "H", canvas::toggleHelp);
     }

@@ -9,9 +9,6 @@ import java.awt.geom.Line2D;
 
 /** Paints the pieces of terrain of a frame: segments as thick as they are, lines and arcs of chains on the side that is solid. */
 final class PiecePainter {
-    private static final int SEGMENT = 1;
-    private static final int ARC = 3;
-
     /** Pixels: the least width of a stroke, and that of the band which shows the solid side. */
     private static final double STROKE = 2.5;
 
@@ -23,8 +20,8 @@ final class PiecePainter {
         for (int k = 0; k < frame.pieces; k++) {
             int row = k * Terrain.PIECE_STRIDE;
             Color colour = new Color(frame.pieceColour[k]);
-            if (frame.piece[row] == SEGMENT) {
-                double thickness = 2 * frame.piece[row + 6] * camera.scale();
+            if (frame.piece[row + Terrain.FORM] == Terrain.SEGMENT) {
+                double thickness = 2 * frame.piece[row + Terrain.THICKNESS] * camera.scale();
                 stroke(g, colour, Math.max(thickness, STROKE), BasicStroke.CAP_ROUND);
                 line(g, width, height, camera, frame.piece, row, 0);
             } else {
@@ -48,8 +45,8 @@ final class PiecePainter {
     /** So many pixels behind the surface. */
     private static void solid(
             Graphics2D g, int width, int height, Camera camera, float[] piece, int row, double behind) {
-        if (piece[row] == ARC) {
-            arc(g, width, height, camera, piece, row, piece[row + 7] == 1 ? behind : -behind);
+        if (piece[row + Terrain.FORM] == Terrain.ARC) {
+            arc(g, width, height, camera, piece, row, piece[row + Terrain.INSIDE] == 1 ? behind : -behind);
         } else {
             line(g, width, height, camera, piece, row, behind);
         }
@@ -57,10 +54,10 @@ final class PiecePainter {
 
     /** A line, so many pixels to the left of its way. */
     private static void line(Graphics2D g, int width, int height, Camera camera, float[] piece, int row, double left) {
-        double x = camera.screenX(piece[row + 2], width);
-        double y = camera.screenY(piece[row + 3], height);
-        double toX = camera.screenX(piece[row + 4], width);
-        double toY = camera.screenY(piece[row + 5], height);
+        double x = camera.screenX(piece[row + Terrain.X1], width);
+        double y = camera.screenY(piece[row + Terrain.Y1], height);
+        double toX = camera.screenX(piece[row + Terrain.X2], width);
+        double toY = camera.screenY(piece[row + Terrain.Y2], height);
         double factor = left / Math.max(Math.hypot(toX - x, toY - y), 1e-9);
         double dx = (toY - y) * factor; // y points down on a screen
         double dy = (x - toX) * factor;
@@ -69,11 +66,11 @@ final class PiecePainter {
 
     private static void arc(
             Graphics2D g, int width, int height, Camera camera, float[] piece, int row, double outside) {
-        double x = camera.screenX(piece[row + 2], width);
-        double y = camera.screenY(piece[row + 3], height);
-        double r = Math.max(piece[row + 4] * camera.scale() + outside, 0);
-        double from = Math.toDegrees(piece[row + 5]);
-        double extent = Math.toDegrees((double) piece[row + 6] - piece[row + 5]);
+        double x = camera.screenX(piece[row + Terrain.CENTRE_X], width);
+        double y = camera.screenY(piece[row + Terrain.CENTRE_Y], height);
+        double r = Math.max(piece[row + Terrain.RADIUS] * camera.scale() + outside, 0);
+        double from = Math.toDegrees(piece[row + Terrain.FROM]);
+        double extent = Math.toDegrees((double) piece[row + Terrain.TO] - piece[row + Terrain.FROM]);
         g.draw(new Arc2D.Double(x - r, y - r, 2 * r, 2 * r, from, extent, Arc2D.OPEN));
     }
 }

@@ -4,8 +4,10 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import javax.swing.JComponent;
 
 /** Shows the newest frame of a loop, and has the camera. Belongs to the event thread, which never waits for a step. */
@@ -18,11 +20,12 @@ final class PlaygroundCanvas extends JComponent {
     private transient Arena arena;
     private transient Camera camera;
     private transient Frame frame;
+    private transient HudLayout layout;
 
     /** Whether all of the arena is shown, however large the window is. */
     private boolean home = true;
 
-    private boolean graphs = true;
+    private HudLayout.Graphs graphs = HudLayout.Graphs.IF_THERE_IS_ROOM;
     private boolean help;
 
     /** Pixels of the keys above the upper end of their panel. */
@@ -46,14 +49,27 @@ final class PlaygroundCanvas extends JComponent {
             arena = frame.arena;
             home = true;
         }
+        layout = HudLayout.of(
+                getWidth(),
+                getHeight(),
+                arena.width() / arena.height(),
+                Hud.hasLegend(frame),
+                graphs,
+                frame.showsProfile);
         if (home) {
-            camera = Camera.home(arena, getWidth(), getHeight());
+            camera = Camera.home(arena, layout.arena(), getWidth(), getHeight());
         }
         return frame;
     }
 
+    /** Where scene and panels are, if there is room for them. */
     HudLayout hudLayout() {
-        return hud.layout();
+        return layout;
+    }
+
+    /** Where panels, cards and the message are. */
+    List<Rectangle> panels() {
+        return hud.shown();
     }
 
     Camera camera() {
@@ -69,7 +85,7 @@ final class PlaygroundCanvas extends JComponent {
     }
 
     private void look(Camera next) {
-        camera = next.clamp(arena, getWidth(), getHeight());
+        camera = next.clamp(arena, layout.arena(), getWidth(), getHeight());
         home = false;
         repaint();
     }
@@ -77,12 +93,13 @@ final class PlaygroundCanvas extends JComponent {
     /** Shows all of the arena. */
     void goHome() {
         home = true;
-        camera = Camera.home(arena, getWidth(), getHeight());
+        refresh();
         repaint();
     }
 
+    /** Hides the graphs if they are there, else shows them even over the scene. */
     void toggleGraphs() {
-        graphs = !graphs;
+        graphs = layout.steps() != null ? HudLayout.Graphs.NO : HudLayout.Graphs.OVER_THE_SCENE;
         repaint();
     }
 
@@ -123,8 +140,11 @@ final class PlaygroundCanvas extends JComponent {
         return (float) camera.worldY(y, getHeight());
     }
 
-    /** The circles as they are shown, without the text over them. */
+    /** The circles as they are shown, without the text beside them; all of the arena in the middle unless a person looks elsewhere. */
     BufferedImage picture() {
+        if (home) {
+            return Playground.picture(frame, getWidth(), getHeight());
+        }
         BufferedImage picture = new BufferedImage(getWidth(), getHeight(), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = picture.createGraphics();
         painter.paint(g, getWidth(), getHeight(), camera, frame);
@@ -138,7 +158,7 @@ final class PlaygroundCanvas extends JComponent {
         Graphics2D g = (Graphics2D) graphics.create();
         painter.paint(g, getWidth(), getHeight(), camera, frame);
         hud.paintBrush(g, mouse, camera, frame);
-        hud.paint(g, getWidth(), getHeight(), frame, graphs);
+        hud.paint(g, layout, frame);
         if (help) {
             Help.paint(g, getWidth(), getHeight(), Math.min(scroll, mostScroll()));
         }

@@ -17,8 +17,8 @@ final class PlaygroundOptions {
     private Backend backend = Backend.JVM;
     private PaintMode paint = PaintMode.SPEED;
     private int frames = 300;
-    private int width = 1200;
-    private int height = 760;
+    private int width = 1280;
+    private int height = 720;
     private Path picture;
     private Path film;
     private boolean help;
@@ -137,7 +137,7 @@ final class PlaygroundOptions {
                         + wrapped()
                         + "  --backend NAME        auto, jvm, cpu or gpu (jvm)%n"
                         + "  --paint WHAT          plain, speed, pressure or contacts (speed)%n"
-                        + "  --size WIDTHxHEIGHT   of the picture in pixels (1200x760)%n"
+                        + "  --size WIDTHxHEIGHT   of the picture in pixels (1280x720)%n"
                         + "  --picture FILE        no window: write the last frame to a PNG file%n"
                         + "  --frames N            frames before the picture (300)%n"
                         + "  --film FILE           no window: write the short film of the README, an animated PNG%n"

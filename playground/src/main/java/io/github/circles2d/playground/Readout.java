@@ -20,6 +20,10 @@ final class Readout {
     private float[] angles = new float[0];
     private float[] angularVelocities = new float[0];
     private int[] kinds = new int[0];
+
+    /** Of joints. */
+    private long[] handles = new long[0];
+
     private double energy;
 
     /** Fills the circles of a frame, where they are between two steps. */
@@ -57,7 +61,7 @@ final class Readout {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
         readPieces(frame, sandbox);
-        readJoints(frame, sandbox, positions);
+        readJoints(frame, sandbox);
         frame.legendMost = shades.most(paint);
         measure(world, ids);
         frame.energy = energy;
@@ -93,38 +97,23 @@ final class Readout {
         frame.ensurePieces(terrain.size(), Terrain.PIECE_STRIDE);
         frame.pieces = sandbox.loop().pieces(frame.piece, null);
         for (int k = 0; k < frame.pieces; k++) {
-            Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + 1]);
+            Kind kind = world.kind((int) frame.piece[k * Terrain.PIECE_STRIDE + Terrain.KIND]);
             frame.pieceColour[k] = kind.beltSpeed() != 0 ? Theme.BELT : kind.isOneWay() ? Theme.ONE_WAY : Theme.STATIC;
         }
     }
 
-    /** Their ends are where their circles are shown. */
-    private void readJoints(Frame frame, Sandbox sandbox, FloatBuffer positions) {
-        World world = sandbox.world();
-        Joints joints = world.joints();
+    private void readJoints(Frame frame, Sandbox sandbox) {
+        Joints joints = sandbox.world().joints();
         frame.ensureJoints(joints.size());
-        frame.joints = joints.readEnds(frame.joint);
-        int count = 0;
-        for (int id = 0; count < frame.joints; id++) {
-            long joint = joints.handle(id);
-            if (joint != 0) {
-                place(frame.joint, 4 * count, joints.circle(joint), positions);
-                place(frame.joint, 4 * count + 2, joints.other(joint), positions);
-                float force = frame.joints > MOST_FORCES ? 0 : joints.force(joint);
-                frame.jointColour[count] = shades.tension(force);
-                count++;
-            }
+        if (handles.length < frame.jointColour.length) {
+            handles = new long[frame.jointColour.length];
+        }
+        frame.joints = sandbox.loop().jointEnds(frame.joint, handles);
+        for (int k = 0; k < frame.joints; k++) {
+            float force = frame.joints > MOST_FORCES ? 0 : joints.force(handles[k]);
+            frame.jointColour[k] = shades.tension(force);
         }
         shades.scaleTension();
-    }
-
-    /** Moves an end as its circle is moved to where it is shown, since an end beyond a seam is an image of its circle. */
-    private void place(float[] ends, int at, long circle, FloatBuffer positions) {
-        int id = World.id(circle);
-        if (circle != 0 && 2 * id < positions.limit() && positions.get(2 * id) == positions.get(2 * id)) {
-            ends[at] += positions.get(2 * id) - circles[4 * id];
-            ends[at + 1] += positions.get(2 * id + 1) - circles[4 * id + 1];
-        }
     }
 
     /** Whether a circle turns or has turned. */

@@ -28,6 +28,9 @@ final class Sandbox implements AutoCloseable {
     /** What a person has set for this stage; 0 for its own. */
     private int subSteps;
 
+    /** Whether worlds measure the times of their stages. */
+    private boolean profiling;
+
     /** The gravity of the stage: a slider keeps its direction, and goes up to twice as much. */
     private float stageGravityX;
 
@@ -45,7 +48,8 @@ final class Sandbox implements AutoCloseable {
 
     /** The same with another number of sub-steps than the stage has. A saved world keeps its own. */
     private void load(Stage next, Backend backend, int wishedSubSteps) {
-        World.Builder builder = next.builder().get().backend(backend).threads(THREADS);
+        World.Builder builder =
+                next.builder().get().backend(backend).threads(THREADS).profiling(profiling);
         World opened = (wishedSubSteps == 0 ? builder : builder.subSteps(wishedSubSteps)).build();
         try {
             next.circles().accept(opened);
@@ -76,14 +80,25 @@ final class Sandbox implements AutoCloseable {
 
     /** Goes on with the same state on another back end. If there is no such, all stays as it is. */
     void switchTo(Backend backend) {
+        rebuild(backend, profiling);
+    }
+
+    /** Goes on with the same state in a world that measures the times of its stages, or in one that does not and so pays nothing for it. */
+    void setProfiling(boolean wanted) {
+        rebuild(stats.backend(), wanted);
+    }
+
+    private void rebuild(Backend backend, boolean measures) {
         World next = World.builder()
                 .backend(backend)
                 .threads(THREADS)
+                .profiling(measures)
                 .capacity(Math.max(world.size(), 1))
                 .build();
         try {
             next.restore(snapshot());
             replace(next, next.stats());
+            profiling = measures;
             begin(step);
         } catch (RuntimeException | Error e) {
             next.close();
@@ -224,6 +239,10 @@ final class Sandbox implements AutoCloseable {
 
     WorldStats stats() {
         return stats;
+    }
+
+    boolean isProfiling() {
+        return profiling;
     }
 
     Grain grain() {

@@ -24,6 +24,7 @@ final class Session implements AutoCloseable {
     private final Gauges gauges = new Gauges();
     private final Contacts contacts = new Contacts();
     private final Selection selection = new Selection();
+    private final StepProfile profile = new StepProfile();
     private final Runnable beforeStep;
 
     private PaintMode paint = PaintMode.SPEED;
@@ -61,6 +62,7 @@ final class Session implements AutoCloseable {
         }
         readout.fill(frame, sandbox, paint);
         contacts.read(world(), steps);
+        noteProfile(steps, false);
         contacts.fill(frame, sandbox.grain());
         if (steps > 0) {
             gauges.noteEnergy(frame.energy);
@@ -99,6 +101,12 @@ final class Session implements AutoCloseable {
         return went;
     }
 
+    private void noteProfile(int steps, boolean now) {
+        if (sandbox.isProfiling()) {
+            profile.note(world(), steps, now);
+        }
+    }
+
     private void describe(Frame frame) {
         frame.stage = sandbox.stage().name();
         frame.backend = sandbox.stats().backend();
@@ -120,6 +128,8 @@ final class Session implements AutoCloseable {
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
         frame.card = selection.lines(world());
+        frame.showsProfile = sandbox.isProfiling();
+        frame.profile = profile.parts();
         gauges.show(frame);
         messageFrames = Math.max(0, messageFrames - 1);
         frame.message = messageFrames > 0 ? message : "";
@@ -138,6 +148,7 @@ final class Session implements AutoCloseable {
         sandbox.stepOnce(beforeStep);
         world().finish();
         contacts.read(world(), 1);
+        noteProfile(1, true);
         gauges.noteStep((System.nanoTime() - start) / 1e6);
         touched = true;
     }
@@ -184,6 +195,14 @@ final class Session implements AutoCloseable {
                 contacts.isOn()
                         ? "contacts of each step: the longer the normal, the greater the impulse"
                         : "contacts are not shown");
+    }
+
+    /** Shows from now on how the time of a step divides over its stages, or not any more: the world is built anew, in the same state. */
+    void toggleProfile() {
+        hand.letGo(sandbox);
+        sandbox.setProfiling(!sandbox.isProfiling());
+        rebuilt();
+        say(sandbox.isProfiling() ? "the stages of each step are measured" : "stages are not measured");
     }
 
     /** How large circles are that are poured, in those that are usual in the world. */
@@ -280,13 +299,11 @@ final class Session implements AutoCloseable {
 
     /** Goes on with another back end, and says whether the hash is the same. */
     void switchTo(Backend backend) {
+        hand.letGo(sandbox); // terrain that is held belongs to the old world
         long before = world().hash();
         sandbox.switchTo(backend);
-        sandbox.loop().setSpeed(speed);
-        contacts.start(world());
-        gauges.forgetTimes();
+        rebuilt();
         long hash = gauges.hashNow(sandbox);
-        touched = true;
         say(String.format(
                 "%s goes on from step %,d: hash %016x, %s",
                 sandbox.stats().backend(),
@@ -309,11 +326,18 @@ final class Session implements AutoCloseable {
     }
 
     private void restarted() {
+        rebuilt();
         gauges.forget();
-        contacts.start(world());
         selection.set(0);
         rewinding = false;
+    }
+
+    /** Another world has come, with the same state or another. */
+    private void rebuilt() {
         sandbox.loop().setSpeed(speed);
+        contacts.start(world());
+        profile.start(sandbox.stats().stageMillis());
+        gauges.forgetTimes();
         touched = true;
     }
 

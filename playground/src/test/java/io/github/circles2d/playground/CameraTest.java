@@ -3,12 +3,16 @@ package io.github.circles2d.playground;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Rectangle;
 import org.junit.jupiter.api.Test;
 
 class CameraTest {
     private static final Arena ARENA = new Arena(-10, 0, 30, 20);
     private static final int WIDTH = 800;
     private static final int HEIGHT = 600;
+
+    /** As broad as the arena. */
+    private static final Rectangle PART = new Rectangle(8, 44, 500, 250);
 
     @Test
     void homeShowsAllOfTheArenaInTheMiddle() {
@@ -19,6 +23,15 @@ class CameraTest {
         assertThat(home.screenY(ARENA.minY(), HEIGHT)).isLessThan(HEIGHT);
         assertThat(home.screenX(10, WIDTH)).isEqualTo(WIDTH / 2.0);
         assertThat(home.screenY(10, HEIGHT)).isEqualTo(HEIGHT / 2.0);
+    }
+
+    @Test
+    void homeInAPartOfThePictureFillsThat() {
+        Camera home = Camera.home(ARENA, PART, WIDTH, HEIGHT);
+        assertThat(home.screenX(ARENA.minX(), WIDTH)).isCloseTo(PART.x, within(1e-9));
+        assertThat(home.screenX(ARENA.maxX(), WIDTH)).isCloseTo(PART.x + PART.width, within(1e-9));
+        assertThat(home.screenY(ARENA.maxY(), HEIGHT)).isCloseTo(PART.y, within(1e-9));
+        assertThat(home.screenY(ARENA.minY(), HEIGHT)).isCloseTo(PART.y + PART.height, within(1e-9));
     }
 
     @Test
@@ -48,13 +61,20 @@ class CameraTest {
 
     @Test
     void theArenaStaysInSightHoweverFarAPersonZoomsOrDrags() {
-        Camera home = Camera.home(ARENA, WIDTH, HEIGHT);
-        Camera far = home.zoom(1e-6, 0, 0, WIDTH, HEIGHT).pan(1e9, -1e9).clamp(ARENA, WIDTH, HEIGHT);
+        Camera home = Camera.home(ARENA, PART, WIDTH, HEIGHT);
+        Camera far = home.zoom(1e-6, 0, 0, WIDTH, HEIGHT).pan(1e9, -1e9).clamp(ARENA, PART, WIDTH, HEIGHT);
         assertThat(far.scale()).isGreaterThan(home.scale() / 10);
-        assertThat(ARENA.contains((float) far.x(), (float) far.y())).isTrue();
+        double x = far.worldX(PART.getCenterX(), WIDTH);
+        double y = far.worldY(PART.getCenterY(), HEIGHT);
+        assertThat(x).isBetween(ARENA.minX() - 1e-9, ARENA.maxX() + 1e-9);
+        assertThat(y).isBetween(ARENA.minY() - 1e-9, ARENA.maxY() + 1e-9);
         assertThat(home.zoom(1e9, 0, 0, WIDTH, HEIGHT)
-                        .clamp(ARENA, WIDTH, HEIGHT)
+                        .clamp(ARENA, PART, WIDTH, HEIGHT)
                         .scale())
                 .isLessThan(1000 * home.scale());
+        Camera kept = home.clamp(ARENA, PART, WIDTH, HEIGHT);
+        assertThat(kept.scale()).isEqualTo(home.scale());
+        assertThat(kept.x()).isCloseTo(home.x(), within(1e-9));
+        assertThat(kept.y()).isCloseTo(home.y(), within(1e-9));
     }
 }

@@ -424,6 +424,21 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    void aSwitchWhileTerrainIsHeldLetsItGo() {
+        session.load(Stages.named("sandbox"));
+        session.press(9, 70.4f); // a ramp
+        frames(2);
+        assertThat(frame.marks).isNotEmpty();
+        session.switchTo(Backend.JVM);
+        frames(2);
+        assertThat(frame.marks).isEmpty();
+        int before = step();
+        session.moveMouse(20, 80);
+        frames(2);
+        assertThat(step()).as("it goes on").isGreaterThan(before);
+    }
+
+    @Test
     void afterALostStateTheStageStartsAgain() {
         session.setTool(ToolKind.ROPE);
         session.press(20, 50);

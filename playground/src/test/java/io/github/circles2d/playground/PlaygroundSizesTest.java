@@ -3,7 +3,6 @@ package io.github.circles2d.playground;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
@@ -15,10 +14,6 @@ import org.junit.jupiter.api.Timeout;
 /** Nothing of the window is cut off or covered, in a small window as in a large one. */
 @Timeout(300)
 class PlaygroundSizesTest {
-    private static final Dimension FIGURES = new Dimension(310, 90);
-    private static final Dimension LEGEND = new Dimension(210, 26);
-    private static final Dimension MESSAGE = new Dimension(340, 47);
-
     /** {@code -Dcircles2d.screenshots=FOLDER} has it save the screen at each turn. */
     @Test
     void theRealWindowHasAPlaceForAllInFourSizesAndItsMenusSayWhatHolds() throws Exception {
@@ -38,7 +33,8 @@ class PlaygroundSizesTest {
                     .contains("the back end is marked: true", "time runs: true")
                     .contains("420 x 320, graphs are shown: false", "1000 x 800, graphs are shown: true")
                     .contains("Pause or go on=SPACE, One step=PERIOD, One step back=COMMA, Slower=S, Start again=R")
-                    .contains("Next back end=N", "Back to all=HOME, Contact points=V, Graphs=G, Keys=H")
+                    .contains(
+                            "Next back end=N", "Back to all=HOME, Contact points=V, Times by stage=T, Graphs=G, Keys=H")
                     .contains("Open world ...=ctrl O", "Quit=ctrl Q");
             assertThat(output.lines().filter(line -> line.endsWith(": false") && !line.contains("graphs are shown")))
                     .isEmpty();
@@ -46,42 +42,6 @@ class PlaygroundSizesTest {
         } finally {
             display.close();
         }
-    }
-
-    @Test
-    void atAnySizePanelsAreInTheCanvasAndNoneIsOverAnother() {
-        for (int width = 340; width <= 1700; width += 17) {
-            for (int height = 130; height <= 1100; height += 13) {
-                for (Dimension legend : new Dimension[] {null, LEGEND}) {
-                    for (Dimension message : new Dimension[] {null, MESSAGE}) {
-                        List<Rectangle> panels = HudLayout.of(
-                                        Math.max(width, MESSAGE.width + 28), height, FIGURES, legend, message, true)
-                                .panels();
-                        Rectangle canvas = new Rectangle(Math.max(width, MESSAGE.width + 28), height);
-                        for (int k = 0; k < panels.size(); k++) {
-                            assertThat(canvas.contains(panels.get(k))).isTrue();
-                            assertThat(panels.subList(0, k)).noneMatch(panels.get(k)::intersects);
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    @Test
-    void graphsStandBesideTheFiguresElseUnderThemElseNotAtAll() {
-        HudLayout large = HudLayout.of(1000, 700, FIGURES, LEGEND, MESSAGE, true);
-        assertThat(large.panels()).hasSize(5);
-        assertThat(large.steps().y).isEqualTo(large.figures().y);
-        HudLayout narrow = HudLayout.of(520, 600, FIGURES, LEGEND, null, true);
-        assertThat(narrow.steps().y).isGreaterThan(narrow.legend().y);
-        assertThat(narrow.energy().y).isEqualTo(narrow.steps().y);
-        HudLayout column = HudLayout.of(400, 600, FIGURES, LEGEND, null, true);
-        assertThat(column.energy().y).isGreaterThan(column.steps().y);
-        HudLayout small = HudLayout.of(420, 180, FIGURES, LEGEND, null, true);
-        assertThat(small.panels()).containsExactly(small.figures(), small.legend());
-        assertThat(HudLayout.of(1000, 700, FIGURES, LEGEND, null, false).steps())
-                .isNull();
     }
 
     @Test
@@ -94,7 +54,7 @@ class PlaygroundSizesTest {
                                 .contains(layout.left(), layout.top(), layout.width(), layout.height()))
                         .as("%d x %d: %s", width, height, layout)
                         .isTrue();
-                int rows = layout.columns() == 2 ? 9 : 18;
+                int rows = layout.columns() == 2 ? 11 : 22;
                 double end = (HelpLayout.HEAD + (rows - 1) * HelpLayout.ROW + 22) * layout.scale();
                 assertThat(end).isLessThanOrEqualTo(layout.height() + layout.mostScroll());
             }

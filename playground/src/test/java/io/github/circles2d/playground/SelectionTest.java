@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.World;
-import java.awt.Dimension;
-import java.awt.Rectangle;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -66,24 +64,5 @@ class SelectionTest {
         session.restart();
         session.frame(FRAME, frame);
         assertThat(frame.card).isEmpty();
-    }
-
-    @Test
-    void theCardIsBesideNoOtherPanelAndNotInANarrowWindow() {
-        Dimension figures = new Dimension(260, 90);
-        Dimension card = new Dimension(200, 150);
-        for (int width = 300; width < 1400; width += 20) {
-            for (int height = 200; height < 900; height += 50) {
-                HudLayout layout = HudLayout.of(width, height, figures, null, null, true);
-                Rectangle place = layout.right(width, height, card);
-                if (place != null) {
-                    assertThat(width).isGreaterThanOrEqualTo(HudLayout.CARDS_FROM);
-                    assertThat(new Rectangle(width, height).contains(place)).isTrue();
-                    assertThat(layout.panels()).noneMatch(place::intersects);
-                }
-            }
-        }
-        assertThat(HudLayout.of(1100, 700, figures, null, null, true).right(1100, 700, card))
-                .isNotNull();
     }
 }

@@ -97,16 +97,20 @@ final class SizesProgram {
                         && new Rectangle(window.getContentPane().getSize())
                                 .contains(bar.getBounds().union(canvas.getBounds()))));
         say(name + ", the panels are in the canvas", onEventThread(this::arePanelsInTheCanvas));
-        say(
-                name + ", no panel is over another",
-                onEventThread(() -> apart(canvas.hudLayout().panels())));
-        System.out.println(name + ", graphs are shown: " + (canvas.hudLayout().steps() != null));
+        say(name + ", no panel is over another", onEventThread(() -> apart(canvas.panels())));
         save(name + " message");
         becomesShown("");
-        say(
-                name + ", the figures are there",
-                onEventThread(() -> canvas.hudLayout().figures() != null));
+        say(name + ", the figures are there", onEventThread(() -> canvas.panels()
+                .contains(canvas.hudLayout().figures())));
         save(name);
+        loop.ask(session -> session.press(-100, -100)); // where nothing is: the card goes
+        loop.ask(session -> session.release());
+        say(
+                name + ", nothing is over the scene",
+                becomesTrue(() -> onEventThread(() ->
+                        canvas.panels().stream().noneMatch(canvas.hudLayout().arena()::intersects))));
+        System.out.println(name + ", graphs are shown: " + onEventThread(this::areGraphsShown));
+        profile(name);
         SwingUtilities.invokeAndWait(canvas::toggleHelp);
         Thread.sleep(200);
         save(name + " help");
@@ -118,6 +122,28 @@ final class SizesProgram {
             save(name + " help, its end");
         }
         SwingUtilities.invokeAndWait(canvas::hideHelp);
+    }
+
+    private boolean areGraphsShown() {
+        Rectangle steps = canvas.hudLayout().steps();
+        return steps != null && canvas.panels().contains(steps);
+    }
+
+    /** Shows the times of the stages for a while. */
+    private void profile(String name) throws Exception {
+        loop.ask(Session::toggleProfile);
+        boolean shown =
+                becomesTrue(() -> onEventThread(() -> !canvas.refresh().profile.isEmpty()));
+        becomesShown("");
+        int height = onEventThread(() -> ProfileCard.height(canvas.refresh()));
+        boolean placed = onEventThread(() -> canvas.panels().stream().anyMatch(panel -> panel.height == height));
+        say(
+                name + ", the card of the stages is there, unless the canvas is narrow",
+                shown && placed == canvas.getWidth() >= HudLayout.CARDS_FROM);
+        say(name + ", and is over no panel", onEventThread(() -> apart(canvas.panels()) && arePanelsInTheCanvas()));
+        save(name + " stages");
+        loop.ask(Session::toggleProfile);
+        becomesShown("");
     }
 
     /** Clicks a circle, so that its card is in the picture. */
@@ -157,7 +183,7 @@ final class SizesProgram {
 
     private boolean arePanelsInTheCanvas() {
         Rectangle room = new Rectangle(canvas.getSize());
-        return canvas.hudLayout().panels().stream().allMatch(room::contains);
+        return canvas.panels().stream().allMatch(room::contains);
     }
 
     private static List<Rectangle> bounds(Container container) {

@@ -127,7 +127,7 @@ public final class Main extends JLabel {
         g.translate(0, image.getHeight());
         g.scale(SCALE, -SCALE);
         drawTerrain(g);
-        int joints = game.world.joints().readEnds(numbers);
+        int joints = loop.jointEnds(numbers, null);
         g.setColor(new Color(0xcfd8e6));
         g.setStroke(new BasicStroke(0.3f));
         for (int k = 0; k < joints; k++) {
@@ -160,14 +160,20 @@ public final class Main extends JLabel {
         g.setColor(new Color(0x3d5a80));
         for (int k = 0; k < count; k++) {
             int row = Terrain.PIECE_STRIDE * k;
-            if (numbers[row] == 2) { // a line of the hills
-                ground.lineTo(numbers[row + 2], numbers[row + 3]);
-                ground.lineTo(numbers[row + 4], numbers[row + 5]);
-            } else if (numbers[row] == 3) {
-                g.fill(disc(numbers[row + 2], numbers[row + 3], numbers[row + 4]));
+            float x = numbers[row + Terrain.X1], y = numbers[row + Terrain.Y1];
+            float toX = numbers[row + Terrain.X2], toY = numbers[row + Terrain.Y2];
+            if (numbers[row + Terrain.FORM] == Terrain.LINE) { // of the hills
+                ground.lineTo(x, y);
+                ground.lineTo(toX, toY);
+            } else if (numbers[row + Terrain.FORM] == Terrain.ARC) {
+                g.fill(disc(
+                        numbers[row + Terrain.CENTRE_X],
+                        numbers[row + Terrain.CENTRE_Y],
+                        numbers[row + Terrain.RADIUS]));
             } else {
-                g.setStroke(new BasicStroke(2 * numbers[row + 6], BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-                g.draw(new Line2D.Float(numbers[row + 2], numbers[row + 3], numbers[row + 4], numbers[row + 5]));
+                float width = 2 * numbers[row + Terrain.THICKNESS];
+                g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+                g.draw(new Line2D.Float(x, y, toX, toY));
             }
         }
         ground.lineTo(0, 0);

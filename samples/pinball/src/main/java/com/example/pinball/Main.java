@@ -153,31 +153,44 @@ public final class Main extends ApplicationAdapter {
         batch.end();
     }
 
-    private void piece(int i, int id) {
-        int kind = (int) pieces[i + 1];
-        float glow = game.glow[id], x = pieces[i + 2], y = pieces[i + 3], x2 = pieces[i + 4], y2 = pieces[i + 5];
+    private void piece(int row, int id) {
+        int kind = (int) pieces[row + Terrain.KIND];
+        float glow = game.glow[id];
         boolean isDark = kind == Pinball.LIGHT && !game.isOn(id);
-        if (pieces[i] == 1) { // a segment
-            capsule(COLORS[kind], 0.12f + 0.4f * glow, x, y, x2, y2, 2 * pieces[i + 6]);
-            capsule(COLORS[kind], isDark ? 0.3f : 1, x, y, x2, y2, pieces[i + 6]);
-        } else if (pieces[i] == 2) { // a line of a chain: its left is solid
+        if (pieces[row + Terrain.FORM] == Terrain.ARC) {
+            arc(row, kind, glow);
+            return;
+        }
+        float x = pieces[row + Terrain.X1], y = pieces[row + Terrain.Y1];
+        float x2 = pieces[row + Terrain.X2], y2 = pieces[row + Terrain.Y2];
+        if (pieces[row + Terrain.FORM] == Terrain.SEGMENT) {
+            float thickness = pieces[row + Terrain.THICKNESS];
+            capsule(COLORS[kind], 0.12f + 0.4f * glow, x, y, x2, y2, 2 * thickness);
+            capsule(COLORS[kind], isDark ? 0.3f : 1, x, y, x2, y2, thickness);
+        } else { // a line of a chain: its left is solid
             float factor = 0.06f / (float) Math.hypot(x2 - x, y2 - y);
             float left = (y - y2) * factor, up = (x2 - x) * factor;
             capsule(COLORS[kind], 1, x + left, y + up, x2 + left, y2 + up, 0.06f);
-        } else if (kind == Pinball.BUMPER) {
+        }
+    }
+
+    private void arc(int row, int kind, float glow) {
+        float x = pieces[row + Terrain.CENTRE_X], y = pieces[row + Terrain.CENTRE_Y], r = pieces[row + Terrain.RADIUS];
+        if (kind == Pinball.BUMPER) {
             for (int k = 0; k < 5; k++) {
                 float alpha = k == 0 ? 0.4f * glow : k == 3 ? 0.3f + 0.7f * glow : 1;
-                disc(k % 2 == 0 ? COLORS[kind] : "ffffff", alpha, x, y, x2 * (k == 0 ? 1.3f : 1.35f - 0.3f * k));
+                disc(k % 2 == 0 ? COLORS[kind] : "ffffff", alpha, x, y, r * (k == 0 ? 1.3f : 1.35f - 0.3f * k));
             }
-        } else {
-            float radius = x2 + (pieces[i + 7] == 1 ? 0.06f : -0.06f), part = (pieces[i + 6] - y2) / 48;
-            float toX = x + radius * MathUtils.cos(y2), toY = y + radius * MathUtils.sin(y2);
-            for (int k = 1; k <= 48; k++) {
-                float fromX = toX, fromY = toY;
-                toX = x + radius * MathUtils.cos(y2 + k * part);
-                toY = y + radius * MathUtils.sin(y2 + k * part);
-                capsule(COLORS[kind], 1, fromX, fromY, toX, toY, 0.06f);
-            }
+            return;
+        }
+        float from = pieces[row + Terrain.FROM], part = (pieces[row + Terrain.TO] - from) / 48;
+        float radius = r + (pieces[row + Terrain.INSIDE] == 1 ? 0.06f : -0.06f);
+        float toX = x + radius * MathUtils.cos(from), toY = y + radius * MathUtils.sin(from);
+        for (int k = 1; k <= 48; k++) {
+            float fromX = toX, fromY = toY;
+            toX = x + radius * MathUtils.cos(from + k * part);
+            toY = y + radius * MathUtils.sin(from + k * part);
+            capsule(COLORS[kind], 1, fromX, fromY, toX, toY, 0.06f);
         }
     }
 

@@ -8,7 +8,7 @@ import io.github.circles2d.world.model.Wrapping;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** Where the two ends of a joint are; of a joint without a place both are at its circle. The second one is the image nearest to the first. */
-public final class JointEnds {
+public class JointEnds {
     private final JointTables joints;
     private final HandleTable handles;
     private final TerrainTables terrain;
@@ -33,17 +33,33 @@ public final class JointEnds {
     /** Looks at a joint. */
     public void of(int joint) {
         JointTable table = joints.table;
-        int a = row(table.a(joint));
-        x = circles[a + CircleRow.X];
-        y = circles[a + CircleRow.Y];
+        int a = table.a(joint);
+        int b = table.b(joint);
+        x = circleX(a);
+        y = circleY(a);
         dx = 0f;
         dy = 0f;
-        if (table.b(joint) != JointRow.NONE) {
-            int b = row(table.b(joint));
-            to(circles[b + CircleRow.X], circles[b + CircleRow.Y]);
+        if (b != JointRow.NONE) {
+            to(circleX(b), circleY(b));
         } else if (JointForm.takesAnchor(table.form(joint))) {
-            to(joints.anchorX(joint), joints.anchorY(joint));
+            to(anchorX(joint), anchorY(joint));
         }
+    }
+
+    float circleX(int circle) {
+        return circles[row(circle) + CircleRow.X];
+    }
+
+    float circleY(int circle) {
+        return circles[row(circle) + CircleRow.Y];
+    }
+
+    float anchorX(int joint) {
+        return joints.anchorX(joint);
+    }
+
+    float anchorY(int joint) {
+        return joints.anchorY(joint);
     }
 
     private int row(int circle) {

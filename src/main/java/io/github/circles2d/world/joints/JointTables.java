@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.terrain.BodyAnchors;
+import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The joints of a world, and what a step is told of them. Changes have been checked, and there is room. */
@@ -23,6 +24,7 @@ public final class JointTables {
     private final JointPartners partners = new JointPartners(table);
     private final JointAnchors anchors;
     private final JointEnds ends;
+    private final DrawnJointEnds drawnEnds;
     private final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
@@ -33,6 +35,7 @@ public final class JointTables {
         places = new BodyAnchors(terrain.bodies);
         anchors = new JointAnchors(table, places);
         ends = new JointEnds(this, handles, terrain);
+        drawnEnds = new DrawnJointEnds(this, handles, terrain);
         departures = new JointDepartures(table, handles);
     }
 
@@ -86,6 +89,11 @@ public final class JointTables {
         return ends;
     }
 
+    /** Where they are drawn, likewise. */
+    public DrawnJointEnds drawnEnds() {
+        return drawnEnds;
+    }
+
     /** Gives a joint without another circle a place, in the world or on the body that it has. */
     private void setAnchor(int joint, float x, float y) {
         if (table.places.body(joint) == AnchorPlaces.WORLD) {
@@ -110,6 +118,21 @@ public final class JointTables {
         return body == AnchorPlaces.WORLD
                 ? table.value(joint, JointRow.ANCHOR_Y)
                 : places.y(body, table.places.x(joint), table.places.y(joint), terrain.bounds());
+    }
+
+    /** Where it is with bodies in such poses. */
+    float anchorX(int joint, BodyPoses poses) {
+        int body = table.places.body(joint);
+        return body == AnchorPlaces.WORLD
+                ? table.value(joint, JointRow.ANCHOR_X)
+                : places.x(poses, body, table.places.x(joint), table.places.y(joint), terrain.bounds());
+    }
+
+    float anchorY(int joint, BodyPoses poses) {
+        int body = table.places.body(joint);
+        return body == AnchorPlaces.WORLD
+                ? table.value(joint, JointRow.ANCHOR_Y)
+                : places.y(poses, body, table.places.x(joint), table.places.y(joint), terrain.bounds());
     }
 
     /** Refuses values that are out of range, and joints that do not have this. */

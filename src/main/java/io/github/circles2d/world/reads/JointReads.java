@@ -4,6 +4,8 @@ import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.joints.DrawnJointEnds;
+import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLoads;
@@ -162,17 +164,56 @@ public final class JointReads {
             return 0;
         }
         JointEnds ends = joints.ends().look(last.circles());
-        int at = 0;
+        int n = 0;
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint)) {
-                ends.of(joint);
-                to[at++] = ends.x();
-                to[at++] = ends.y();
-                to[at++] = ends.x() + ends.dx();
-                to[at++] = ends.y() + ends.dy();
+                copyEnds(ends, joint, to, ENDS * n++);
             }
         }
-        return table.ids.size();
+        return n;
+    }
+
+    private static void copyEnds(JointEnds ends, int joint, float[] to, int at) {
+        ends.of(joint);
+        to[at] = ends.x();
+        to[at + 1] = ends.y();
+        to[at + 2] = ends.x() + ends.dx();
+        to[at + 3] = ends.y() + ends.dy();
+    }
+
+    /** The same where circles and bodies of terrain are drawn; handles may be null. */
+    public int readEnds(DrawnPlaces drawn, float[] to, long[] handles) {
+        guard.enter();
+        try {
+            return copyEnds(drawn, to, handles);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private int copyEnds(DrawnPlaces drawn, float[] to, long[] handles) {
+        pending.settleJoints();
+        Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
+        if (handles != null) {
+            Readings.requireRoom("handles", handles, table.ids.size());
+        }
+        DrawnJointEnds ends = joints.drawnEnds().look(drawn);
+        int n = 0;
+        for (int joint = 0; joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint)) {
+                if (ends.hasNewCircle(joint)) {
+                    ends.look(last.circles());
+                }
+                copyEnds(ends, joint, to, ENDS * n);
+                if (handles != null) {
+                    handles[n] = table.ids.handle(joint);
+                }
+                n++;
+            }
+        }
+        return n;
     }
 
     /** The joint whose line is nearest to a point, of several the one of the lowest id; 0 if all are farther away than a distance. */

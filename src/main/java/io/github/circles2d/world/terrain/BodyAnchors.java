@@ -50,6 +50,17 @@ public final class BodyAnchors {
         return bounds.placeY((float) BodyTable.place(bodies.y[body] + armY, bounds.minY(), bounds.periodY()));
     }
 
+    /** Where a place of a body is, with the body in such a pose. */
+    public float x(BodyPoses poses, int body, float x, float y, Bounds bounds) {
+        turn(poses.angle(body), x, y);
+        return bounds.placeX((float) BodyTable.place(poses.x(body) + armX, bounds.minX(), bounds.periodX()));
+    }
+
+    public float y(BodyPoses poses, int body, float x, float y, Bounds bounds) {
+        turn(poses.angle(body), x, y);
+        return bounds.placeY((float) BodyTable.place(poses.y(body) + armY, bounds.minY(), bounds.periodY()));
+    }
+
     /** A place of now in the body's coordinates, by the short way from its pivot. */
     public float onBodyX(int body, float x, float y, Bounds bounds) {
         way(body, x, y, bounds);

@@ -47,7 +47,7 @@ final class Picture {
         int length = Terrain.PIECE_STRIDE * terrain.readPieces(pieces, null);
         Float32Array rows = new Float32Array(length);
         for (int k = 0; k < length; k++) {
-            boolean isKind = k % Terrain.PIECE_STRIDE == 1;
+            boolean isKind = k % Terrain.PIECE_STRIDE == Terrain.KIND;
             rows.set(k, isKind ? world.kind((int) pieces[k]).beltSpeed() != 0 ? BELT : STATIC : pieces[k]);
         }
         return rows;
