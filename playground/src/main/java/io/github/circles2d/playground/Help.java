@@ -29,7 +29,7 @@ final class Help {
         {"V", "contacts, normals, impulses"},
         {"N", "next back end, same hash"},
         {"G", "graphs"},
-        {"ctrl + O  S  P  C", "open, save, picture, copy"},
+        {"ctrl + O  S  L  P  C", "open, save, link; picture, copy"},
     };
 
     private static final int FIRST = firstColumn();
