@@ -19,7 +19,11 @@ final class Sandbox {
     private static final int LEAST_PAST = 4;
     private static final int BYTES_OF_PAST = 64 << 20;
 
+    /** How many circles there are at most when tools have added theirs. */
     private static final int MOST_CIRCLES = 8_000;
+
+    /** How many they may add to any world. */
+    private static final int MORE_CIRCLES = 2_000;
 
     // Of the joint between the pointer and a grabbed circle.
     private static final float PULL_HERTZ = 4;
@@ -51,6 +55,7 @@ final class Sandbox {
     private final Grain grain;
     private final View first;
     private final Rewind past;
+    private final int mostCircles;
     private final Random random = new Random(1);
     private long grabbed;
     private long grip;
@@ -66,6 +71,7 @@ final class Sandbox {
         this.world = world;
         first = View.of(world);
         grain = Grain.of(world, first);
+        mostCircles = Math.max(MOST_CIRCLES, world.size() + MORE_CIRCLES);
         int fitting = BYTES_OF_PAST / world.snapshotBytes();
         past = new Rewind(world, Math.max(LEAST_PAST, Math.min(fitting, MOST_PAST)));
     }
@@ -131,7 +137,7 @@ final class Sandbox {
             return;
         }
         int count = (int) (length / (LINK * grain.radius())) - 1;
-        if (count < 1 || world.size() + count > MOST_CIRCLES) {
+        if (count < 1 || world.size() + count > mostCircles) {
             return;
         }
         Ropes.End from = begun == 0 ? Ropes.at(begunX, begunY) : Ropes.circle(begun);
@@ -253,7 +259,7 @@ final class Sandbox {
         float unit = grain.radius();
         float gravity = (float) Math.hypot(world.gravityX(), world.gravityY());
         float fall = gravity > 0 ? POURED_SPEED * unit / gravity : 0;
-        for (int k = 0; k < POURED && world.size() < MOST_CIRCLES; k++) {
+        for (int k = 0; k < POURED && world.size() < mostCircles; k++) {
             float radius = unit * (POURED_LEAST + POURED_MORE * random.nextFloat());
             float px = x + 2 * POURED_AROUND * unit * (random.nextFloat() - 0.5f);
             float py = y + 2 * POURED_AROUND * unit * (random.nextFloat() - 0.5f);
