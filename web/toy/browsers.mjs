@@ -1,11 +1,12 @@
-// Plays with the page in headless browsers, with real clicks: `node browsers.mjs SITE PICTURES BROWSER=PROGRAM...`, where BROWSER is
-// chrome or firefox. Writes screenshots, and fails if something does not do what it should.
+// Plays with the page in headless browsers, with real clicks: `node browsers.mjs SITE PICTURES WORLDS BROWSER=PROGRAM...`, where WORLDS is
+// a folder of worlds that the JVM has saved, and BROWSER is chrome or firefox. Writes screenshots, and fails if something does not do what it should.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { puppeteer, serve, sleep } from '../site.mjs';
+import { playWorlds } from './worlds.mjs';
 
-const [site, pictures, ...browsers] = process.argv.slice(2);
+const [site, pictures, worlds, ...browsers] = process.argv.slice(2);
 
 mkdirSync(pictures, { recursive: true });
 const server = await serve(site);
@@ -188,6 +189,8 @@ async function play(name, program) {
   assert.ok(width <= 390, `nothing is cut off on a phone: ${width}`);
   await picture('phone');
   assert.deepEqual(errors, []);
+
+  await playWorlds(browser, address, worlds, (of, what) => of.screenshot({ path: join(pictures, `${name}-${what}.png`) }));
 
   const old = await browser.newPage();
   await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });

@@ -19,14 +19,20 @@ export function shadesOf(colours) {
 }
 
 export class Discs {
-  constructor(width, height, ground) {
+  constructor(width, height, ground, outside) {
     this.image = new ImageData(width, height);
     this.pixels = new Int32Array(this.image.data.buffer);
     this.ground = pixel(...ground);
+    this.outside = pixel(...outside);
   }
 
-  clear() {
-    this.pixels.fill(this.ground);
+  /** Leaves ground in a box, whose numbers are whole, and what is outside around it. */
+  clear(left, top, right, bottom) {
+    const { width, height } = this.image;
+    this.pixels.fill(this.outside);
+    for (let row = Math.max(0, top); row < Math.min(height, bottom); row++) {
+      this.pixels.fill(this.ground, row * width + Math.max(0, left), row * width + Math.max(0, Math.min(width, right)));
+    }
   }
 
   /** Draws a disc about (x, y) in a colour of the shades. Lengths are in pixels, and y points down. */

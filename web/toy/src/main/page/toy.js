@@ -1,37 +1,18 @@
 // The page: it draws what the worker sends, and tells it what the pointer does.
-import { Discs, shadesOf } from './discs.js';
+import { Drawing, countOf } from './drawing.js';
+import { fragmentOf, isLink, snapshotOf } from './links.js';
 
-const WIDTH = 160;
-const HEIGHT = 100;
 const STEP_MILLIS = 1000 / 60;
 const MOST_STEPS = 3; // a frame; a slow machine falls behind instead of choking
-const SHADES = 24;
 const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300], ['balls2', 100], ['no-collide', 300],
   ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
-const GROUND = '#131922';
-const STATIC = '#5a6878';
-const BELT = '#8a6a3a';
-const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
-const PIECE_STRIDE = 8; // numbers a piece: form, shade, and then ends and thickness, or centre, radius, angles and side
-const [SEGMENT, ARC] = [1, 3]; // forms
-const JOINT_STRIDE = 5; // numbers a joint: ends and shade
-const TENSION = ['#6f8aa3', '#b9c7d3', '#ffd166', '#ff7a45', '#e8505b'];
-const DOT = 2.5; // pixels: the radius of a joint without length
-const BAND = 4; // pixels of the solid side of a chain
-const MARK = 0.3; // of the colour's light
-const MARK_AT = 0.52; // in radii of the circle, from its centre
-const MARK_RADIUS = 0.26; // likewise
-const MARK_FROM = 2.5; // pixels: the mark on a smaller circle would be a speck
 const SLIDING_MILLIS = 400; // for so long after an input, a slider is the hand's
-const RAMPS = [
-  ['#4aa8d8', '#5bc0be', '#7fb7e6', '#9b8cf0', '#6d9eeb', '#48c9b0', '#8fd3f4', '#74a9cf'],
-  ['#2c4a7c', '#3178b8', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
-  ['#26415e', '#4b4a9a', '#9a3f9d', '#e0526f', '#ff9a56', '#fff1b8'],
-];
+const GREATEST_FILE = 32; // megabytes
+const WALL_EVERY = 2.3; // radii of usual circles
 
 const $ = id => document.getElementById(id);
 const canvas = $('arena');
-const context = canvas.getContext('2d', { alpha: false });
+const drawing = new Drawing(canvas);
 
 let worker;
 let tool = 'grab';
@@ -43,128 +24,26 @@ let waiting = true; // for the worker
 let owed = 0;
 let last;
 let actions = [];
-let picture = { circles: new Float32Array(0), pieces: new Float32Array(0), joints: new Float32Array(0), steps: 0, hash: '', millis: 0 };
-let dirty = true;
+let picture; // none before the world has come
+let dirty = false;
 let blasts = [];
 let pointer = null;
 let frames = [];
 let stepMillis = 0;
 let testing = false;
 
-// ---- Drawing
-
-const rgb = colour => [16, 8, 0].map(shift => parseInt(colour.slice(1), 16) >> shift & 255);
-
-/** The colours of static circles and of belts, then those of a ramp. */
-function coloursOf(ramp) {
-  const stops = ramp.map(rgb);
-  const colours = Array.from({ length: SHADES }, (_, k) => {
-    const place = k / (SHADES - 1) * (stops.length - 1);
-    const stop = Math.min(Math.floor(place), stops.length - 2);
-    return stops[stop].map((part, channel) => part + (stops[stop + 1][channel] - part) * (place - stop));
-  });
-  return [rgb(STATIC), rgb(BELT), ...colours];
-}
-
-const palettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp)));
-const markPalettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp).map(colour => colour.map(part => MARK * part))));
-let discs;
+// ---- What there is to be seen
 
 function draw() {
-  const ratio = Math.min(devicePixelRatio || 1, 2);
-  const width = Math.round(canvas.clientWidth * ratio);
-  const height = Math.round(width * HEIGHT / WIDTH);
-  if (canvas.width !== width || canvas.height !== height) {
-    canvas.width = width;
-    canvas.height = height;
-    discs = new Discs(width, height, rgb(GROUND));
-  }
-  const scale = width / WIDTH;
-  const { circles } = picture;
-  const palette = palettes[mode];
-  const marks = markPalettes[mode];
-  discs.clear();
-  for (let k = 0; k < circles.length; k += STRIDE) {
-    const shade = circles[k + 3];
-    const colour = shade < 0 ? -1 - shade : 2 + Math.round(shade * (SHADES - 1));
-    const x = circles[k] * scale;
-    const y = height - circles[k + 1] * scale;
-    const radius = circles[k + 2] * scale;
-    discs.draw(x, y, radius, palette, colour);
-    const angle = circles[k + 4]; // NaN if the circle has no mark
-    if (angle === angle && radius >= MARK_FROM) {
-      const reach = MARK_AT * radius;
-      discs.draw(x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, marks, colour);
-    }
-  }
-  context.putImageData(discs.image, 0, 0);
-  drawJoints(scale, height, ratio);
-  drawTerrain(scale, height, ratio);
-  if (pointer?.joins) {
-    context.strokeStyle = '#ffb454';
-    context.lineWidth = 2 * ratio;
-    context.beginPath();
-    context.moveTo(pointer.x * scale, height - pointer.y * scale);
-    context.lineTo(pointer.toX * scale, height - pointer.toY * scale);
-    context.stroke();
-  }
-  for (const blast of blasts) {
-    const age = (performance.now() - blast.at) / 400;
-    context.strokeStyle = `rgba(255,180,84,${Math.max(0, 1 - age)})`;
-    context.lineWidth = 3 * ratio;
-    context.beginPath();
-    context.arc(blast.x * scale, height - blast.y * scale, 20 * Math.sqrt(age) * scale, 0, 7);
-    context.stroke();
-  }
-  blasts = blasts.filter(blast => performance.now() - blast.at < 400);
-  dirty = blasts.length > 0;
-}
-
-/** All joints of a colour at once. */
-function drawJoints(scale, height, ratio) {
-  const { joints } = picture;
-  context.lineWidth = 1.5 * ratio;
-  TENSION.forEach((colour, shade) => {
-    context.strokeStyle = context.fillStyle = colour;
-    context.beginPath();
-    for (let k = 0; k < joints.length; k += JOINT_STRIDE) {
-      if (Math.round(joints[k + 4] * (TENSION.length - 1)) === shade) {
-        const [x, y, x2, y2] = [joints[k] * scale, height - joints[k + 1] * scale, joints[k + 2] * scale, height - joints[k + 3] * scale];
-        if (Math.hypot(x2 - x, y2 - y) < DOT) {
-          context.fillRect(x - DOT * ratio, y - DOT * ratio, 2 * DOT * ratio, 2 * DOT * ratio);
-        }
-        context.moveTo(x, y);
-        context.lineTo(x2, y2);
-      }
-    }
-    context.stroke();
-  });
-}
-
-function drawTerrain(scale, height, ratio) {
-  const { pieces } = picture;
-  const band = BAND * ratio;
-  context.lineCap = 'round';
-  for (let k = 0; k < pieces.length; k += PIECE_STRIDE) {
-    const [form, shade, x, y, x2, y2, , inside] = pieces.subarray(k, k + PIECE_STRIDE);
-    context.strokeStyle = shade === -2 ? BELT : STATIC;
-    context.lineWidth = form === SEGMENT ? Math.max(2 * pieces[k + 6] * scale, band) : band;
-    context.beginPath();
-    if (form === ARC) { // y points down, so angles do, too
-      const radius = x2 * scale + (inside ? band / 2 : -band / 2);
-      context.arc(x * scale, height - y * scale, radius, -y2, -pieces[k + 6], true);
-    } else { // a line of a chain is solid on its left
-      const factor = form === SEGMENT ? 0 : band / 2 / Math.hypot(x2 - x, y2 - y);
-      const [left, up] = [(y - y2) * factor, (x2 - x) * factor];
-      context.moveTo(x * scale + left, height - y * scale - up);
-      context.lineTo(x2 * scale + left, height - y2 * scale - up);
-    }
-    context.stroke();
+  const line = pointer?.joins ? pointer : null;
+  dirty = drawing.draw(picture, mode, line, blasts);
+  if (!dirty) {
+    blasts = [];
   }
 }
 
 function tell() {
-  const n = picture.circles.length / STRIDE;
+  const n = countOf(picture);
   const fps = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0;
   $('figures').innerHTML = `<b>${n.toLocaleString('en')}</b> circles  step <b>${picture.steps}</b>  `
     + `<b>${stepMillis.toFixed(1)}</b> ms a step  <b>${fps.toFixed(0)}</b> fps  hash <b id="hash">${picture.hash}</b>`;
@@ -213,6 +92,13 @@ function received({ data }) {
     $('message').textContent = '';
     waiting = false;
     act({ what: 'open', stage: $('stage').value });
+    openLink();
+  } else if (data.notice !== undefined) {
+    say(data.notice);
+  } else if (data.restored) {
+    restored(data);
+  } else if (data.saved) {
+    saved(data);
   } else if (data.scene !== undefined) {
     reported(data);
   } else {
@@ -233,14 +119,12 @@ function act(action) {
 
 // ---- Pointer: mouse, pen and finger alike
 
-function place(event) {
-  const box = canvas.getBoundingClientRect();
-  return { x: (event.clientX - box.left) / box.width * WIDTH, y: (1 - (event.clientY - box.top) / box.height) * HEIGHT };
-}
-
 canvas.addEventListener('pointerdown', event => {
+  if (!picture) {
+    return;
+  }
   canvas.setPointerCapture(event.pointerId);
-  const at = place(event);
+  const at = drawing.place(event);
   pointer = { id: event.pointerId, ...at };
   act({ what: 'move', ...at });
   if (tool === 'explode') {
@@ -257,9 +141,9 @@ canvas.addEventListener('pointermove', event => {
   if (pointer?.id !== event.pointerId) {
     return;
   }
-  const at = place(event);
+  const at = drawing.place(event);
   if (tool === 'wall') {
-    if (Math.hypot(at.x - pointer.x, at.y - pointer.y) > 2) {
+    if (Math.hypot(at.x - pointer.x, at.y - pointer.y) > WALL_EVERY * picture.view[4]) {
       act({ what: 'move', ...at });
       act({ what: 'wall', x: pointer.x, y: pointer.y });
       pointer = { ...pointer, ...at };
@@ -338,8 +222,93 @@ function showSurface() {
     }
   }
 }
-$('stage').addEventListener('change', () => act({ what: 'open', stage: $('stage').value }));
-addEventListener('resize', () => { dirty = true; });
+$('stage').addEventListener('change', () => {
+  say('');
+  act({ what: 'open', stage: $('stage').value });
+});
+addEventListener('resize', () => { dirty = picture !== undefined; });
+
+// ---- Worlds in files and links
+
+/** A line below the world. */
+function say(text) {
+  $('notice').textContent = text;
+}
+
+async function openFile(file) {
+  if (file.size > GREATEST_FILE << 20) {
+    say(`${file.name} is not opened: it has ${Math.ceil(file.size / (1 << 20))} MB, and a world may have ${GREATEST_FILE}.`);
+    return;
+  }
+  try {
+    restore(new Uint8Array(await file.arrayBuffer()), file.name);
+  } catch (e) {
+    say(`${file.name} is not opened: ${e.message}.`);
+  }
+}
+
+async function openLink() {
+  if (isLink(location.hash)) {
+    try {
+      restore(await snapshotOf(location.hash), 'The link');
+    } catch (e) {
+      say(`The link is not opened: ${e.message}.`);
+    }
+  }
+}
+
+function restore(snapshot, name) {
+  act({ what: 'restore', snapshot, name });
+}
+
+function restored({ name, undrawn }) {
+  pointer = null;
+  $('stage').selectedIndex = -1; // so that each stage can be chosen
+  say(`${name} is opened. ${undrawn}`);
+}
+
+async function saved({ saved: snapshot, as }) {
+  if (as === 'file') {
+    const url = URL.createObjectURL(new Blob([snapshot]));
+    Object.assign(document.createElement('a'), { href: url, download: 'world.circles2d' }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    return;
+  }
+  let link;
+  try {
+    link = location.href.split('#')[0] + await fragmentOf(snapshot);
+  } catch (e) {
+    say(`No link is made: ${e.message}.`);
+    return;
+  }
+  try {
+    await navigator.clipboard.writeText(link);
+    say(`A link of ${link.length.toLocaleString('en')} characters is in the clipboard.`);
+  } catch { // not allowed, or there is no clipboard without HTTPS
+    history.replaceState(null, '', link);
+    say('The link is in the address bar: copy it from there.');
+  }
+}
+
+$('open').addEventListener('click', () => $('file').click());
+$('file').addEventListener('change', () => {
+  const [file] = $('file').files;
+  if (file) {
+    openFile(file);
+  }
+  $('file').value = ''; // so that the same file can be chosen again
+});
+$('save').addEventListener('click', () => act({ what: 'save', as: 'file' }));
+$('link').addEventListener('click', () => act({ what: 'save', as: 'link' }));
+addEventListener('hashchange', openLink);
+addEventListener('dragover', event => event.preventDefault());
+addEventListener('drop', event => {
+  event.preventDefault();
+  const [file] = event.dataTransfer.files;
+  if (file) {
+    openFile(file);
+  }
+});
 
 // ---- The same bits
 

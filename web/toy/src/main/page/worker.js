@@ -18,27 +18,59 @@ const commands = {
   pin: () => toy.pin(),
   cut: () => toy.cut(),
   release: () => toy.release(),
+  restore: ({ snapshot, name }) => {
+    const reason = reasonAgainst(snapshot);
+    if (reason !== '') {
+      postMessage({ notice: `${name} is not opened: ${reason}.` });
+    } else {
+      postMessage({ restored: true, name, undrawn: toy.undrawn() });
+    }
+  },
+  save: ({ as }) => postMessage({ saved: new Uint8Array(toy.snapshot().buffer), as }),
   surface: ({ friction, rolling }) => toy.setSurface(friction, rolling),
 };
 
+/** Opens a snapshot, or says why it cannot be opened. */
+function reasonAgainst(snapshot) {
+  try {
+    return toy.restore(new Int8Array(snapshot.buffer));
+  } catch (e) {
+    return String(e.message ?? e);
+  }
+}
+
+/** What a tool cannot do in this world is left out, and said; the world goes on. */
+function attempt(work) {
+  try {
+    work();
+  } catch (e) {
+    postMessage({ notice: `Not done: ${e.message ?? e}.` });
+    toy.release();
+  }
+}
+
 function frame({ steps, actions }) {
   for (const action of actions) {
-    commands[action.what](action);
+    attempt(() => commands[action.what](action));
   }
   const begin = performance.now();
-  for (let k = 0; k < steps; k++) {
-    toy.step();
-  }
-  for (let k = 0; k > steps; k--) {
-    toy.back();
-  }
+  attempt(() => {
+    for (let k = 0; k < steps; k++) {
+      toy.step();
+    }
+    for (let k = 0; k > steps; k--) {
+      toy.back();
+    }
+  });
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
   const pieces = toy.terrain();
   const joints = toy.joints();
+  const view = toy.view();
+  const open = [toy.isOpenX(), toy.isOpenY()];
   const surface = { friction: toy.friction(), rolling: toy.rollingResistance() };
   const figures = { steps: toy.steps(), hash: toy.hash(), millis, made: steps };
-  postMessage({ circles, pieces, joints, surface, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
+  postMessage({ circles, pieces, joints, view, open, surface, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
 }
 
 function sameBits({ scenes }) {

@@ -2,6 +2,8 @@ package io.github.circles2d.playground;
 
 import java.awt.FileDialog;
 import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -10,7 +12,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
 
-/** Worlds and pictures in files, and pictures in the clipboard. Belongs to the event thread; the loop reads and writes worlds. */
+/** Worlds and pictures in files, and links and pictures in the clipboard. Belongs to the event thread; the loop reads and writes worlds. */
 final class FileMenu {
     private static final String WORLD = "circles2d";
     private static final String PICTURE = "png";
@@ -18,10 +20,13 @@ final class FileMenu {
     private final PlaygroundCanvas canvas;
     private final SessionLoop loop;
     private final java.awt.Frame parent;
+    private final String page;
     private String folder;
 
-    FileMenu(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop) {
+    /** Links begin with the address of a page; if it is empty, they are what goes behind one. */
+    FileMenu(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop, String page) {
         this.parent = parent;
+        this.page = page;
         this.canvas = canvas;
         this.loop = loop;
     }
@@ -38,6 +43,16 @@ final class FileMenu {
         if (file != null) {
             loop.ask(session -> session.save(file));
         }
+    }
+
+    void copyLink() {
+        loop.ask(session -> {
+            copy(new StringSelection(page + session.link()));
+            session.say(
+                    page.isEmpty()
+                            ? "what goes behind the page's address is in the clipboard"
+                            : "the link is in the clipboard");
+        });
     }
 
     void savePicture() {
@@ -63,11 +78,18 @@ final class FileMenu {
     }
 
     void copyPicture() {
+        BufferedImage picture = canvas.picture();
+        loop.ask(session -> {
+            copy(new CopiedPicture(picture));
+            session.say("the picture is in the clipboard");
+        });
+    }
+
+    private static void copy(Transferable what) {
         try {
-            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new CopiedPicture(canvas.picture()), null);
-            say("the picture is in the clipboard");
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(what, null);
         } catch (IllegalStateException e) { // another program holds it
-            say("the clipboard is busy");
+            throw new IllegalStateException("the clipboard is busy", e);
         }
     }
 

@@ -30,7 +30,7 @@ final class Help {
         {"N", "next back end, same hash"},
         {"T", "times of a step by stage"},
         {"G", "graphs"},
-        {"ctrl + O  S  P  C", "open, save, picture, copy"},
+        {"ctrl + O  S  L  P  C", "open, save, link; picture, copy"},
     };
 
     private static final int FIRST = firstColumn();

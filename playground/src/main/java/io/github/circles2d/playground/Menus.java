@@ -35,6 +35,7 @@ final class Menus {
         JMenu file = menu("File");
         item(file, "Open world ...", "ctrl O", files::open);
         item(file, "Save world ...", "ctrl S", files::save);
+        item(file, "Copy link for the browser", "ctrl L", files::copyLink);
         file.addSeparator();
         item(file, "Save picture ...", "ctrl P", files::savePicture);
         item(file, "Copy picture", "ctrl C", files::copyPicture);

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 
 /**
  * A window on a {@link io.github.circles2d.World} to play with: circles are grabbed and thrown, poured, blown up, drawn and erased, in
- * slow motion and back in time, on any back end. {@code --help} lists options, keys and scenes. {@code --picture} and {@code --film}
- * need no display.
+ * slow motion and back in time, on any back end. {@code --help} lists options, keys and scenes. {@code --picture}, {@code --film},
+ * {@code --save} and {@code --link} need no display.
  */
 public final class Playground {
     private static final int FAILURE = 1;
@@ -47,13 +47,13 @@ public final class Playground {
             return 0;
         }
         try {
-            if (options.film() != null || options.picture() != null) {
+            if (options.writes()) {
                 System.setProperty("java.awt.headless", "true"); // a display that cannot be reached must not matter
                 writeFiles(options, out);
                 return 0;
             }
             return showWindow(options, err);
-        } catch (OpenClException | IOException e) {
+        } catch (OpenClException | IOException | WorldLink.TooLongException e) {
             err.println("circles2d play: " + FileFailure.reason(e));
             return FAILURE;
         }
@@ -67,18 +67,41 @@ public final class Playground {
             writePicture(options, options.picture());
             out.println(options.picture() + ": " + options.stage().name() + ", frame " + options.frames());
         }
+        if (options.save() != null || options.link()) {
+            writeWorld(options, out);
+        }
     }
 
     private static void writePicture(PlaygroundOptions options, Path file) throws IOException {
         Frame frame = new Frame();
-        try (Session session = new Session(options.stage(), options.backend())) {
+        try (Session session = afterFrames(options)) {
             session.setPaint(options.paint());
-            for (int k = 0; k < options.frames(); k++) {
-                session.sandbox().stepOnce(() -> {});
-            }
             session.frame(0, frame);
         }
         FileMenu.write(picture(frame, options.width(), options.height()), file);
+    }
+
+    private static void writeWorld(PlaygroundOptions options, PrintStream out) throws IOException {
+        try (Session session = afterFrames(options)) {
+            if (options.save() != null) {
+                session.sandbox().save(options.save());
+                long hash = session.world().hash();
+                String name = options.stage().name();
+                out.println(
+                        String.format("%s: %s, frame %d, hash %016x", options.save(), name, options.frames(), hash));
+            }
+            if (options.link()) {
+                out.println(options.page() + session.link());
+            }
+        }
+    }
+
+    private static Session afterFrames(PlaygroundOptions options) {
+        Session session = new Session(options.stage(), options.backend());
+        for (int k = 0; k < options.frames(); k++) {
+            session.sandbox().stepOnce(() -> {});
+        }
+        return session;
     }
 
     /** All of a frame's arena, without text. */
@@ -104,7 +127,7 @@ public final class Playground {
             return session;
         });
         loop.start();
-        PlaygroundWindow.show(loop, options.width(), options.height());
+        PlaygroundWindow.show(loop, options.width(), options.height(), options.page());
         loop.join();
         return 0;
     }

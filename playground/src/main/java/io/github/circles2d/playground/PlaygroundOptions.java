@@ -21,6 +21,9 @@ final class PlaygroundOptions {
     private int height = 720;
     private Path picture;
     private Path film;
+    private Path save;
+    private boolean link;
+    private String page = "";
     private boolean help;
 
     private PlaygroundOptions() {}
@@ -57,6 +60,9 @@ final class PlaygroundOptions {
             case "--size" -> size(value(name, rest));
             case "--picture" -> picture = path(name, value(name, rest));
             case "--film" -> film = path(name, value(name, rest));
+            case "--save" -> save = path(name, value(name, rest));
+            case "--link" -> link = true;
+            case "--page" -> page = page(value(name, rest));
             default -> throw new UsageException("there is no option '" + name + "'");
         }
     }
@@ -108,6 +114,14 @@ final class PlaygroundOptions {
         height = number("--size", sides[1], LEAST_SIZE, GREATEST_SIZE);
     }
 
+    private static String page(String address) throws UsageException {
+        if (!address.matches("https?://[^#\\s]+")) {
+            throw new UsageException(
+                    "--page takes an address such as https://host/toy/, without #, not '" + address + "'");
+        }
+        return address;
+    }
+
     private static int number(String name, String value, int least, int greatest) throws UsageException {
         try {
             int number = Integer.parseInt(value);
@@ -139,7 +153,10 @@ final class PlaygroundOptions {
                         + "  --paint WHAT          plain, speed, pressure or contacts (speed)%n"
                         + "  --size WIDTHxHEIGHT   of the picture in pixels (1280x720)%n"
                         + "  --picture FILE        no window: write the last frame to a PNG file%n"
-                        + "  --frames N            frames before the picture (300)%n"
+                        + "  --save FILE           no window: write the last world to a file, and print its hash%n"
+                        + "  --link                no window: print the last world as a link for the page in a browser%n"
+                        + "  --frames N            frames before the picture, file or link (300)%n"
+                        + "  --page ADDRESS        of that page: links begin with it (they are what goes behind it)%n"
                         + "  --film FILE           no window: write the short film of the README, an animated PNG%n"
                         + "  --help, -h            print this text%n%n"
                         + "Keys and mouse:%n")
@@ -191,6 +208,26 @@ final class PlaygroundOptions {
     /** The film to write instead of showing a window; null for none. */
     Path film() {
         return film;
+    }
+
+    /** The file to write the world to instead of showing a window; null for none. */
+    Path save() {
+        return save;
+    }
+
+    /** Whether to print a link instead of showing a window. */
+    boolean link() {
+        return link;
+    }
+
+    /** Whether files or links come in place of a window. */
+    boolean writes() {
+        return film != null || picture != null || save != null || link;
+    }
+
+    /** The address that links begin with; may be empty. */
+    String page() {
+        return page;
     }
 
     boolean help() {

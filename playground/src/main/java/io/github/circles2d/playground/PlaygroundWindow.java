@@ -25,12 +25,12 @@ final class PlaygroundWindow {
     /** Whether the event thread has been asked to show a frame and has not yet done so. */
     private final AtomicBoolean due = new AtomicBoolean();
 
-    private PlaygroundWindow(SessionLoop loop, BackendSwitch backends, int width, int height) {
+    private PlaygroundWindow(SessionLoop loop, BackendSwitch backends, int width, int height, String page) {
         this.loop = loop;
         Menus.prepare();
         canvas = new PlaygroundCanvas(loop, width, height);
         bar = new Bar(loop, width);
-        menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop), backends, this::leave);
+        menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop, page), backends, this::leave);
         JPanel content = new JPanel(new BorderLayout());
         content.add(bar, BorderLayout.NORTH);
         content.add(canvas, BorderLayout.CENTER);
@@ -71,12 +71,12 @@ final class PlaygroundWindow {
         }
     }
 
-    /** Shows the window of a loop that has been started; returns at once. */
-    static void show(SessionLoop loop, int width, int height) {
+    /** Shows the window of a loop that has been started; returns at once. Links begin with the address of a page. */
+    static void show(SessionLoop loop, int width, int height, String page) {
         // Swing asks the desktop for smooth text, and many have no answer.
         System.setProperty("awt.useSystemAAFontSettings", System.getProperty("awt.useSystemAAFontSettings", "on"));
         BackendSwitch backends = new BackendSwitch(loop);
-        EventQueue.invokeLater(() -> new PlaygroundWindow(loop, backends, width, height));
+        EventQueue.invokeLater(() -> new PlaygroundWindow(loop, backends, width, height, page));
     }
 
     /** Called by the thread of the loop. If the event thread is behind, it skips frames. */

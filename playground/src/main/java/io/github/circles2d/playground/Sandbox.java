@@ -122,7 +122,7 @@ final class Sandbox implements AutoCloseable {
     }
 
     /** The state, ready to be restored. */
-    private ByteBuffer snapshot() {
+    ByteBuffer snapshot() {
         ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
         world.snapshot(bytes);
         return bytes.flip();

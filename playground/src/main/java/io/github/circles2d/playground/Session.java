@@ -313,6 +313,7 @@ final class Session implements AutoCloseable {
     }
 
     void save(Path file) {
+        hand.letGo(sandbox); // the saved world has no hand in it
         attempt("saved " + file.getFileName(), () -> sandbox.save(file));
     }
 
@@ -320,9 +321,15 @@ final class Session implements AutoCloseable {
         hand.letGo(sandbox);
         attempt("opened " + file.getFileName(), () -> {
             sandbox.open(file);
-            hand.wentBack(sandbox);
+            hand.forget();
             restarted();
         });
+    }
+
+    /** The world as the fragment of a link. */
+    String link() {
+        hand.letGo(sandbox);
+        return WorldLink.of(sandbox.snapshot().array());
     }
 
     private void restarted() {

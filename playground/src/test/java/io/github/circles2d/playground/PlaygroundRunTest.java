@@ -2,6 +2,7 @@ package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Backend;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -39,6 +40,7 @@ class PlaygroundRunTest {
                 "--backend abacus | --backend takes auto, jvm, cpu or gpu, not 'abacus'",
                 "--paint taste | --paint takes plain, speed, pressure or contacts, not 'taste'",
                 "--picture | --picture needs a value",
+                "--page here | --page takes an address such as https://host/toy/, without #, not 'here'",
                 "--colour red | there is no option '--colour'"
             })
     void aBadCommandLineEndsWithStatus2AndSaysWhatWasWrong(String line, String message) throws Exception {
@@ -85,6 +87,34 @@ class PlaygroundRunTest {
         assertThat(lit).as("pixels of circles").isGreaterThan(3000);
     }
 
+    @Test
+    void aWorldIsSavedWithItsHashAndPrintedAsALink(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("world.circles2d");
+        String[] line = {
+            "--scene", "pyramid", "--frames", "20", "--save", file.toString(), "--link", "--page", "http://a/"
+        };
+        assertThat(run(line)).isZero();
+        try (Sandbox sandbox = new Sandbox(Stages.named("pyramid"), Backend.JVM)) {
+            for (int k = 0; k < 20; k++) {
+                sandbox.stepOnce(() -> {});
+            }
+            String hash = String.format("%016x", sandbox.world().hash());
+            String link = WorldLink.of(sandbox.snapshot().array());
+            assertThat(out.toString(StandardCharsets.UTF_8).lines())
+                    .containsExactly(file + ": pyramid, frame 20, hash " + hash, "http://a/" + link);
+            assertThat(file).hasBinaryContent(sandbox.snapshot().array());
+        }
+    }
+
+    @Test
+    void aWorldThatIsTooLargeForALinkIsOneLineAndStatus1() throws Exception {
+        assertThat(run("--scene", "packed", "--frames", "1", "--link")).isEqualTo(1);
+        assertThat(err.toString(StandardCharsets.UTF_8).lines())
+                .singleElement()
+                .asString()
+                .matches("circles2d play: a link would have .* save a file instead");
+    }
+
     private static BufferedImage read(Path file) {
         try {
             return ImageIO.read(file.toFile());
@@ -94,7 +124,7 @@ class PlaygroundRunTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"--film", "--picture"})
+    @ValueSource(strings = {"--film", "--picture", "--save"})
     void aFileThatCannotBeWrittenIsOneLineAndStatus1(String option, @TempDir Path folder) {
         Path nowhere = folder.resolve("no-such-folder/file.png");
         ForkedJvm.Result result = new ForkedJvm().run(Playground.class, "--frames", "1", option, nowhere.toString());

@@ -3,7 +3,9 @@ package io.github.circles2d.playground;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Joint;
 import io.github.circles2d.Wall;
+import io.github.circles2d.World;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -385,7 +387,7 @@ class PlaygroundSessionTest {
     }
 
     @Test
-    void theHandLetsGoOfThePastAndOfAWorldThatIsOpened(@TempDir Path folder) {
+    void theHandLetsGoOfThePastAndOfAWorldThatIsSaved(@TempDir Path folder) {
         session.load(Stages.named("marbles"));
         float x = session.world().x(session.world().handle(0));
         float y = session.world().y(session.world().handle(0));
@@ -394,7 +396,6 @@ class PlaygroundSessionTest {
         assertThat(frame.joints).isEqualTo(1);
         assertThat(frame.joint[0]).as("an end is where its circle is drawn").isEqualTo(frame.x[0]);
         session.save(folder.resolve("held"));
-        session.release();
         frames(5);
         assertThat(frame.joints).isZero();
         for (int k = 0; k < 7; k++) {
@@ -405,6 +406,25 @@ class PlaygroundSessionTest {
         frames(1);
         assertThat(frame.message).isEqualTo("opened held");
         assertThat(frame.joints).isZero();
+    }
+
+    @Test
+    void aWorldIsOpenedToTheBitWithJointsWhoseForceHasALimit(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("world");
+        World world = session.world();
+        long circle = world.add(80, 90, 1, 1);
+        world.joints().add(circle, 80, 95, Joint.mouse(4, 1, 50));
+        world.joints().add(circle, Joint.friction(1, 1));
+        session.save(file);
+        long hash = world.hash();
+        session.load(Stages.named("empty"));
+        session.open(file);
+        assertThat(session.world().hash()).isEqualTo(hash);
+        session.stepOnce();
+        session.stepBack();
+        assertThat(session.world().joints().size())
+                .as("only the hand of then is let go")
+                .isEqualTo(1);
     }
 
     @Test

@@ -62,6 +62,7 @@ class PlaygroundWindowTest {
                         "the right button moves the picture: true",
                         "home shows all: true",
                         "a picture is in the clipboard: true",
+                        "a link is in the clipboard: true",
                         "main ends")
                 .doesNotContain("Exception");
         assertThat(result.exitStatus()).as(result.output()).isZero();

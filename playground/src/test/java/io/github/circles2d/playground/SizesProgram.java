@@ -57,7 +57,7 @@ final class SizesProgram {
         }
         loop = new SessionLoop(() -> new Session(Stages.named("pegs"), Backend.JVM));
         loop.start();
-        PlaygroundWindow.show(loop, 1000, 700);
+        PlaygroundWindow.show(loop, 1000, 700, "");
         SwingUtilities.invokeAndWait(() -> window = (JFrame) java.awt.Frame.getFrames()[0]);
         canvas = (PlaygroundCanvas) find(PlaygroundCanvas.class);
         bar = (Bar) find(Bar.class);

@@ -61,7 +61,7 @@ final class WindowProgram {
         }
         loop = new SessionLoop(() -> new Session(Stages.named("sandbox"), Backend.JVM));
         loop.start();
-        PlaygroundWindow.show(loop, 1100, 700);
+        PlaygroundWindow.show(loop, 1100, 700, "https://example.org/");
         SwingUtilities.invokeAndWait(() -> window = (JFrame) java.awt.Frame.getFrames()[0]);
         canvas = (PlaygroundCanvas) find(window.getContentPane(), PlaygroundCanvas.class);
         say("circles are lit", becomesTrue(this::isLit));
@@ -236,9 +236,19 @@ final class WindowProgram {
 
     private void copy() throws Exception {
         SwingUtilities.invokeAndWait(
-                () -> window.getJMenuBar().getMenu(0).getItem(4).doClick());
+                () -> window.getJMenuBar().getMenu(0).getItem(5).doClick());
+        ask(s -> 0); // the session has copied it
         Image picture = (Image) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
         say("a picture is in the clipboard", picture.getWidth(null) == canvas.getWidth());
+        ask(s -> {
+            s.load(Stages.named("marbles"));
+            return 0;
+        });
+        SwingUtilities.invokeAndWait(
+                () -> window.getJMenuBar().getMenu(0).getItem(2).doClick());
+        ask(s -> 0); // the session has copied it
+        Object link = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        say("a link is in the clipboard", link.toString().startsWith("https://example.org/#world="));
     }
 
     private void saveTheRest() throws Exception {

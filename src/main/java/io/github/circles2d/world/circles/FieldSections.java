@@ -109,7 +109,7 @@ final class FieldSections {
     private static CircleField field(int number) {
         CircleField field = CircleField.ofNumber(number);
         if (field == null) {
-            throw SnapshotCodec.refused("no field of a circle has the number " + number);
+            throw SnapshotCodec.later("it has a field of circles with the unknown number " + number);
         }
         return field;
     }

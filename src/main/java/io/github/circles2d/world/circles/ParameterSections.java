@@ -156,6 +156,9 @@ final class ParameterSections {
     }
 
     private static void readFloats(ByteBuffer in, SavedState s, int number) {
+        if (number > JOINTS) {
+            throw SnapshotCodec.later("it has a section with the unknown number " + number);
+        }
         SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
         SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
         WorldParameters p = s.parameters();
@@ -170,7 +173,6 @@ final class ParameterSections {
             SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
             SnapshotCodec.require(startsAtWalls(s.parameters()), "an edge moves that is no wall");
         } else {
-            SnapshotCodec.require(number == CONTACTS, "no section has the number " + number);
             s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
             SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
         }

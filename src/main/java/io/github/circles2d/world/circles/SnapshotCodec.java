@@ -280,7 +280,9 @@ public final class SnapshotCodec {
         require(from.limit() >= HEADER, "it has no room for the header: " + from.limit() + " bytes");
         require(from.getInt() == MAGIC, "it does not begin as one");
         int version = from.getInt();
-        require(version == VERSION, "its version is " + version + ", not " + VERSION);
+        if (version != VERSION) {
+            throw later("its version is " + version + ", and this one reads version " + VERSION);
+        }
         int length = from.getInt();
         require(
                 length >= HEADER && length <= from.limit(),
@@ -450,6 +452,10 @@ public final class SnapshotCodec {
         if (!holds) {
             throw refused(message);
         }
+    }
+
+    static IllegalArgumentException later(String what) {
+        return new IllegalArgumentException("this snapshot is from a later version of circles2d, or damaged: " + what);
     }
 
     /** For a message that is put together: to do so where nothing is refused would be garbage of each read. */

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.Chain;
 import io.github.circles2d.Edge;
@@ -18,6 +19,7 @@ import io.github.circles2d.opencl.TestScale;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -119,6 +121,39 @@ class ForgedSnapshotTest {
             }
         }
         assertThat(accepted).isBetween(FORGERIES / 20, FORGERIES);
+    }
+
+    @Test
+    void aLaterVersionIsNamed() {
+        try (World world = WorldScenes.jvm().threads(1).build()) {
+            ByteBuffer good = ByteBuffer.allocate(SnapshotCodec.HEADER).order(ByteOrder.LITTLE_ENDIAN);
+            world.snapshot(good);
+            ByteBuffer version = copy(good, 0).putInt(4, 2);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.restore(version))
+                    .withMessageContaining("from a later version")
+                    .withMessageContaining("its version is 2");
+            ByteBuffer field = withSection(good, 999);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.restore(field))
+                    .withMessageContaining("from a later version");
+            ByteBuffer section = withSection(good, 1_999);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.restore(section))
+                    .withMessageContaining("a section with the unknown number 1999");
+        }
+    }
+
+    private static ByteBuffer withSection(ByteBuffer good, int number) {
+        ByteBuffer later = copy(good, 12);
+        later.putInt(SnapshotCodec.HEADER, number).putInt(SnapshotCodec.HEADER + 4, 1);
+        later.putInt(8, later.limit()).putInt(60, 1); // length and number of sections
+        return later.putLong(SnapshotCodec.CHECK_AT, SnapshotCodec.check(later, later.limit()));
+    }
+
+    private static ByteBuffer copy(ByteBuffer good, int more) {
+        ByteBuffer copy = ByteBuffer.allocate(good.limit() + more).order(ByteOrder.LITTLE_ENDIAN);
+        return copy.put(0, good, 0, good.limit());
     }
 
     /** Joints of all kinds; one goes. */

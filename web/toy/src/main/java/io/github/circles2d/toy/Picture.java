@@ -25,12 +25,16 @@ final class Picture {
 
     private static final int TINTS = 8;
 
-    /** The speed that has the last colour. */
-    private static final float FAST = 70;
+    /** The form of a piece of terrain that is an arc. */
+    static final float ARC = 3;
+
+    /** The speed that has the last colour, as a part of one that is high in the world. */
+    private static final float FAST = 0.5f;
 
     /** Of the mean pressure, so that some circles have the last colour. */
     private static final float RANGE = 3;
 
+    private final float fast;
     private float[] circles = new float[0];
     private float[] more = new float[0];
     private float[] angles = new float[0];
@@ -39,6 +43,10 @@ final class Picture {
     private float[] ends = new float[0];
     private float meanPressure;
     private float meanTension;
+
+    Picture(Grain grain) {
+        fast = FAST * grain.highSpeed();
+    }
 
     /** The pieces of terrain as they are, with a shade in place of the kind. */
     Float32Array terrainOf(World world) {
@@ -138,7 +146,7 @@ final class Picture {
         float a = more[2 * id];
         float b = more[2 * id + 1];
         return switch (mode) {
-            case SPEED -> Math.min((float) Math.sqrt(Math.sqrt(a * a + b * b) / FAST), 1);
+            case SPEED -> Math.min((float) Math.sqrt(Math.hypot(a, b) / fast), 1);
             case PRESSURE -> meanPressure == 0 ? 0 : Math.min(b / (RANGE * meanPressure), 1);
             default -> (id * 5 + (id >>> 3)) % TINTS / (float) (TINTS - 1);
         };

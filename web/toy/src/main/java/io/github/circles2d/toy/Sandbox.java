@@ -1,6 +1,7 @@
 package io.github.circles2d.toy;
 
 import io.github.circles2d.Joint;
+import io.github.circles2d.JointType;
 import io.github.circles2d.Joints;
 import io.github.circles2d.Rewind;
 import io.github.circles2d.Ropes;
@@ -11,37 +12,50 @@ import java.util.Random;
 /** A world, its past, and what the pointer does to it. */
 final class Sandbox {
     static final float DT = 1 / 60f;
-    static final float WIDTH = 160;
-    static final float HEIGHT = 100;
 
     /** Steps to go back by: ten seconds, or fewer of a large world. */
     private static final int MOST_PAST = 600;
 
-    private static final int LEAST_PAST = 60;
+    private static final int LEAST_PAST = 4;
     private static final int BYTES_OF_PAST = 64 << 20;
 
+    /** How many circles there are at most when tools have added theirs. */
     private static final int MOST_CIRCLES = 8_000;
+
+    /** How many they may add to any world. */
+    private static final int MORE_CIRCLES = 2_000;
 
     // Of the joint between the pointer and a grabbed circle.
     private static final float PULL_HERTZ = 4;
-    private static final float PULL_ACCELERATION = 6_000;
 
-    /** How far beside a circle a finger may be. */
-    private static final float NEAR = 3;
+    /** The greatest acceleration, which brings a circle to a high speed in a fortieth of a second. */
+    private static final float PULL = 40;
 
-    private static final float LINK = 1.6f;
-    private static final float LINK_RADIUS = 0.5f;
-    private static final float CUT = 0.7f;
+    /** The speed that an explosion gives to a usual circle, as a part of one that is high in the world. */
+    private static final float BLAST = 0.7f;
 
-    private static final int MOST_PIECES = 4_000;
-    private static final float SHORTEST_WALL = 0.5f;
-    private static final float BLAST_RADIUS = 4;
-    private static final float BLAST_FALLOFF = 16;
-    private static final float BLAST_IMPULSE = 70;
+    // In radii of usual circles.
+    private static final float NEAR = 3.5f; // how far beside a circle a finger may be
+    private static final float LINK = 1.9f;
+    private static final float LINK_RADIUS = 0.6f;
+    private static final float CUT = 0.8f;
+    private static final float WALL_RADIUS = 0.9f;
+    private static final float SHORTEST_WALL = 0.6f;
+    private static final float BLAST_RADIUS = 4.5f;
+    private static final float BLAST_FALLOFF = 18;
+    private static final float POURED_AROUND = 4.5f;
+    private static final float POURED_LEAST = 0.7f;
+    private static final float POURED_MORE = 0.6f;
+    private static final float POURED_SPEED = 35; // a second
+
     private static final int POURED = 6;
+    private static final int MOST_PIECES = 4_000;
 
     private final World world;
+    private final Grain grain;
+    private final View first;
     private final Rewind past;
+    private final int mostCircles;
     private final Random random = new Random(1);
     private long grabbed;
     private long grip;
@@ -53,14 +67,25 @@ final class Sandbox {
     private float y;
     private int steps;
 
-    Sandbox(String stage) {
-        world = Stages.open(stage);
+    Sandbox(World world) {
+        this.world = world;
+        first = View.of(world);
+        grain = Grain.of(world, first);
+        mostCircles = Math.max(MOST_CIRCLES, world.size() + MORE_CIRCLES);
         int fitting = BYTES_OF_PAST / world.snapshotBytes();
         past = new Rewind(world, Math.max(LEAST_PAST, Math.min(fitting, MOST_PAST)));
     }
 
     World world() {
         return world;
+    }
+
+    Grain grain() {
+        return grain;
+    }
+
+    View view() {
+        return first.now(world);
     }
 
     int steps() {
@@ -73,8 +98,8 @@ final class Sandbox {
 
     /** The pointer is there now. A wall that is being drawn goes on to it. */
     void moveTo(float toX, float toY) {
-        x = Math.max(0, Math.min(toX, WIDTH));
-        y = Math.max(0, Math.min(toY, HEIGHT));
+        x = view().nearestX(toX);
+        y = view().nearestY(toY);
     }
 
     /** Takes the circle at the pointer. */
@@ -86,7 +111,7 @@ final class Sandbox {
     private long circleHere() {
         long[] found = {world.queries().pick(x, y)};
         if (found[0] == 0) {
-            world.queries().nearest(x, y, NEAR, 1, found, null);
+            world.queries().nearest(x, y, NEAR * grain.radius(), 1, found, null);
         }
         return found[0];
     }
@@ -111,17 +136,18 @@ final class Sandbox {
             join(begun, begunX, begunY, to, toX, toY, Joint.spring(2, 0.2f));
             return;
         }
-        int count = (int) (length / LINK) - 1;
-        if (count < 1 || world.size() + count > MOST_CIRCLES) {
+        int count = (int) (length / (LINK * grain.radius())) - 1;
+        if (count < 1 || world.size() + count > mostCircles) {
             return;
         }
         Ropes.End from = begun == 0 ? Ropes.at(begunX, begunY) : Ropes.circle(begun);
         Ropes.End end = to == 0 ? Ropes.at(toX, toY) : Ropes.circle(to);
-        float mass = LINK_RADIUS * LINK_RADIUS;
+        float radius = LINK_RADIUS * grain.radius();
+        float mass = grain.mass(radius);
         if (isLoose(begun) || isLoose(to)) {
-            Ropes.rope(world, from, end, count, LINK_RADIUS, mass, 0);
+            Ropes.rope(world, from, end, count, radius, mass, 0);
         } else {
-            Ropes.bridge(world, from, end, count, LINK_RADIUS, mass, 0);
+            Ropes.bridge(world, from, end, count, radius, mass, 0);
         }
     }
 
@@ -152,7 +178,8 @@ final class Sandbox {
     /** Removes the joints here. */
     void cut() {
         Joints joints = world.joints();
-        for (long found = joints.pick(x, y, CUT); found != 0; found = joints.pick(x, y, CUT)) {
+        float reach = CUT * grain.radius();
+        for (long found = joints.pick(x, y, reach); found != 0; found = joints.pick(x, y, reach)) {
             joints.remove(found);
         }
     }
@@ -172,14 +199,16 @@ final class Sandbox {
     }
 
     void explode() {
-        world.explode(x, y, BLAST_RADIUS, BLAST_IMPULSE, BLAST_FALLOFF);
+        float radius = grain.radius();
+        float impulse = BLAST * grain.highSpeed() * grain.mass(radius);
+        world.explode(x, y, BLAST_RADIUS * radius, impulse, BLAST_FALLOFF * radius);
     }
 
     /** Draws a wall to the pointer. */
     void wallFrom(float fromX, float fromY) {
-        boolean isLong = Math.max(Math.abs(x - fromX), Math.abs(y - fromY)) > SHORTEST_WALL;
+        boolean isLong = Math.max(Math.abs(x - fromX), Math.abs(y - fromY)) > SHORTEST_WALL * grain.radius();
         if (isLong && world.terrain().size() < MOST_PIECES) {
-            world.terrain().addSegment(fromX, fromY, x, y, Stages.WALL_RADIUS, 0);
+            world.terrain().addSegment(fromX, fromY, x, y, WALL_RADIUS * grain.radius(), 0);
         }
     }
 
@@ -221,18 +250,21 @@ final class Sandbox {
         } else if (grip != 0 && joints.contains(grip)) {
             joints.setAnchor(grip, x, y);
         } else {
-            grip = joints.add(grabbed, x, y, Joint.mouse(PULL_HERTZ, 1, PULL_ACCELERATION * mass));
+            grip = joints.add(grabbed, x, y, Joint.mouse(PULL_HERTZ, 1, PULL * grain.highSpeed() * mass));
         }
     }
 
     private void addSome() {
-        for (int k = 0; k < POURED && world.size() < MOST_CIRCLES; k++) {
-            float radius = 0.6f + 0.5f * random.nextFloat();
-            float px = x + 8 * (random.nextFloat() - 0.5f);
-            float py = y + 8 * (random.nextFloat() - 0.5f);
-            boolean inside = px > radius && px < WIDTH - radius && py > radius && py < HEIGHT - radius;
-            if (inside && world.queries().overlapCircle(px, py, radius, new long[0]) == 0) {
-                world.add(px, py, radius, radius * radius, 0, -30);
+        View view = view();
+        float unit = grain.radius();
+        float gravity = (float) Math.hypot(world.gravityX(), world.gravityY());
+        float fall = gravity > 0 ? POURED_SPEED * unit / gravity : 0;
+        for (int k = 0; k < POURED && world.size() < mostCircles; k++) {
+            float radius = unit * (POURED_LEAST + POURED_MORE * random.nextFloat());
+            float px = x + 2 * POURED_AROUND * unit * (random.nextFloat() - 0.5f);
+            float py = y + 2 * POURED_AROUND * unit * (random.nextFloat() - 0.5f);
+            if (view.holds(px, py, radius) && world.queries().overlapCircle(px, py, radius, new long[0]) == 0) {
+                world.add(px, py, radius, grain.mass(radius), fall * world.gravityX(), fall * world.gravityY());
             }
         }
     }
@@ -251,10 +283,15 @@ final class Sandbox {
         Joints joints = world.joints();
         for (int id = 0; id < joints.idLimit(); id++) {
             long found = joints.handle(id);
-            if (found != 0 && joints.joint(found).maxForce() < Float.POSITIVE_INFINITY) { // no other joint has a limit
+            if (found != 0 && isHand(joints.joint(found))) {
                 joints.remove(found);
             }
         }
         grip = 0;
+    }
+
+    /** Stages have no other pin whose force has a limit. */
+    private static boolean isHand(Joint joint) {
+        return joint.type() == JointType.PIN && joint.maxForce() < Float.POSITIVE_INFINITY;
     }
 }

@@ -13,8 +13,7 @@ import java.util.Random;
 
 /** What there is to begin with. */
 final class Stages {
-    /** The thickness of walls. */
-    static final float WALL_RADIUS = 0.8f;
+    private static final float WALL_RADIUS = 0.8f;
 
     private static final float FIXED = Float.POSITIVE_INFINITY;
 
@@ -29,7 +28,7 @@ final class Stages {
     static World open(String name) {
         World world = World.builder()
                 .backend(Backend.JVM)
-                .bounds(0, 0, Sandbox.WIDTH, Sandbox.HEIGHT)
+                .bounds(0, 0, 160, 100)
                 .gravity(0, -60)
                 .restitution(0.3f)
                 .build();

@@ -1,7 +1,12 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.Backend;
+import io.github.circles2d.Edge;
+import io.github.circles2d.World;
+import java.nio.ByteBuffer;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Float32Array;
+import org.teavm.jso.typedarrays.Int8Array;
 
 /** The calls of the page. */
 public final class Toy {
@@ -16,12 +21,74 @@ public final class Toy {
     /** Opens a stage in place of what is. */
     @JSExport
     public static void open(String stage) {
-        Sandbox next = new Sandbox(stage);
+        take(Stages.open(stage));
+    }
+
+    /** Opens a snapshot in place of what is; all stays as it is if it has no world. Returns why not, or an empty text. */
+    @JSExport
+    public static String restore(Int8Array snapshot) {
+        World world = World.builder().backend(Backend.JVM).build();
+        try {
+            world.restore(ByteBuffer.wrap(snapshot.copyToJavaArray()));
+        } catch (IllegalArgumentException | IllegalStateException e) {
+            world.close();
+            return e.getMessage();
+        }
+        take(world);
+        return "";
+    }
+
+    private static void take(World world) {
+        Sandbox next = new Sandbox(world);
         if (sandbox != null) {
             sandbox.close();
         }
         sandbox = next;
-        picture = new Picture();
+        picture = new Picture(next.grain());
+    }
+
+    /** What of the world the page does not draw as it is: sentences, or an empty text. */
+    @JSExport
+    public static String undrawn() {
+        return Undrawn.of(sandbox.world());
+    }
+
+    /** The world as it is, for a file. The pointer lets it go first. */
+    @JSExport
+    public static Int8Array snapshot() {
+        sandbox.release();
+        World world = sandbox.world();
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return Int8Array.copyFromJavaArray(bytes.array());
+    }
+
+    /**
+     * Five numbers: the least x and y that the page shows, the greatest, and the radius of usual circles. Those of an axis that is open are
+     * the same as long as the world is.
+     */
+    @JSExport
+    public static Float32Array view() {
+        View view = sandbox.view();
+        Float32Array numbers = new Float32Array(5);
+        numbers.set(0, view.minX());
+        numbers.set(1, view.minY());
+        numbers.set(2, view.maxX());
+        numbers.set(3, view.maxY());
+        numbers.set(4, sandbox.grain().radius());
+        return numbers;
+    }
+
+    /** Whether there is no end to the world along x. */
+    @JSExport
+    public static boolean isOpenX() {
+        return sandbox.world().edgeX() == Edge.OPEN;
+    }
+
+    /** The same along y. */
+    @JSExport
+    public static boolean isOpenY() {
+        return sandbox.world().edgeY() == Edge.OPEN;
     }
 
     /** The pointer is there now. */
