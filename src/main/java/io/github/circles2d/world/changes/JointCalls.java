@@ -86,15 +86,24 @@ public final class JointCalls {
 
     /** Adds a joint between two circles, and returns its handle. */
     public long add(long circle, long other, JointForm form) {
+        return add(LoggedCall.JOINT, circle, other, form);
+    }
+
+    /** Adds a joint that holds a circle to no place, and returns its handle. */
+    public long add(long circle, JointForm form) {
+        return add(LoggedCall.JOINT_ALONE, circle, 0, form);
+    }
+
+    private long add(LoggedCall call, long circle, long other, JointForm form) {
         guard.enter();
         try {
             pending.settleJoints();
             int a = Circles.find(handles, circle);
-            int b = Circles.find(handles, other);
-            JointLimits.circles(form, a, b, handles);
+            int b = call == LoggedCall.JOINT ? Circles.find(handles, other) : JointRow.NONE;
+            check(form, a, b);
             begin(form, 1);
             log.joints(form);
-            log.call(LoggedCall.JOINT, a, b);
+            log.call(call, a, b);
             guard.changing = true;
             int joint = addOne(form, a, b);
             guard.changing = false;
@@ -106,24 +115,12 @@ public final class JointCalls {
         }
     }
 
-    /** Adds a joint that holds a circle to no place, and returns its handle. */
-    public long add(long circle, JointForm form) {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            int a = Circles.find(handles, circle);
+    /** Without a circle b, it holds a to no place. */
+    private void check(JointForm form, int a, int b) {
+        if (b == JointRow.NONE) {
             JointLimits.alone(form, a, handles);
-            begin(form, 1);
-            log.joints(form);
-            log.call(LoggedCall.JOINT_ALONE, a, 0);
-            guard.changing = true;
-            int joint = addOne(form, a, JointRow.NONE);
-            guard.changing = false;
-            return table.ids.handle(joint);
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
+        } else {
+            JointLimits.circles(form, a, b, handles);
         }
     }
 
@@ -152,50 +149,35 @@ public final class JointCalls {
 
     /** Adds joints between two circles each; the handles are optional. Returns how many. */
     public int addAll(long[] firsts, long[] others, JointForm form, long[] to) {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            int n = checkLengths(firsts, others, to);
-            JointLimits.room(n, table.ids.size());
-            ensureFound(n);
-            for (int k = 0; k < n; k++) {
-                find(k, firsts[k], others[k], form);
-            }
-            begin(form, n);
-            log.joints(form);
-            for (int k = 0; k < n; k++) {
-                log.call(LoggedCall.JOINT, found[k], foundOthers[k]);
-            }
-            guard.changing = true;
-            addFound(n, form, false, to);
-            guard.changing = false;
-            return n;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        return addAll(LoggedCall.JOINT, firsts, others, form, to);
     }
 
     /** Adds joints that hold a circle each to no place; the handles are optional. Returns how many. */
     public int addAll(long[] circlesOf, JointForm form, long[] to) {
+        return addAll(LoggedCall.JOINT_ALONE, circlesOf, null, form, to);
+    }
+
+    private int addAll(LoggedCall call, long[] firsts, long[] others, JointForm form, long[] to) {
         guard.enter();
         try {
             pending.settleJoints();
-            int n = Limits.notNull("circles", circlesOf).length;
+            int n = Limits.notNull("circles", firsts).length;
+            if (call == LoggedCall.JOINT) {
+                checkOthers(others, n);
+            }
             checkRoom(to, n);
             JointLimits.room(n, table.ids.size());
             ensureFound(n);
             for (int k = 0; k < n; k++) {
-                findAlone(k, circlesOf[k], form);
+                find(k, firsts[k], others, form);
             }
             begin(form, n);
             log.joints(form);
             for (int k = 0; k < n; k++) {
-                log.call(LoggedCall.JOINT_ALONE, found[k], 0);
+                log.call(call, found[k], foundOthers[k]);
             }
             guard.changing = true;
-            addFound(n, form, true, to);
+            addFound(n, form, to);
             guard.changing = false;
             return n;
         } catch (RuntimeException | Error e) {
@@ -205,23 +187,20 @@ public final class JointCalls {
         }
     }
 
-    private void addFound(int n, JointForm form, boolean alone, long[] to) {
+    private void addFound(int n, JointForm form, long[] to) {
         for (int k = 0; k < n; k++) {
-            int joint = addOne(form, found[k], alone ? JointRow.NONE : foundOthers[k]);
+            int joint = addOne(form, found[k], foundOthers[k]);
             if (to != null) {
                 to[k] = table.ids.handle(joint);
             }
         }
     }
 
-    private static int checkLengths(long[] firsts, long[] others, long[] to) {
-        int n = Limits.notNull("circles", firsts).length;
+    private static void checkOthers(long[] others, int n) {
         if (Limits.notNull("others", others).length != n) {
             throw new IllegalArgumentException(
                     "others has " + others.length + " elements, but must have one for each of " + n + " circles");
         }
-        checkRoom(to, n);
-        return n;
     }
 
     private static void checkRoom(long[] to, int n) {
@@ -238,20 +217,12 @@ public final class JointCalls {
         }
     }
 
-    private void find(int k, long circle, long other, JointForm form) {
+    /** Finds the circles of joint k; others is null if the joints hold circles to no place. */
+    private void find(int k, long circle, long[] others, JointForm form) {
         try {
             found[k] = Circles.find(handles, circle);
-            foundOthers[k] = Circles.find(handles, other);
-            JointLimits.circles(form, found[k], foundOthers[k], handles);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
-        }
-    }
-
-    private void findAlone(int k, long circle, JointForm form) {
-        try {
-            found[k] = Circles.find(handles, circle);
-            JointLimits.alone(form, found[k], handles);
+            foundOthers[k] = others == null ? JointRow.NONE : Circles.find(handles, others[k]);
+            check(form, found[k], foundOthers[k]);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
         }
