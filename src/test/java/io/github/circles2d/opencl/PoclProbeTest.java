@@ -123,8 +123,8 @@ class PoclProbeTest {
         environment.remove("XDG_CACHE_HOME");
         environment.remove("HOME");
         assertThat(complaint()).isEmpty();
-        write("tmp", "");
-        assertThat(complaint().orElseThrow()).contains(root + "/tmp/pocl/uncached");
+        String temporaryFiles = write("tmp", "").toString();
+        assertThat(complaint().orElseThrow()).contains(temporaryFiles + "/pocl/uncached");
     }
 
     @Test
