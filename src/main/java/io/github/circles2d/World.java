@@ -223,7 +223,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return simulation.circles().add(x, y, radius, mass, vx, vy);
+        return simulation.newCircles().add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -241,7 +241,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
-        return simulation.circles().add(x, y, radius, mass, vx, vy, kind);
+        return simulation.newCircles().add(x, y, radius, mass, vx, vy, kind);
     }
 
     /**
@@ -280,7 +280,7 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles) {
-        simulation.circles().addAll(circles, velocities, kinds, handles);
+        simulation.newCircles().addAll(circles, velocities, kinds, handles);
     }
 
     /**
@@ -489,7 +489,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setTag(long handle, long tag) {
-        simulation.circles().set(CircleField.TAG, handle, tag);
+        simulation.fields().set(CircleField.TAG, handle, tag);
     }
 
     /**
@@ -511,7 +511,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setGroup(long handle, int group) {
-        simulation.circles().set(CircleField.GROUP, handle, group);
+        simulation.fields().set(CircleField.GROUP, handle, group);
     }
 
     /**
@@ -551,7 +551,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyForce(long handle, float x, float y) {
-        simulation.circles().applyForce(handle, x, y);
+        simulation.forces().apply(handle, x, y);
     }
 
     /**
@@ -563,7 +563,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setFriction(long handle, float friction) {
-        simulation.circles().setFriction(handle, friction);
+        simulation.fields().setFriction(handle, friction);
     }
 
     /**
@@ -576,7 +576,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRollingResistance(long handle, float resistance) {
-        simulation.circles().setRollingResistance(handle, resistance);
+        simulation.fields().setRollingResistance(handle, resistance);
     }
 
     /**
@@ -625,7 +625,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setTorque(long handle, float torque) {
-        simulation.circles().setTorque(handle, torque);
+        simulation.fields().setTorque(handle, torque);
     }
 
     /**
@@ -637,7 +637,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyTorque(long handle, float torque) {
-        simulation.circles().applyTorque(handle, torque);
+        simulation.forces().applyTorque(handle, torque);
     }
 
     /**
@@ -1485,7 +1485,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceX(long handle) {
-        return simulation.circles().force(CircleField.FORCE_X, handle);
+        return simulation.fields().force(CircleField.FORCE_X, handle);
     }
 
     /**
@@ -1496,7 +1496,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceY(long handle) {
-        return simulation.circles().force(CircleField.FORCE_Y, handle);
+        return simulation.fields().force(CircleField.FORCE_Y, handle);
     }
 
     /**
@@ -1507,7 +1507,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float torque(long handle) {
-        return simulation.circles().force(CircleField.TORQUE, handle);
+        return simulation.fields().force(CircleField.TORQUE, handle);
     }
 
     /**
@@ -1518,7 +1518,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float friction(long handle) {
-        return simulation.circles().friction(handle);
+        return simulation.fields().friction(handle);
     }
 
     /**
@@ -1529,7 +1529,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float rollingResistance(long handle) {
-        return simulation.circles().rollingResistance(handle);
+        return simulation.fields().rollingResistance(handle);
     }
 
     /**
@@ -1540,7 +1540,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public long tag(long handle) {
-        return simulation.circles().get(CircleField.TAG, handle);
+        return simulation.fields().get(CircleField.TAG, handle);
     }
 
     /**
@@ -1551,7 +1551,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int kindOf(long handle) {
-        return (int) simulation.circles().get(CircleField.KIND, handle);
+        return (int) simulation.fields().get(CircleField.KIND, handle);
     }
 
     /**
@@ -1562,7 +1562,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int group(long handle) {
-        return (int) simulation.circles().get(CircleField.GROUP, handle);
+        return (int) simulation.fields().get(CircleField.GROUP, handle);
     }
 
     /**

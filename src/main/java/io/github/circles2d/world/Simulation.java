@@ -1,13 +1,17 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.changes.AdmittedChanges;
 import io.github.circles2d.world.changes.Bodies;
 import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.changes.Clearing;
+import io.github.circles2d.world.changes.FieldCalls;
 import io.github.circles2d.world.changes.Forces;
 import io.github.circles2d.world.changes.Growth;
 import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.changes.Kinds;
+import io.github.circles2d.world.changes.NewCircles;
+import io.github.circles2d.world.changes.NextStep;
 import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.changes.PreparedChanges;
 import io.github.circles2d.world.changes.Travels;
@@ -35,15 +39,17 @@ import io.github.circles2d.world.saves.Journal;
 import io.github.circles2d.world.saves.Snapshots;
 import io.github.circles2d.world.search.Searches;
 import io.github.circles2d.world.search.TerrainView;
+import io.github.circles2d.world.shared.Breaking;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LastReading;
 import io.github.circles2d.world.shared.LoggedCall;
 import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.Pipeline;
-import io.github.circles2d.world.shared.StepFigures;
 import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldState;
 import io.github.circles2d.world.terrain.TerrainTables;
 import java.util.Collections;
 
@@ -77,10 +83,10 @@ public final class Simulation implements AutoCloseable {
     private final Needs needs;
     private final PendingWork pending;
     private final Copies copies;
-    private final StepFigures figures = new StepFigures();
-    private final Forces forces = new Forces(handles, commands);
-    private final Travels travels = new Travels(handles, commands);
+    private final WorldState state;
+    private final Forces forces;
     private final Growth growth;
+    private final NextStep nextStep;
     private final TerrainTables terrain;
     private final JointTables joints;
     private final Kinds kinds;
@@ -89,7 +95,9 @@ public final class Simulation implements AutoCloseable {
     private final JointCalls jointCalls;
     private final JointReads jointReads;
     private final Clearing clearing;
+    private final NewCircles newCircles;
     private final Circles circles;
+    private final FieldCalls fields;
     private final BulkChanges bulk;
     private final Readings readings;
     private final Loads loads;
@@ -111,29 +119,32 @@ public final class Simulation implements AutoCloseable {
         events.setPieces(terrain.pieces);
         joints = new JointTables(input.joints, handles, terrain);
         needs = new Needs(pipeline, kindTable, terrain, joints, settings);
-        pending = new PendingWork(pipeline, guard, handles, commands, events, log, joints, settings, needs);
-        copies = new Copies(pipeline, pending, handles, kindTable, events, settings, terrain, joints, needs);
+        Breaking breaking = new Breaking(pipeline, guard, joints, settings);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log, breaking, needs);
+        state = new WorldState(pipeline, handles, kindTable, events, settings, terrain, joints, needs);
+        copies = new Copies(pending, state, new LastReading(pipeline, handles, pending, needs));
         pieces = new Pieces(guard, terrain, joints, log, pending, copies, settings);
         bodies = new Bodies(guard, terrain, joints, log, pending, copies, settings);
         jointCalls = new JointCalls(guard, handles, terrain, joints, log, pending, copies);
         jointReads = new JointReads(guard, handles, joints, pending, copies.last(), settings);
-        kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
+        kinds = new Kinds(guard, kindTable, handles.fields(), log, copies, settings);
+        forces = new Forces(guard, handles, commands, log, copies, needs);
         growth = new Growth(guard, handles, commands, log, copies, settings);
-        clearing =
-                new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures, joints, needs);
-        PreparedChanges changes = new PreparedChanges(
-                guard, handles, commands, log, pending, copies, settings, kinds, travels, joints, needs);
-        circles = new Circles(
-                guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes,
-                needs);
+        Travels travels = new Travels(handles, commands);
+        nextStep = new NextStep(commands, forces, travels, growth);
+        clearing = new Clearing(guard, handles, events, log, pending, copies, joints, state);
+        AdmittedChanges admitted = new AdmittedChanges(guard, handles, commands, log, copies, travels, joints, needs);
+        PreparedChanges changes =
+                new PreparedChanges(handles, commands, pending, settings, kinds, travels, joints, admitted);
+        newCircles = new NewCircles(guard, handles, commands, pending, copies, settings, kinds);
+        circles = new Circles(guard, handles, commands, pending, copies, settings, nextStep, changes);
+        fields = new FieldCalls(guard, handles, commands, log, pending, copies, kinds, needs);
         TerrainView view = new TerrainView(terrain, input.terrain, kindTable, handles.fields(), settings);
         bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes, view);
         readings = new Readings(guard, handles, pipeline, pending, copies.last());
         loads = new Loads(guard, handles, copies, settings);
         reports = new Reports(guard, pipeline, handles, events, pending, copies);
-        snapshots = new Snapshots(
-                guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
-                growth, terrain, joints, needs);
+        snapshots = new Snapshots(guard, log, pending, copies, nextStep, state);
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         terrainSearches = new Searches(guard, handles, kindTable, settings, view);
@@ -145,6 +156,12 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** The calls that add circles. */
+    public NewCircles newCircles() {
+        return newCircles;
+    }
+
+    /** The calls on circles that are there. */
     public Circles circles() {
         return circles;
     }
@@ -152,6 +169,16 @@ public final class Simulation implements AutoCloseable {
     /** The calls on kinds of circles. */
     public Kinds kinds() {
         return kinds;
+    }
+
+    /** The calls on single fields of circles. */
+    public FieldCalls fields() {
+        return fields;
+    }
+
+    /** The calls on forces that act once. */
+    public Forces forces() {
+        return forces;
     }
 
     /** The calls on circles that grow. */
@@ -255,7 +282,7 @@ public final class Simulation implements AutoCloseable {
         if (handles.size() > 0) {
             Limits.room("the greatest radius of a circle", handles.greatestRadius(), next);
             Limits.room("the least radius of a circle", handles.leastRadius(), next);
-            growth.requireRoom(next);
+            nextStep.requireRoom(next);
         }
         pending.apply();
         copies.forget();
@@ -263,7 +290,7 @@ public final class Simulation implements AutoCloseable {
         Bounds start = WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
         guard.changing = true;
         pipeline.confine(start.walls(), next.walls());
-        travels.confine(next.walls());
+        nextStep.confine(next.walls());
         settings.setBounds(start, next);
         guard.changing = false;
         return 0;
@@ -343,35 +370,28 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
-        return !travels.isEmpty() || !forces.isEmpty() || settings.wallsMove() || !growth.isEmpty() || terrain.moves();
+        return !nextStep.isEmpty() || settings.wallsMove() || terrain.moves();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
     private void makeDifferentStep(float timeStep) {
-        forces.begin();
-        commands.ensure(growth.count() + travels.count());
-        growth.makeRoom();
-        travels.makeRoom();
+        nextStep.prepare();
         guard.changing = true;
-        growth.begin();
-        travels.depart(timeStep, settings.bounds());
+        nextStep.begin(timeStep, settings.bounds());
         log.skipCommands();
         guard.changing = false;
         try {
             makeSteps(timeStep, 1);
         } catch (RuntimeException | Error e) {
             if (!guard.changing) {
-                travels.stay();
-                growth.undo();
+                nextStep.undo();
                 log.commandsDropped();
             }
             throw e;
         }
         guard.changing = true;
         settings.stopWalls();
-        growth.end();
-        travels.arrive();
-        forces.end();
+        nextStep.end();
         log.skipCommands();
         guard.changing = false;
     }
@@ -386,7 +406,7 @@ public final class Simulation implements AutoCloseable {
         joints.makeRoom(settings.subSteps());
         guard.changing = true;
         boolean hasCircles = handles.size() > 0;
-        figures.stepped(hasCircles);
+        state.figures().stepped(hasCircles);
         if (hasCircles) {
             copies.forget();
             prepareInput(timeStep);
@@ -453,7 +473,7 @@ public final class Simulation implements AutoCloseable {
 
     private Figures currentFigures() {
         pending.finish();
-        boolean hold = figures.hold();
+        boolean hold = state.figures().hold();
         return new Figures(
                 handles.size(),
                 hold ? pipeline.candidatePairs() : 0,

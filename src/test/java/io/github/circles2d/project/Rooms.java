@@ -66,16 +66,7 @@ final class Rooms {
                     "world.joints",
                     "world.circles",
                     "world.log"),
-            entry(
-                    "world.saves",
-                    "world.changes",
-                    "world.shared",
-                    "world.terrain",
-                    "world.joints",
-                    "world.circles",
-                    "world.events",
-                    "world.log",
-                    "world.model"),
+            entry("world.saves", "world.changes", "world.shared", "world.circles", "world.log", "world.model"),
             entry("world.reads", "world.changes", "world.shared", "world.joints", "world.circles", "world.model"),
             entry("world.reports", "world.shared", "world.circles", "world.events", "world.model"),
             entry(

@@ -21,7 +21,7 @@ public final class SimulationScenes {
                 subSteps,
                 0);
         Simulation simulation = new Simulation(pipeline, parameters);
-        SceneLoader.circles(scene, simulation.circles()::add, (handle, restitution) -> simulation
+        SceneLoader.circles(scene, simulation.newCircles()::add, (handle, restitution) -> simulation
                 .circles()
                 .set(Commands.RESTITUTION, handle, restitution, 0));
         return simulation;

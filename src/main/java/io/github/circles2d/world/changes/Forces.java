@@ -7,6 +7,10 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Needs;
 import java.util.Arrays;
 
 /**
@@ -15,16 +19,31 @@ import java.util.Arrays;
  * same once more.
  */
 public final class Forces {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.CircleChange<Forces> APPLY = (forces, h, n, x, y) -> forces.applyOne(h, x, y);
+    private static final Guard.CircleChange<Forces> APPLY_TORQUE =
+            (forces, h, n, torque, none) -> forces.applyOneTorque(h, torque);
+
+    private final Guard guard;
+    private final HandleTable handles;
     private final CircleFields fields;
     private final Commands commands;
+    private final CallLog log;
+    private final Copies copies;
+    private final Needs needs;
 
     /** Circles on which a force or a torque may have been applied since the last step; some may be gone. */
     private int[] ids = new int[16];
 
     private int count;
 
-    public Forces(HandleTable handles, Commands commands) {
+    public Forces(Guard guard, HandleTable handles, Commands commands, CallLog log, Copies copies, Needs needs) {
+        this.guard = guard;
+        this.handles = handles;
         this.commands = commands;
+        this.log = log;
+        this.copies = copies;
+        this.needs = needs;
         fields = handles.fields();
     }
 
@@ -36,25 +55,51 @@ public final class Forces {
                 || fields.isUsed(CircleField.APPLIED_Y);
     }
 
+    /** Applies a force to a circle in the next step. */
+    public void apply(long handle, float x, float y) {
+        guard.change(this, handle, 0, x, y, APPLY);
+    }
+
+    private void applyOne(long handle, float x, float y) {
+        int id = Circles.find(handles, handle);
+        Limits.force(x, y);
+        ensure();
+        fields.ensure(CircleField.APPLIED_X, id + 1);
+        fields.ensure(CircleField.APPLIED_Y, id + 1);
+        log.force(id, x, y);
+        copies.forgetSaved();
+        guard.changing = true;
+        list(id);
+        fields.set(CircleField.APPLIED_X, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_X, id), x)));
+        fields.set(CircleField.APPLIED_Y, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_Y, id), y)));
+        guard.changing = false;
+    }
+
+    /** Applies a torque to a circle in the next step. */
+    public void applyTorque(long handle, float torque) {
+        guard.change(this, handle, 0, torque, 0, APPLY_TORQUE);
+    }
+
+    private void applyOneTorque(long handle, float torque) {
+        int id = Circles.find(handles, handle);
+        Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
+        ensure();
+        fields.ensure(CircleField.APPLIED_TORQUE, id + 1);
+        log.torque(id, torque);
+        copies.forgetSaved();
+        guard.changing = true;
+        needs.askToTurn();
+        list(id);
+        float before = fields.getFloat(CircleField.APPLIED_TORQUE, id);
+        fields.set(CircleField.APPLIED_TORQUE, id, CircleField.bits(sum(before, torque)));
+        guard.changing = false;
+    }
+
     /** Makes room for one more circle that a force or a torque is applied to. */
-    void ensure() {
+    private void ensure() {
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
         }
-    }
-
-    /** Applies a force in the next step, for which there is room. */
-    void apply(int id, float x, float y) {
-        list(id);
-        fields.set(CircleField.APPLIED_X, id, bits(sum(fields.getFloat(CircleField.APPLIED_X, id), x)));
-        fields.set(CircleField.APPLIED_Y, id, bits(sum(fields.getFloat(CircleField.APPLIED_Y, id), y)));
-    }
-
-    /** Applies a torque in the next step, for which there is room. */
-    void applyTorque(int id, float torque) {
-        list(id);
-        float before = fields.getFloat(CircleField.APPLIED_TORQUE, id);
-        fields.set(CircleField.APPLIED_TORQUE, id, bits(sum(before, torque)));
     }
 
     private void list(int id) {
@@ -76,18 +121,13 @@ public final class Forces {
         return CircleMath.clamp(a + b, -Limits.FORCE, Limits.FORCE) + 0f;
     }
 
-    /** A force or a torque as the bits of a field: there is one zero. */
-    static int bits(float force) {
-        return Float.floatToRawIntBits(force + 0f);
-    }
-
     /** Whether no force or torque acts in the next step alone. */
-    public boolean isEmpty() {
+    boolean isEmpty() {
         return count == 0;
     }
 
     /** Before the step: records what acts in it alone. */
-    public void begin() {
+    void begin() {
         commands.ensure(3 * count);
         for (int k = 0; k < count; k++) {
             if (isForced(ids[k])) {
@@ -101,11 +141,11 @@ public final class Forces {
     }
 
     private void hand(int id, CircleField set, CircleField applied) {
-        commands.setField(set, id, bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
+        commands.setField(set, id, CircleField.bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
     }
 
     /** After the step: puts back what has been set. There is room, since as many records were there for {@link #begin}. */
-    public void end() {
+    void end() {
         for (int k = 0; k < count; k++) {
             int id = ids[k];
             if (isForced(id)) {
@@ -122,7 +162,7 @@ public final class Forces {
         count = 0;
     }
 
-    public void makeRoom(SavedState from) {
+    void makeRoom(SavedState from) {
         int forced = from.fields.used(CircleField.APPLIED_X) + from.fields.used(CircleField.APPLIED_Y);
         int turned = from.fields.used(CircleField.APPLIED_TORQUE);
         if (ids.length < forced + turned) {
@@ -138,7 +178,7 @@ public final class Forces {
     }
 
     /** A saved state, for which there is room, has taken the place of the circles. */
-    public void restored(SavedState from) {
+    void restored(SavedState from) {
         count = 0;
         for (int id = 0; id < from.ids; id++) {
             if (isForced(id) || isTurned(id)) {

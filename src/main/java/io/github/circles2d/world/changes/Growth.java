@@ -111,17 +111,17 @@ public final class Growth {
     }
 
     /** Whether no circle grows in the next step. */
-    public boolean isEmpty() {
+    boolean isEmpty() {
         return count == 0;
     }
 
     /** The number of commands that {@link #begin} records at most. */
-    public int count() {
+    int count() {
         return count;
     }
 
     /** Refuses bounds in which a circle has no room at the end of its growth. */
-    public void requireRoom(Bounds bounds) {
+    void requireRoom(Bounds bounds) {
         for (int k = 0; k < count; k++) {
             if (grows(ids[k])) {
                 float radius = CircleField.growthRadius(fields.get(GROWTH, ids[k]));
@@ -131,7 +131,7 @@ public final class Growth {
     }
 
     /** Makes room for {@link #begin}, except for its commands. */
-    public void makeRoom() {
+    void makeRoom() {
         if (radiusBefore.length < count) {
             growthBefore = new long[ids.length];
             radiusBefore = new float[ids.length];
@@ -139,7 +139,7 @@ public final class Growth {
     }
 
     /** Before a step: gives the circles their next radii. */
-    public void begin() {
+    void begin() {
         drop();
         for (int k = 0; k < count; k++) {
             int id = ids[k];
@@ -157,7 +157,7 @@ public final class Growth {
     }
 
     /** The step has not begun for want of memory: all is as before it, and the last commands are taken back. */
-    public void undo() {
+    void undo() {
         commands.drop(count);
         for (int k = 0; k < count; k++) {
             handles.setRadius(ids[k], radiusBefore[k]);
@@ -166,7 +166,7 @@ public final class Growth {
     }
 
     /** After a step. */
-    public void end() {
+    void end() {
         drop();
     }
 
@@ -185,7 +185,7 @@ public final class Growth {
     }
 
     /** Makes room for the circles of a saved state that grow. */
-    public void makeRoom(SavedState from) {
+    void makeRoom(SavedState from) {
         int growing = from.fields.used(GROWTH);
         if (growing > 0) {
             ensure(growing, from.ids);
@@ -193,7 +193,7 @@ public final class Growth {
     }
 
     /** Another state, for which there is room, has taken the place of all that was. */
-    public void restored() {
+    void restored() {
         count = 0;
         Arrays.fill(listed, 0);
         for (int id = 0; id < handles.end() && fields.isUsed(GROWTH); id++) {

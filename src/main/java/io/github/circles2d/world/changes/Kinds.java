@@ -8,6 +8,7 @@ import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
 import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.WorldSettings;
 
 /** The calls on kinds of circles. A change acts from the next step on. */
 public final class Kinds {
@@ -21,13 +22,16 @@ public final class Kinds {
     private final CircleFields fields;
     private final CallLog log;
     private final Copies copies;
+    private final WorldSettings settings;
 
-    public Kinds(Guard guard, KindTable table, CircleFields fields, CallLog log, Copies copies) {
+    public Kinds(
+            Guard guard, KindTable table, CircleFields fields, CallLog log, Copies copies, WorldSettings settings) {
         this.guard = guard;
         this.table = table;
         this.fields = fields;
         this.log = log;
         this.copies = copies;
+        this.settings = settings;
     }
 
     public int check(int kind) {
@@ -89,8 +93,23 @@ public final class Kinds {
         return own(KindField.RESTITUTION, kind, otherwise);
     }
 
+    /** The restitution of a new circle of a kind: that of the kind, else the world's. */
+    float newRestitution(int kind) {
+        return restitution(kind, settings.defaultRestitution());
+    }
+
+    /** The friction of circles of a kind that have none of their own: that of the kind, else the world's. */
+    float friction(int kind) {
+        return own(KindField.FRICTION, kind, settings.surfaces().friction);
+    }
+
+    /** Likewise. */
+    float rollingResistance(int kind) {
+        return own(KindField.ROLLING_RESISTANCE, kind, settings.surfaces().rollingResistance);
+    }
+
     /** What a kind has of a field, unless it has none. */
-    float own(KindField field, int kind, float otherwise) {
+    private float own(KindField field, int kind, float otherwise) {
         float own = Float.intBitsToFloat(table.get(field, kind));
         return Float.isNaN(own) ? otherwise : own;
     }

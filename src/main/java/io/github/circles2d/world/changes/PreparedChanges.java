@@ -6,30 +6,22 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
- * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many follow
- * the same rules.
+ * {@link Commands}; {@link AdmittedChanges} then makes them. So a call for one circle and a call for many follow the same rules.
  */
 public final class PreparedChanges {
-    private final Guard guard;
     private final HandleTable handles;
     private final Commands commands;
-    private final CallLog log;
     private final PendingWork pending;
-    private final Copies copies;
     private final WorldSettings settings;
     private final Kinds kinds;
     private final Travels travelling;
     private final JointTables joints;
-    private final Needs needs;
+    private final AdmittedChanges admitted;
     private int count;
 
     /** Positions of static circles, which travel there. */
@@ -39,28 +31,22 @@ public final class PreparedChanges {
     private final IdSet leaving = new IdSet();
 
     public PreparedChanges(
-            Guard guard,
             HandleTable handles,
             Commands commands,
-            CallLog log,
             PendingWork pending,
-            Copies copies,
             WorldSettings settings,
             Kinds kinds,
             Travels travelling,
             JointTables joints,
-            Needs needs) {
-        this.guard = guard;
+            AdmittedChanges admitted) {
         this.handles = handles;
         this.commands = commands;
-        this.log = log;
         this.pending = pending;
-        this.copies = copies;
         this.settings = settings;
         this.kinds = kinds;
         this.travelling = travelling;
         this.joints = joints;
-        this.needs = needs;
+        this.admitted = admitted;
     }
 
     void checkValues(int operation, float a, float b) {
@@ -108,6 +94,12 @@ public final class PreparedChanges {
         set(Commands.ANGULAR_VELOCITY, id, velocity + 0f, 0);
     }
 
+    /** Prepares an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
+    void pushAround(int id, float impulse, float inertia) {
+        float ofKind = kinds.inertia(handles.fields().getInt(CircleField.KIND, id));
+        set(Commands.ANGULAR_IMPULSE, id, impulse, Float.isNaN(inertia) ? ofKind : inertia);
+    }
+
     /** Prepares a new position. A static circle travels there. */
     void move(int id, float x, float y) {
         checkValues(Commands.POSITION, x, y);
@@ -123,8 +115,8 @@ public final class PreparedChanges {
 
     void setForce(int id, float x, float y) {
         Limits.force(x, y);
-        setField(CircleField.FORCE_X, id, Forces.bits(x));
-        setField(CircleField.FORCE_Y, id, Forces.bits(y));
+        setField(CircleField.FORCE_X, id, CircleField.bits(x));
+        setField(CircleField.FORCE_Y, id, CircleField.bits(y));
     }
 
     /** Prepares another kind, and the restitution of the kind if it has one. */
@@ -153,27 +145,12 @@ public final class PreparedChanges {
         return true;
     }
 
-    /** Reads are forgotten by the operation; {@link Commands#FIELD} also if some are of restitutions. */
+    /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. */
     void make(int operation) {
         if (operation == Commands.REMOVE && joints.isThere()) {
             makeRoomForJoints();
         }
-        if (travels < count) {
-            copies.forgetBy(operation);
-        } else {
-            copies.forgetSaved(); // reads give the old places
-        }
-        if (travels > 0) {
-            recordTravels();
-        }
-        boolean turns = Commands.turns(operation);
-        boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        guard.changing = true;
-        if (turns && count > 0) {
-            needs.askToTurn();
-        }
-        commands.admitChanges(ofPipelines ? count : changeAll());
-        guard.changing = false;
+        admitted.make(operation, count, travels);
     }
 
     /** Joints go with their circles. */
@@ -184,51 +161,5 @@ public final class PreparedChanges {
             leavingToo += joints.departures().countOf(commands.preparedId(k));
         }
         joints.departures().ensure(leavingToo);
-    }
-
-    /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
-    private int changeAll() {
-        int recorded = 0;
-        for (int k = 0; k < count; k++) {
-            if (change(k)) {
-                commands.advancePrepared(k, recorded++);
-            }
-        }
-        return recorded;
-    }
-
-    private void recordTravels() {
-        for (int k = 0; k < count; k++) {
-            if (isTravel(k)) {
-                log.travel(commands.preparedId(k), commands.preparedFirst(k), commands.preparedSecond(k));
-            }
-        }
-    }
-
-    private boolean isTravel(int k) {
-        return commands.preparedOperation(k) == Commands.POSITION && handles.isStatic(commands.preparedId(k));
-    }
-
-    /** Makes one change likewise. Returns whether a pipeline has to know it too. */
-    private boolean change(int k) {
-        int id = commands.preparedId(k);
-        switch (commands.preparedOperation(k)) {
-            case Commands.POSITION -> {
-                if (handles.isStatic(id)) {
-                    travelling.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
-                    return false;
-                }
-            }
-            case Commands.REMOVE -> {
-                joints.departures().removeOfCircle(id);
-                handles.remove(id);
-            }
-            case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
-            case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
-            default ->
-                throw new IllegalStateException(
-                        "no change of the host's is operation " + commands.preparedOperation(k));
-        }
-        return true;
     }
 }

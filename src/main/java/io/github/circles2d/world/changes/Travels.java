@@ -38,7 +38,7 @@ public final class Travels {
     }
 
     /** Whether no circle travels in the next step. */
-    public boolean isEmpty() {
+    boolean isEmpty() {
         return count == 0;
     }
 
@@ -86,7 +86,7 @@ public final class Travels {
     }
 
     /** Brings targets that new bounds have left outside to the nearest place inside. */
-    public void confine(Bounds bounds) {
+    void confine(Bounds bounds) {
         for (int k = 0; k < count; k++) {
             long target = target(ids[k]);
             if (target != TARGET.initial()) {
@@ -98,17 +98,17 @@ public final class Travels {
     }
 
     /** The number of commands that {@link #depart} records at most. */
-    public int count() {
+    int count() {
         return count;
     }
 
     /** Makes room for {@link #depart}, except for its commands. */
-    public void makeRoom() {
+    void makeRoom() {
         places = places.length < count ? new long[ids.length] : places;
     }
 
     /** Before the step: gives the circles the velocities that lead them to their targets, which they lose. */
-    public void depart(float timeStep, Bounds bounds) {
+    void depart(float timeStep, Bounds bounds) {
         int travelling = 0;
         for (int k = 0; k < count; k++) {
             int id = ids[k];
@@ -124,7 +124,7 @@ public final class Travels {
     }
 
     /** The step has not begun for want of memory: the circles have their targets again, and the last commands are taken back. */
-    public void stay() {
+    void stay() {
         commands.drop(count);
         for (int k = 0; k < count; k++) {
             fields.set(TARGET, ids[k], places[k]);
@@ -132,7 +132,7 @@ public final class Travels {
     }
 
     /** After the step: puts the circles at their targets. */
-    public void arrive() {
+    void arrive() {
         commands.ensure(count);
         for (int k = 0; k < count; k++) {
             commands.set(Commands.ARRIVE, ids[k], CircleField.placeX(places[k]), CircleField.placeY(places[k]));
@@ -140,7 +140,7 @@ public final class Travels {
         count = 0;
     }
 
-    public void makeRoom(SavedState from) {
+    void makeRoom(SavedState from) {
         int circles = 0;
         for (int id = 0; id < from.ids; id++) {
             circles += from.fields.get(TARGET, id) == TARGET.initial() ? 0 : 1;
@@ -149,7 +149,7 @@ public final class Travels {
     }
 
     /** A saved state, for which there is room, has taken the place of all that was. */
-    public void restored() {
+    void restored() {
         count = 0;
         for (int id = 0; id < handles.end(); id++) {
             if (travels(id)) {

@@ -35,7 +35,7 @@ public enum CircleField {
     /** The same along y. */
     APPLIED_Y(7, "applied force y", Limits.FORCE, false),
 
-    /** Where a static circle travels in the next step, by {@link #place}; at first nowhere. {@code world.Travels} alone sets it. */
+    /** Where a static circle travels in the next step, by {@link #place}; at first nowhere. {@code Travels} alone sets it. */
     TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false),
 
     /** The radius that a circle grows to, and in how many steps, by {@link #growth}, or 0. {@code world.Growth} alone sets it. */
@@ -111,6 +111,11 @@ public enum CircleField {
     /** Whether a value is the bits of a float. */
     public boolean isFloat() {
         return most > 0;
+    }
+
+    /** A float as the bits of a value. There is one zero. */
+    public static int bits(float value) {
+        return Float.floatToRawIntBits(value + 0f);
     }
 
     public static long place(float x, float y) {

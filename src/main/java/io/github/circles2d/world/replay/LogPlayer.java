@@ -171,13 +171,15 @@ public final class LogPlayer {
         int id = words[0];
         Circles circles = simulation.circles();
         if (operation == Commands.ADD) {
-            long handle = circles.add(
-                    value(Commands.ADD_X),
-                    value(Commands.ADD_Y),
-                    value(Commands.ADD_RADIUS),
-                    value(Commands.ADD_MASS),
-                    value(Commands.ADD_VX),
-                    value(Commands.ADD_VY));
+            long handle = simulation
+                    .newCircles()
+                    .add(
+                            value(Commands.ADD_X),
+                            value(Commands.ADD_Y),
+                            value(Commands.ADD_RADIUS),
+                            value(Commands.ADD_MASS),
+                            value(Commands.ADD_VX),
+                            value(Commands.ADD_VY));
             if ((int) handle != id) {
                 throw LogReader.refused("a new circle has the id " + id + ", and not the lowest free one");
             }

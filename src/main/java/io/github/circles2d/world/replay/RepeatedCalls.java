@@ -30,15 +30,15 @@ final class RepeatedCalls {
             case GRAVITY -> simulation.setGravity(x, y);
             case BOUNDS -> simulation.setBounds(x, y, z, intBitsToFloat(words[3]));
             case FIELD ->
-                simulation.circles().set(field(words[0]), handle(words[1]), LoggedCall.value(words[2], words[3]));
+                simulation.fields().set(field(words[0]), handle(words[1]), LoggedCall.value(words[2], words[3]));
             case TRAVEL -> simulation.circles().move(handle(words[0]), y, z);
-            case FORCE -> simulation.circles().applyForce(handle(words[0]), y, z);
+            case FORCE -> simulation.forces().apply(handle(words[0]), y, z);
             case KIND ->
                 simulation.kinds().set(kindField(words[1]), simulation.kinds().check(words[0]), words[2]);
             case PAIR_OF_KINDS -> simulation.kinds().setSetting(words[0], words[1], setting(words[2]));
             case GROW -> simulation.growth().grow(handle(words[0]), y, words[2]);
             case CLEAR -> simulation.clearing().clear();
-            case TORQUE -> simulation.circles().applyTorque(handle(words[0]), y);
+            case TORQUE -> simulation.forces().applyTorque(handle(words[0]), y);
             case WALL_SURFACE -> simulation.setWallSurface(words[0], y, z, intBitsToFloat(words[3]));
             case SEGMENT, ARC, CHAIN_START, CHAIN_LINE, CHAIN_ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN ->
                 terrain.repeatOfPieces(call, words);

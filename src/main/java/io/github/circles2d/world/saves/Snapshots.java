@@ -1,25 +1,15 @@
 package io.github.circles2d.world.saves;
 
-import io.github.circles2d.world.changes.Forces;
-import io.github.circles2d.world.changes.Growth;
-import io.github.circles2d.world.changes.Travels;
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.changes.NextStep;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.SnapshotRing;
-import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.CallLog;
 import io.github.circles2d.world.shared.Copies;
 import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.Needs;
 import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.Pipeline;
-import io.github.circles2d.world.shared.StepFigures;
-import io.github.circles2d.world.shared.WorldSettings;
-import io.github.circles2d.world.terrain.TerrainTables;
+import io.github.circles2d.world.shared.WorldState;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 
@@ -36,55 +26,20 @@ public final class Snapshots {
             (snapshots, from, f, n) -> snapshots.restoreFrame(from, (int) f);
 
     private final Guard guard;
-    private final Pipeline pipeline;
-    private final HandleTable handles;
-    private final KindTable kinds;
-    private final ContactEvents events;
     private final CallLog log;
     private final PendingWork pending;
     private final Copies copies;
-    private final WorldSettings settings;
-    private final StepFigures figures;
-    private final Forces forces;
-    private final Travels travels;
-    private final Growth growth;
-    private final TerrainTables terrain;
-    private final JointTables joints;
-    private final Needs needs;
+    private final NextStep nextStep;
+    private final WorldState state;
 
     public Snapshots(
-            Guard guard,
-            Pipeline pipeline,
-            HandleTable handles,
-            KindTable kinds,
-            ContactEvents events,
-            CallLog log,
-            PendingWork pending,
-            Copies copies,
-            WorldSettings settings,
-            StepFigures figures,
-            Forces forces,
-            Travels travels,
-            Growth growth,
-            TerrainTables terrain,
-            JointTables joints,
-            Needs needs) {
+            Guard guard, CallLog log, PendingWork pending, Copies copies, NextStep nextStep, WorldState state) {
         this.guard = guard;
-        this.pipeline = pipeline;
-        this.handles = handles;
-        this.kinds = kinds;
-        this.events = events;
         this.log = log;
         this.pending = pending;
         this.copies = copies;
-        this.settings = settings;
-        this.figures = figures;
-        this.forces = forces;
-        this.travels = travels;
-        this.growth = growth;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.needs = needs;
+        this.nextStep = nextStep;
+        this.state = state;
     }
 
     /** The number of bytes that {@link #write} would write now. */
@@ -151,15 +106,8 @@ public final class Snapshots {
     /** Makes room for a saved state. If that fails, nothing has changed. */
     private void makeRoom(SavedState saved) {
         pending.finish();
-        handles.makeRoom(saved);
-        forces.makeRoom(saved);
-        travels.makeRoom(saved);
-        growth.makeRoom(saved);
-        terrain.makeRoom(saved.terrain);
-        joints.makeRoom(saved);
-        needs.prepare(saved); // first, since the room depends on it
-        pipeline.makeRoom(saved);
-        events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
+        state.makeRoom(saved);
+        nextStep.makeRoom(saved);
         copies.forget();
         log.restore(saved);
     }
@@ -167,19 +115,9 @@ public final class Snapshots {
     /** Takes over a saved state, for which there is room. */
     private void load(SavedState saved) {
         guard.changing = true;
-        handles.load(saved);
-        kinds.copy(saved.kinds);
-        forces.restored(saved);
         pending.restored();
-        travels.restored();
-        growth.restored();
-        terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
-        joints.load(saved);
-        pipeline.load(saved);
-        settings.set(saved.parameters());
-        needs.restored(saved);
-        figures.forget();
-        events.load(saved.touches, handles);
+        state.load(saved);
+        nextStep.restored(saved);
         guard.changing = false;
     }
 }

@@ -6,7 +6,7 @@ import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTables;
 
 /** Takes joints away that have broken in the steps that have been made. All these steps are of one length if a joint may break. */
-final class Breaking {
+public final class Breaking {
     private final Pipeline pipeline;
     private final Guard guard;
     private final JointTables joints;
@@ -17,16 +17,21 @@ final class Breaking {
 
     private final SavedJointStates states = new SavedJointStates();
 
-    Breaking(Pipeline pipeline, Guard guard, JointTables joints, WorldSettings settings) {
+    public Breaking(Pipeline pipeline, Guard guard, JointTables joints, WorldSettings settings) {
         this.pipeline = pipeline;
         this.guard = guard;
         this.joints = joints;
         this.settings = settings;
     }
 
+    /** Whether a joint may have broken in steps. */
+    boolean mayHappen() {
+        return joints.table.breaks();
+    }
+
     /** All steps have been made. */
     void take() {
-        if (broken.count == 0 && joints.table.breaks()) {
+        if (broken.count == 0 && mayHappen()) {
             pipeline.takeBroken(broken);
         }
         if (broken.count > 0) {

@@ -27,7 +27,7 @@ public final class LastReading {
     /** How often circles have been read. */
     private long number;
 
-    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, Needs needs) {
+    public LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, Needs needs) {
         this.pipeline = pipeline;
         this.handles = handles;
         this.pending = pending;

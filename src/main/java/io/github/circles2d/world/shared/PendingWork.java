@@ -3,7 +3,6 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.joints.JointTables;
 
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
 public final class PendingWork {
@@ -13,7 +12,6 @@ public final class PendingWork {
     private final Commands commands;
     private final ContactEvents events;
     private final CallLog log;
-    private final JointTables joints;
     private final Breaking breaking;
     private final Needs needs;
 
@@ -24,8 +22,7 @@ public final class PendingWork {
             Commands commands,
             ContactEvents events,
             CallLog log,
-            JointTables joints,
-            WorldSettings settings,
+            Breaking breaking,
             Needs needs) {
         this.pipeline = pipeline;
         this.guard = guard;
@@ -33,8 +30,7 @@ public final class PendingWork {
         this.commands = commands;
         this.events = events;
         this.log = log;
-        this.joints = joints;
-        breaking = new Breaking(pipeline, guard, joints, settings);
+        this.breaking = breaking;
         this.needs = needs;
     }
 
@@ -87,6 +83,16 @@ public final class PendingWork {
         log.logged = 0;
     }
 
+    /** Records that each circle goes, for which there is room. The log has the call in place of the records. */
+    public void recordRemovals() {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                commands.set(Commands.REMOVE, id, 0, 0);
+            }
+        }
+        log.skipCommands();
+    }
+
     /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
         guard.changing = true;
@@ -109,7 +115,7 @@ public final class PendingWork {
 
     /** Makes joints what steps have led to, if any may have broken: before a call that looks at joints or changes them. */
     public void settleJoints() {
-        if (joints.table.breaks()) {
+        if (breaking.mayHappen()) {
             finish();
         }
     }

@@ -133,8 +133,8 @@ class DeviceQueriesTest {
         float speed = random.nextInt(10) == 0 ? 3000 : 5;
         float vx = speed * (random.nextFloat() - 0.5f);
         int kind = random.nextInt(KINDS);
-        long handle = device.circles().add(x, y, radius, mass, vx, speed, kind);
-        assertThat(host.circles().add(x, y, radius, mass, vx, speed, kind)).isEqualTo(handle);
+        long handle = device.newCircles().add(x, y, radius, mass, vx, speed, kind);
+        assertThat(host.newCircles().add(x, y, radius, mass, vx, speed, kind)).isEqualTo(handle);
         living.add(handle);
     }
 
@@ -157,7 +157,7 @@ class DeviceQueriesTest {
         both(0, (s, i) -> s.circles().set(Commands.RADIUS, resized, radii.greatest * 0.8f, 0));
         long other = any();
         int kind = random.nextInt(KINDS);
-        both(kind, (s, i) -> s.circles().set(CircleField.KIND, other, i));
+        both(kind, (s, i) -> s.fields().set(CircleField.KIND, other, i));
         int category = random.nextInt();
         both(kind, (s, i) -> s.kinds().set(KindField.CATEGORY, i, category));
     }
@@ -206,7 +206,7 @@ class DeviceQueriesTest {
         host.readings().read(circles);
         int n = 0;
         for (int k = 0; k < handles.length; k++) {
-            int kind = (int) host.circles().get(CircleField.KIND, handles[k]);
+            int kind = (int) host.fields().get(CircleField.KIND, handles[k]);
             if (mask == null || (host.kinds().get(KindField.CATEGORY, kind) & mask) != 0) {
                 System.arraycopy(circles, 4 * k, circles, 4 * n, 4);
                 handles[n++] = handles[k];
@@ -391,7 +391,7 @@ class DeviceQueriesTest {
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 1e6f, 1e6f), 0, 0, 0.5f, 4, 0);
         try (Simulation crowded = DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false), parameters))) {
             for (int k = 0; k < 5000; k++) {
-                crowded.circles().add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
+                crowded.newCircles().add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
             }
             long[] handles = new long[5000];
             int[] ends = new int[1000];
@@ -407,7 +407,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(crowded))
                     .as("more than it lists")
                     .isOne();
-            crowded.circles().add(9e5f, 9e5f, 1, 1, 0, 0);
+            crowded.newCircles().add(9e5f, 9e5f, 1, 1, 0, 0);
             assertThat(crowded.searches().all(null, QueryShape.DISC, discs, 3, ends, handles, null))
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).as("in a crowd").isOne();
@@ -426,12 +426,12 @@ class DeviceQueriesTest {
             float[] points = new float[2 * 512];
             long[] handles = new long[512];
             for (int k = 1; k < 1000; k++) {
-                world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
             }
             world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a small world").isZero();
             for (int k = 1000; k < circles; k++) {
-                world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
             }
             world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a large batch").isOne();
@@ -439,7 +439,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(world))
                     .as("a smaller one, and not enough circles for that")
                     .isOne();
-            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.newCircles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
             for (int k = 0; k < 30; k++) {
                 assertThat(world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
                         .isPositive();
@@ -451,7 +451,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(world)).isEqualTo(21);
             world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(22);
-            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.newCircles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
             world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
             assertThat(DeviceSearches.answered(world)).as("after a change").isEqualTo(23);
         }

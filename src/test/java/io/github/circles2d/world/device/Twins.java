@@ -463,7 +463,7 @@ final class Twins implements AutoCloseable {
     /** Adds a circle. */
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            long handle = simulation.circles().add(x, y, r, mass, vx, vy);
+            long handle = simulation.newCircles().add(x, y, r, mass, vx, vy);
             int id = (int) handle;
             if (id >= handles.length) {
                 handles = Arrays.copyOf(handles, 2 * (id + 1));
@@ -589,9 +589,9 @@ final class Twins implements AutoCloseable {
         float velocity = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -9, 6);
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.circles().setFriction(handles[id], friction);
-                simulation.circles().setRollingResistance(handles[id], resistance);
-                simulation.circles().applyTorque(handles[id], torque);
+                simulation.fields().setFriction(handles[id], friction);
+                simulation.fields().setRollingResistance(handles[id], resistance);
+                simulation.forces().applyTorque(handles[id], torque);
                 simulation.circles().setAngularVelocity(handles[id], velocity);
                 simulation.circles().applyAngularImpulse(handles[id], -torque);
             }
@@ -601,10 +601,10 @@ final class Twins implements AutoCloseable {
     /** Makes one of the changes of a circle that make it turn. */
     private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
-            case 0 -> simulation.circles().setFriction(handle, a);
-            case 1 -> simulation.circles().setRollingResistance(handle, 0.2f * a);
-            case 2 -> simulation.circles().setTorque(handle, 0.01f * b);
-            case 3 -> simulation.circles().applyTorque(handle, b);
+            case 0 -> simulation.fields().setFriction(handle, a);
+            case 1 -> simulation.fields().setRollingResistance(handle, 0.2f * a);
+            case 2 -> simulation.fields().setTorque(handle, 0.01f * b);
+            case 3 -> simulation.forces().applyTorque(handle, b);
             case 4 -> simulation.circles().setAngle(handle, 9 * b);
             case 5 -> simulation.circles().setAngularVelocity(handle, 20 * b);
             case 6 -> simulation.circles().applyAngularImpulse(handle, 0.01f * b);
@@ -746,8 +746,8 @@ final class Twins implements AutoCloseable {
     /** Begins to turn and ends with the surfaces that all circles had before. */
     void turnWithoutGrip() {
         for (Simulation simulation : simulations) {
-            simulation.circles().setFriction(handles[0], 1);
-            simulation.circles().set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
+            simulation.fields().setFriction(handles[0], 1);
+            simulation.fields().set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
         }
     }
 
@@ -872,9 +872,9 @@ final class Twins implements AutoCloseable {
                     }
                     if (id % 7 == 0) {
                         simulation.circles().setForce(handles[id], 0.5f, -1);
-                        simulation.circles().applyForce(handles[id], -3, 0.25f);
+                        simulation.forces().apply(handles[id], -3, 0.25f);
                     }
-                    simulation.circles().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
+                    simulation.fields().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
                 }
             }
             simulation.kinds().setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
@@ -897,14 +897,14 @@ final class Twins implements AutoCloseable {
                     : Math.max(field.least(), Math.min(number, field.greatest()));
             for (Simulation simulation : simulations) {
                 if (field == CircleField.APPLIED_X || field == CircleField.APPLIED_Y) {
-                    simulation.circles().applyForce(handles[id], Float.intBitsToFloat((int) value), 0.5f);
+                    simulation.forces().apply(handles[id], Float.intBitsToFloat((int) value), 0.5f);
                     continue;
                 }
                 if (field == CircleField.APPLIED_TORQUE) {
-                    simulation.circles().applyTorque(handles[id], Float.intBitsToFloat((int) value));
+                    simulation.forces().applyTorque(handles[id], Float.intBitsToFloat((int) value));
                     continue;
                 }
-                simulation.circles().set(field, handles[id], value);
+                simulation.fields().set(field, handles[id], value);
             }
         }
     }

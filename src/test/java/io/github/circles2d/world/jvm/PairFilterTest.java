@@ -29,7 +29,7 @@ class PairFilterTest {
                     world.simulation.circles().set(Commands.MASS, handles[k], Float.POSITIVE_INFINITY, 0);
                 }
                 world.simulation.circles().setKind(handles[k], CIRCLES[k][1]);
-                world.simulation.circles().set(CircleField.GROUP, handles[k], CIRCLES[k][2]);
+                world.simulation.fields().set(CircleField.GROUP, handles[k], CIRCLES[k][2]);
             }
             world.simulation.kinds().setSetting(0, 1, KindTable.RESPONSE + PairTable.IGNORE);
             world.simulation.kinds().setSetting(2, 1, KindTable.RESPONSE + PairTable.SENSE);

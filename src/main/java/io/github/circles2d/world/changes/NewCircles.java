@@ -1,0 +1,202 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.WorldSettings;
+
+/** The calls that add circles, one or many. */
+public final class NewCircles {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.FloatsChange<NewCircles> ADD = NewCircles::addOne;
+
+    private final Guard guard;
+    private final HandleTable handles;
+    private final Commands commands;
+    private final PendingWork pending;
+    private final Copies copies;
+    private final WorldSettings settings;
+    private final Kinds kinds;
+
+    /** The kinds of the circles that a call adds. */
+    private int[] newKinds = new int[0];
+
+    public NewCircles(
+            Guard guard,
+            HandleTable handles,
+            Commands commands,
+            PendingWork pending,
+            Copies copies,
+            WorldSettings settings,
+            Kinds kinds) {
+        this.guard = guard;
+        this.handles = handles;
+        this.commands = commands;
+        this.pending = pending;
+        this.copies = copies;
+        this.settings = settings;
+        this.kinds = kinds;
+    }
+
+    /** Adds a circle of kind 0 and returns its handle. */
+    public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        return add(x, y, radius, mass, vx, vy, 0);
+    }
+
+    /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
+        return guard.change(this, kind, x, y, radius, mass, vx, vy, ADD);
+    }
+
+    private long addOne(int kind, float x, float y, float radius, float mass, float vx, float vy) {
+        checkRoom(1);
+        check(x, y, radius, mass, vx, vy);
+        KindTable.check(kind);
+        pending.expect(2);
+        handles.ensure(1);
+        if (kind != 0) {
+            handles.fields().ensure(CircleField.KIND, handles.end() + 1);
+        }
+        float restitution = kinds.newRestitution(kind);
+        commands.prepare(
+                0, settings.bounds().placeX(x), settings.bounds().placeY(y), radius, mass, restitution, vx, vy);
+        copies.forget();
+        guard.changing = true;
+        long handle = admit();
+        if (kind != 0) {
+            setKind((int) handle, kind);
+        }
+        guard.changing = false;
+        return handle;
+    }
+
+    /**
+     * Adds circles, four elements each. Without velocities they are at rest, without kinds of kind 0; the handles are optional,
+     * too.
+     */
+    public void addAll(float[] circles, float[] velocities, int[] kinds, long[] to) {
+        guard.enter();
+        try {
+            Limits.notNull("circles", circles);
+            int n = circles.length / CircleRow.STRIDE;
+            checkLengths(n, circles, velocities, kinds, to);
+            checkRoom(n);
+            pending.expect(kinds == null ? n : 2 * n);
+            handles.ensure(n);
+            int[] own = kinds == null ? null : copy(kinds);
+            for (int i = 0; i < n; i++) {
+                prepare(i, circles, velocities, own == null ? 0 : own[i]);
+            }
+            copies.forget();
+            guard.changing = true;
+            int first = commands.count();
+            for (int i = 0; i < n; i++) {
+                long handle = admit();
+                if (to != null) {
+                    to[i] = handle;
+                }
+            }
+            for (int i = 0; own != null && i < n; i++) {
+                if (own[i] != 0) {
+                    setKind(commands.id(first + i), own[i]);
+                }
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private static void checkLengths(int n, float[] circles, float[] velocities, int[] kinds, long[] to) {
+        if (circles.length % CircleRow.STRIDE != 0) {
+            throw new IllegalArgumentException(
+                    "circles has " + circles.length + " elements, but must have four a circle");
+        }
+        if (velocities != null && velocities.length != 2 * n) {
+            throw new IllegalArgumentException(
+                    "velocities has " + velocities.length + " elements, but must have two for each of " + n);
+        }
+        if (kinds != null && kinds.length != n) {
+            throw new IllegalArgumentException(
+                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
+        }
+        if (to != null && to.length < n) {
+            throw new IllegalArgumentException(
+                    "handles has " + to.length + " elements, but there are " + n + " circles");
+        }
+    }
+
+    /**
+     * Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array.
+     */
+    private int[] copy(int[] kinds) {
+        if (newKinds.length < kinds.length) {
+            newKinds = new int[kinds.length];
+        }
+        System.arraycopy(kinds, 0, newKinds, 0, kinds.length);
+        handles.fields().ensure(CircleField.KIND, handles.end() + kinds.length);
+        return newKinds;
+    }
+
+    /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
+    private void prepare(int i, float[] circles, float[] velocities, int kind) {
+        float x = circles[CircleRow.STRIDE * i + CircleRow.X];
+        float y = circles[CircleRow.STRIDE * i + CircleRow.Y];
+        float radius = circles[CircleRow.STRIDE * i + CircleRow.RADIUS];
+        float mass = circles[CircleRow.STRIDE * i + CircleRow.MASS];
+        float vx = velocities == null ? 0 : velocities[2 * i];
+        float vy = velocities == null ? 0 : velocities[2 * i + 1];
+        try {
+            check(x, y, radius, mass, vx, vy);
+            KindTable.check(kind);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+        }
+        commands.prepare(
+                i,
+                settings.bounds().placeX(x),
+                settings.bounds().placeY(y),
+                radius,
+                mass,
+                kinds.newRestitution(kind),
+                vx,
+                vy);
+    }
+
+    private void checkRoom(int more) {
+        if (more > Limits.CIRCLES - handles.size()) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) handles.size() + more));
+        }
+    }
+
+    private void check(float x, float y, float radius, float mass, float vx, float vy) {
+        Limits.position(x, y, settings.bounds());
+        Limits.radius(radius, settings.bounds());
+        Limits.mass(mass);
+        Limits.velocity(vx, vy);
+    }
+
+    /** Gives the first circle that is prepared its id, and returns its handle. */
+    private long admit() {
+        int id = handles.add(commands.preparedRadius());
+        handles.setRestitution(id, commands.preparedRestitution());
+        handles.setMass(id, commands.preparedMass());
+        commands.admit(id);
+        return handles.handle(id);
+    }
+
+    /** Takes down the kind of a circle, for which there is room. */
+    private void setKind(int id, int kind) {
+        handles.fields().set(CircleField.KIND, id, kind);
+        commands.setField(CircleField.KIND, id, kind);
+    }
+}

@@ -1,0 +1,79 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.model.Bounds;
+
+/**
+ * What calls have asked of circles in the next step alone: forces that act once, static circles that travel, and circles that grow. The
+ * step itself knows nothing of this: commands before it and after it make such a step.
+ */
+public final class NextStep {
+    private final Commands commands;
+    final Forces forces;
+    final Travels travels;
+    final Growth growth;
+
+    public NextStep(Commands commands, Forces forces, Travels travels, Growth growth) {
+        this.commands = commands;
+        this.forces = forces;
+        this.travels = travels;
+        this.growth = growth;
+    }
+
+    /** Whether it is a step as any other. */
+    public boolean isEmpty() {
+        return forces.isEmpty() && travels.isEmpty() && growth.isEmpty();
+    }
+
+    /** Refuses bounds in which a circle has no room at the end of its growth. */
+    public void requireRoom(Bounds bounds) {
+        growth.requireRoom(bounds);
+    }
+
+    /** Brings what circles travel to inside new bounds. */
+    public void confine(Bounds bounds) {
+        travels.confine(bounds);
+    }
+
+    /** Records forces, which may be repeated, and makes room for {@link #begin}. */
+    public void prepare() {
+        forces.begin();
+        commands.ensure(growth.count() + travels.count());
+        growth.makeRoom();
+        travels.makeRoom();
+    }
+
+    /** Before the step. */
+    public void begin(float timeStep, Bounds bounds) {
+        growth.begin();
+        travels.depart(timeStep, bounds);
+    }
+
+    /** The step has not begun for want of memory: all is as before {@link #begin}, and its commands are taken back. */
+    public void undo() {
+        travels.stay();
+        growth.undo();
+    }
+
+    /** After the step. */
+    public void end() {
+        growth.end();
+        travels.arrive();
+        forces.end();
+    }
+
+    /** Makes room for what is asked in a saved state. */
+    public void makeRoom(SavedState from) {
+        forces.makeRoom(from);
+        travels.makeRoom(from);
+        growth.makeRoom(from);
+    }
+
+    /** A saved state, for which there is room, has taken the place of all that was. */
+    public void restored(SavedState from) {
+        forces.restored(from);
+        travels.restored();
+        growth.restored();
+    }
+}
