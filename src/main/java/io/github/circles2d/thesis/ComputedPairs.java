@@ -21,22 +21,12 @@ public final class ComputedPairs extends PairStrategy {
 
     @Override
     Kernel detect(Program program, State state) {
-        return program.kernel("detect_collisions")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.slots)
-                .arg(3, state.circles);
+        return detectBySlot(program.kernel("detect_collisions"), state);
     }
 
     @Override
     Kernel resolve(Program program, State state, float restitution) {
-        return program.kernel("resolve_collisions")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.velocities)
-                .arg(3, state.slots)
-                .arg(4, state.circles)
-                .arg(5, restitution);
+        return resolveBySlot(program.kernel("resolve_collisions"), state, restitution);
     }
 
     @Override

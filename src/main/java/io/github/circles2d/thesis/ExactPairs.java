@@ -16,21 +16,11 @@ public final class ExactPairs extends PairStrategy {
 
     @Override
     Kernel detect(Program program, State state) {
-        return program.kernel("detect_collisions_exact")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.slots)
-                .arg(3, state.circles);
+        return detectBySlot(program.kernel("detect_collisions_exact"), state);
     }
 
     @Override
     Kernel resolve(Program program, State state, float restitution) {
-        return program.kernel("resolve_collisions_exact")
-                .arg(0, state.circle)
-                .arg(1, state.collision)
-                .arg(2, state.velocities)
-                .arg(3, state.slots)
-                .arg(4, state.circles)
-                .arg(5, restitution);
+        return resolveBySlot(program.kernel("resolve_collisions_exact"), state, restitution);
     }
 }

@@ -36,6 +36,24 @@ public abstract class PairStrategy implements AutoCloseable {
     /** Makes the kernel that finds the minimum translation vector of every pair, with its arguments. */
     abstract Kernel detect(Program program, State state);
 
+    /** The arguments of {@link #detect}, of a kernel that needs no table. */
+    static Kernel detectBySlot(Kernel kernel, State state) {
+        return kernel.arg(0, state.circle)
+                .arg(1, state.collision)
+                .arg(2, state.slots)
+                .arg(3, state.circles);
+    }
+
+    /** The arguments of {@link #resolve}, likewise. */
+    static Kernel resolveBySlot(Kernel kernel, State state, float restitution) {
+        return kernel.arg(0, state.circle)
+                .arg(1, state.collision)
+                .arg(2, state.velocities)
+                .arg(3, state.slots)
+                .arg(4, state.circles)
+                .arg(5, restitution);
+    }
+
     /** Makes the kernel that parts overlapping pairs and exchanges their impulses, with its arguments. */
     abstract Kernel resolve(Program program, State state, float restitution);
 
