@@ -1,7 +1,7 @@
 package io.github.circles2d.world.queries;
 
-/** Finds the circles that a moving disc meets. A ray is the path of a disc of radius 0. */
-public final class CastSearch {
+/** Finds the circles that a moving disc meets. */
+public final class CastSearch extends PathSearch {
     // a hit: how far the disc has moved; where its centre is then; the unit vector from the circle's centre to there
     public static final int HIT_STRIDE = 5;
     public static final int DISTANCE = 0;
@@ -17,38 +17,11 @@ public final class CastSearch {
     private final Frontier frontier = new Frontier();
     private final Found found = new Found();
 
-    // the cast
-    private double startX;
-    private double startY;
-    private double reach;
-    private double endX;
-    private double endY;
-    private double unitX;
-    private double unitY;
-    private double length;
-
     /** How far the cast goes at most for what is still looked for. */
     private double limit;
 
     public CastSearch(CircleTree tree) {
         this.tree = tree;
-    }
-
-    /** Describes the cast that the next searches make: where the disc starts, and how far it moves. All numbers are finite. */
-    public void aim(float x, float y, float radius, float dx, float dy) {
-        startX = x;
-        startY = y;
-        reach = radius;
-        endX = startX + dx;
-        endY = startY + dy;
-        length = Math.sqrt((double) dx * dx + (double) dy * dy);
-        unitX = length == 0 ? 0 : dx / length;
-        unitY = length == 0 ? 0 : dy / length;
-    }
-
-    /** Describes the path of a query, likewise. */
-    public void aim(QueryShape shape, float[] queries, int at) {
-        aim(queries[at], queries[at + 1], shape.radius(queries, at), shape.dx(queries, at), shape.dy(queries, at));
     }
 
     /** Finds the first circle that the disc touches, at the same distance that of the lowest id, as number 0. A null filter is none. */

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * The searches among pieces of terrain, by the shape of the query. Where an axis wraps, each piece has an image a period farther to either
  * side.
  */
-public final class TerrainSearch {
+public final class TerrainSearch extends PathSearch {
     /** More than what boxes and ends lose by rounding, by its share of coordinates. */
     private static final double MARGIN = 0x1p-21;
 
@@ -43,16 +43,6 @@ public final class TerrainSearch {
     private int[] node = new int[Capacity.atLeast(0, 0)];
     private double[] nodeDistance = new double[node.length];
     private int waiting;
-
-    // the path
-    private double startX;
-    private double startY;
-    private double reach;
-    private double unitX;
-    private double unitY;
-    private double length;
-    private double endX;
-    private double endY;
 
     /** Whether what it meets at its start does not count. */
     private boolean leavesStart;
@@ -114,7 +104,7 @@ public final class TerrainSearch {
             case DISC -> disc(query[0], query[1], query[2]);
             case BOX -> box(query[0], query[1], query[2], query[3]);
             case RAY, DISC_CAST -> {
-                aim(what, query);
+                aim(what, query, 0);
                 search(Integer.MAX_VALUE, filter);
                 found.sort();
                 return found.count();
@@ -193,21 +183,6 @@ public final class TerrainSearch {
 
     // ---- paths
     // -------------------------------------------------------------------------------------------------------
-
-    private void aim(QueryShape what, float[] query) {
-        aim(query[0], query[1], what.radius(query, 0), what.dx(query, 0), what.dy(query, 0));
-    }
-
-    private void aim(float x, float y, float radius, float dx, float dy) {
-        startX = x;
-        startY = y;
-        reach = radius;
-        endX = startX + dx;
-        endY = startY + dy;
-        length = Math.sqrt((double) dx * dx + (double) dy * dy);
-        unitX = length == 0 ? 0 : dx / length;
-        unitY = length == 0 ? 0 : dy / length;
-    }
 
     /** How far a path goes until it is half a period beyond the bounds. */
     private double most() {
@@ -290,7 +265,7 @@ public final class TerrainSearch {
 
     /** The first piece that a path meets, or -1; hits takes the hit, or the end of the path, or is null. */
     public int first(QueryShape what, float[] query, IdFilter filter, float[] hits, int to) {
-        aim(what, query);
+        aim(what, query, 0);
         search(1, filter);
         boolean hit = found.count() > 0;
         if (hits != null && hit) {
