@@ -51,6 +51,7 @@ public final class ContinuousCollision {
     private final Team team;
     private final Carrying carrying;
     private final ReachGrid reaches;
+    private final SparseGrid sparse;
 
     /** By worker: the circles around the one that it looks at. */
     private final Nearby[] nearby;
@@ -74,12 +75,14 @@ public final class ContinuousCollision {
         this.team = team;
         carrying = new Carrying(state, grid);
         reaches = new ReachGrid(state, grid, levels, team);
+        sparse = new SparseGrid(state, grid, levels, team);
         nearby = Nearby.ofWorkers(grid, levels, team);
     }
 
     void ensure() {
         carrying.ensure();
         reaches.ensure();
+        sparse.ensure();
         if (timeOfImpact.length < state.capacity()) {
             timeOfImpact = new int[state.capacity()];
             near = new int[state.capacity()];
@@ -93,7 +96,7 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes();
+        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes() + sparse.bytes();
     }
 
     void sweep(int worker, StepConstants constants) {
@@ -102,14 +105,17 @@ public final class ContinuousCollision {
             return;
         }
         reaches.clear(worker);
+        sparse.clear(worker);
         for (int round = 0; round < team.rounds(); round++) {
             start(team.from(state.n, worker, round), team.to(state.n, worker, round), constants);
         }
         team.sync(worker);
         for (int round = 0; round < team.rounds(); round++) {
             reaches.add(team.from(state.n, worker, round), team.to(state.n, worker, round));
+            sparse.add(worker, team.from(state.n, worker, round), team.to(state.n, worker, round));
         }
         team.sync(worker);
+        sparse.settle(worker);
         for (int round = 0; round < team.rounds(); round++) {
             lookForStops(worker, team.from(state.n, worker, round), team.to(state.n, worker, round));
         }
@@ -195,7 +201,7 @@ public final class ContinuousCollision {
         for (int slot = from; slot < to; slot++) {
             boolean looks = looksForStops(slot);
             if (looks) {
-                lookForStops(nearby[worker], slot);
+                lookForStops(worker, slot);
             }
             int count = reaches.find(worker, slot, looks);
             int[] hits = reaches.hits(worker);
@@ -219,7 +225,7 @@ public final class ContinuousCollision {
     }
 
     /** Looks at the circles around the path of a fast one, in the levels in which it does not reach far. */
-    private void lookForStops(Nearby near, int slot) {
+    private void lookForStops(int worker, int slot) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
@@ -236,7 +242,11 @@ public final class ContinuousCollision {
             float right = CircleMath.max(x, x + px) + margin;
             float low = CircleMath.min(y, y + py) - margin;
             float high = CircleMath.max(y, y + py) + margin;
-            if (levels.folded[level]) {
+            if (sparse.holds(worker, level)) {
+                int count = sparse.find(worker, slot, level, left, right, low, high, reaches.reaches());
+                meetNear(slot, sparse.hits(worker), count);
+            } else if (levels.folded[level]) {
+                Nearby near = nearby[worker];
                 near.begin(level, left, right, low, high, true);
                 while (near.next()) {
                     meetNear(slot, near.from, near.to);
@@ -284,6 +294,15 @@ public final class ContinuousCollision {
             if (PairRule.isNear(dx, dy, own, reach[other]) != 0
                     && other != slot
                     && (mayTouch(slot, other) != 0 || state.isStatic(other))) {
+                meet(slot, other);
+            }
+        }
+    }
+
+    private void meetNear(int slot, int[] near, int count) {
+        for (int k = 0; k < count; k++) {
+            int other = near[k];
+            if (other != slot && (mayTouch(slot, other) != 0 || state.isStatic(other))) {
                 meet(slot, other);
             }
         }

@@ -43,7 +43,8 @@ public final class GridLevels {
     /** By size class. */
     public final int[] levelOf = new int[COUNT];
 
-    final int[] population = new int[COUNT];
+    /** Circles. */
+    public final int[] population = new int[COUNT];
 
     public final float[] inverseEdge = new float[COUNT];
 
