@@ -1,5 +1,6 @@
 import io.github.circles2d.Backend;
 import io.github.circles2d.Edge;
+import io.github.circles2d.Joint;
 import io.github.circles2d.World;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -7,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Writes a world that no scene of the playground has: with an edge that wraps, an open one, sensors and ground that is passed from behind. {@code java
- * Worlds.java FOLDER} writes it as edges-30.circles2d, and as it is 60 steps later as edges-90.circles2d, and prints their hashes.
+ * Writes a world that no scene of the playground has: with an edge that wraps, an open one, sensors, ground that is passed from behind,
+ * and a pin whose force has a limit. {@code java Worlds.java FOLDER} writes it as edges-30.circles2d, and as it is 60 steps later as edges-90.circles2d, and prints their hashes.
  */
 final class Worlds {
     private static final float DT = 1 / 60f;
@@ -23,6 +24,9 @@ final class Worlds {
             for (int k = 0; k < 60; k++) {
                 long circle = world.add(-480 + 19 * k, 300 + 31 * (k % 7), 5 + k % 4, 1 + k % 4, 8 * k - 200, 0);
                 world.setKind(circle, k % 10 == 0 ? 1 : 0);
+                if (k == 1) {
+                    world.joints().add(circle, world.x(circle), world.y(circle), Joint.mouse(2, 1, 500));
+                }
             }
             world.step(DT, 30);
             save(world, Path.of(arguments[0], "edges-30.circles2d"));

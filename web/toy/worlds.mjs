@@ -50,6 +50,7 @@ export async function playWorlds(browser, address, folder, picture) {
     await picture(page, `world-${name}`);
   }
   await checkEdges(page, folder, picture);
+  await checkBack(page);
   await checkTools(page, folder);
   await checkLinks(page, folder, names, hashes);
   await refuseBroken(page, folder);
@@ -104,6 +105,20 @@ async function checkEdges(page, folder, picture) {
   });
   assert.ok(lit >= 5, `circles are in ${lit} of 8 parts of the height`);
   await picture(page, 'world-with-open-edges');
+}
+
+/** Going back leads to the same bits, also in a world with a pin whose force has a limit, as that of the pointer has. */
+async function checkBack(page) {
+  assert.equal(await figure(page, 1), 0);
+  const first = await hash(page);
+  await page.$eval('#step', button => button.click());
+  await page.waitForFunction(() => document.querySelectorAll('#figures b')[1].textContent === '1');
+  assert.notEqual(await hash(page), first);
+  await (await page.$('#back')).hover();
+  await page.mouse.down();
+  await page.waitForFunction(() => document.querySelectorAll('#figures b')[1].textContent === '0');
+  await page.mouse.up();
+  assert.equal(await hash(page), first, 'the step before');
 }
 
 /** In a world of another size than the stages of the page, tools act where the pointer is. */
@@ -168,7 +183,7 @@ async function refuseBroken(page, folder) {
     await says(page, `^dropped.circles2d is not opened: .*${reason}`);
   }
   const links = [
-    ['#world=', 'its format is undefined'],
+    ['#world=', 'it has no world'],
     ['#world=a+b!', 'not all of its characters'],
     [link.replace('#world=A', '#world=C'), 'from a later version of circles2d, or damaged: its format is 9'],
     [link.slice(0, link.length - 400), 'it is damaged or cut off'],
@@ -204,6 +219,8 @@ async function checkAddressBar(browser, address, folder) {
   });
   await page.goto(address + readFileSync(join(folder, 'bridge-30.link'), 'utf8').trim());
   await says(page, '^The link is opened');
+  await page.waitForSelector('#hash');
+  await sleep(300); // the picture comes behind the line
   const count = await figure(page, 0);
   await page.click('#pause');
   await page.click('#link');
@@ -212,6 +229,7 @@ async function checkAddressBar(browser, address, folder) {
   await page.reload();
   await says(page, '^The link is opened');
   await page.click('#pause');
+  await page.waitForSelector('#hash');
   await sleep(300);
   assert.equal(await figure(page, 0), count);
   assert.notEqual(await hash(page), kept, 'it has gone on since');

@@ -23,6 +23,9 @@ export async function snapshotOf(fragment) {
     throw new Error(`it has ${inWords(fragment.length)}, and may have ${inWords(GREATEST_LENGTH)}`);
   }
   const bytes = bytesOf(fragment.slice(KEY.length));
+  if (bytes.length === 0) {
+    throw new Error('it has no world');
+  }
   if (bytes[0] !== FORMAT) {
     throw new Error(`it is from a later version of circles2d, or damaged: its format is ${bytes[0]}, and this page reads ${FORMAT}`);
   }

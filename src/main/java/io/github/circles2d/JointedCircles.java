@@ -12,7 +12,7 @@ import java.util.Arrays;
  */
 public record JointedCircles(long[] circles, long[] joints) {
 
-    /** Adds circles at rest of one kind, and has room for so many joints of theirs. */
+    /** Adds circles at rest of one kind, and makes room for the handles of so many joints. */
     static JointedCircles add(World world, float[] circles, int kind, int joints) {
         int count = circles.length / 4;
         int[] kinds = null;

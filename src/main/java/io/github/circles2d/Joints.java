@@ -362,7 +362,7 @@ public final class Joints {
     /**
      * Where both ends of all joints are now, in the order of their ids, for drawing: x and y of the first end, then of the second one. Along an
      * axis that wraps, the second one is the image nearest to the first, which may be outside of the bounds. Of a joint without a place both
-     * are at its circle.
+     * are at its circle. {@link FixedStep#jointEnds} gives them between two steps.
      *
      * @param ends takes four elements a joint
      * @return the number of joints

@@ -146,7 +146,8 @@ public final class Ropes {
     }
 
     /**
-     * Adds a rope that keeps its length, of circles of a kind: one whose mask leaves others out passes them.
+     * Adds a rope that keeps its length, of circles of a {@link Kind}. If the mask of the kind leaves out other circles or pieces of terrain,
+     * the rope passes them.
      *
      * @param world the world
      * @param from where it begins
@@ -155,7 +156,7 @@ public final class Ropes {
      * @param radius the radius of each
      * @param mass the mass of each
      * @param slack by which share it is longer than the ends are apart, 0 to 1
-     * @param kind the number of the {@link Kind} of each, 0 to 255
+     * @param kind the number of the kind of each, 0 to 255
      * @return as {@link #rope(World, End, End, int, float, float, float)}
      * @throws IllegalArgumentException as {@link #rope(World, End, End, int, float, float, float)}, or if there is no such kind
      */
@@ -229,7 +230,7 @@ public final class Ropes {
     }
 
     /**
-     * Adds a bridge of circles of a {@link Kind}, which may have a surface of their own.
+     * Adds a bridge of circles of a {@link Kind}.
      *
      * @param world the world
      * @param from where it begins

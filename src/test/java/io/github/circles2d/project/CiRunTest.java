@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -36,13 +37,16 @@ class CiRunTest {
         run(launcher, "exit 0");
     }
 
-    private void run(String launcher, String dryRun) throws IOException, InterruptedException {
+    private void run(String launcher, String dryRun, String... arguments) throws IOException, InterruptedException {
         String report = "mkdir -p target/surefire-reports\n"
                 + "echo '<testsuite name=\"A\" tests=\"3\" errors=\"0\" skipped=\"0\" failures=\"'${FAILURES:-0}'\">'"
                 + " >target/surefire-reports/TEST-A.xml\n";
         writeProgram("circles2d", launcher + "\n" + report + "exit ${STATUS:-0}");
         writeProgram(".ci/release-dry-run", dryRun);
-        ProcessBuilder builder = new ProcessBuilder(project.resolve(".ci/run").toString()).redirectErrorStream(true);
+        List<String> command =
+                new ArrayList<>(List.of(project.resolve(".ci/run").toString()));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("HOME", home.toString());
         Process process = builder.start();
         output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -88,6 +92,30 @@ class CiRunTest {
         assertThat(status).isEqualTo(1);
         assertThat(output).containsOnlyOnce("the dry run of a release failed");
         assertThat(lastLine()).matches("(3|6) passed, 1 failed");
+    }
+
+    @Test
+    void onWishAllTestsRunOnceOnNoOlderJdkThanTheDefaultOne() throws Exception {
+        String newest =
+                "\"${JAVA_HOME:+$JAVA_HOME/bin/}java\" -version 2>&1 | sed -n 's/.* version \"\\([0-9]*\\).*/java \\1/p'";
+        run("echo \"arguments $*\"; " + newest, "echo a dry run", "exhaustive");
+        assertThat(status).as(output).isZero();
+        assertThat(output).containsOnlyOnce("arguments ").contains("arguments test -Pexhaustive");
+        assertThat(output).doesNotContain("a dry run");
+        assertThat(lastLine()).isEqualTo("3 passed, 0 failed");
+        String version = output.lines()
+                .filter(line -> line.startsWith("java "))
+                .findFirst()
+                .orElseThrow();
+        assertThat(Integer.parseInt(version.substring(5)))
+                .isGreaterThanOrEqualTo(Runtime.version().feature());
+    }
+
+    @Test
+    void anotherArgumentIsRefusedAndNothingRuns() throws Exception {
+        run("echo it runs", "exit 0", "everything");
+        assertThat(status).isEqualTo(2);
+        assertThat(output).contains("usage: .ci/run [exhaustive]").doesNotContain("it runs");
     }
 
     @Test

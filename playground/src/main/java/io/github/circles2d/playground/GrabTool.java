@@ -1,7 +1,6 @@
 package io.github.circles2d.playground;
 
 import io.github.circles2d.Joint;
-import io.github.circles2d.JointType;
 import io.github.circles2d.Joints;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
@@ -90,16 +89,11 @@ final class GrabTool implements Tool {
         Joints joints = sandbox.world().joints();
         for (int id = 0; id < joints.idLimit(); id++) {
             long found = joints.handle(id);
-            if (found != 0 && isHand(joints.joint(found))) {
+            if (found != 0 && sandbox.isOfHand(found)) {
                 joints.remove(found);
             }
         }
         joint = 0;
-    }
-
-    /** Stages have no other pin whose force has a limit. */
-    private static boolean isHand(Joint joint) {
-        return joint.type() == JointType.PIN && joint.maxForce() < Float.POSITIVE_INFINITY;
     }
 
     /** Turns the body that is held by notches of the wheel; false if none is. */

@@ -87,8 +87,8 @@ public final class Playground {
                 session.sandbox().save(options.save());
                 long hash = session.world().hash();
                 String name = options.stage().name();
-                out.println(
-                        String.format("%s: %s, frame %d, hash %016x", options.save(), name, options.frames(), hash));
+                out.println(options.save() + ": " + name + ", frame " + options.frames() + ", hash "
+                        + String.format("%016x", hash));
             }
             if (options.link()) {
                 out.println(options.page() + session.link());

@@ -2,6 +2,9 @@ package io.github.circles2d.playground;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
+import io.github.circles2d.Joint;
+import io.github.circles2d.JointType;
+import io.github.circles2d.Joints;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldStats;
@@ -9,6 +12,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
 
 /** A world with its loop, its past and what is usual in it. Belongs to one thread. */
 final class Sandbox implements AutoCloseable {
@@ -24,6 +29,9 @@ final class Sandbox implements AutoCloseable {
     private Grain grain;
     private Stage stage;
     private int step;
+
+    /** The pins whose force has a limit that the world had when it came. */
+    private Set<Long> ownPulls = Set.of();
 
     /** What a person has set for this stage; 0 for its own. */
     private int subSteps;
@@ -55,13 +63,12 @@ final class Sandbox implements AutoCloseable {
             next.circles().accept(opened);
             WorldStats figures = opened.stats();
             Grain usual = Grain.of(opened);
-            replace(opened, figures);
+            replace(opened, figures, 0);
             grain = usual;
             stage = next;
             subSteps = wishedSubSteps;
             stageGravityX = opened.gravityX();
             stageGravityY = opened.gravityY();
-            begin(0);
         } catch (RuntimeException | Error e) {
             opened.close();
             throw e;
@@ -97,28 +104,49 @@ final class Sandbox implements AutoCloseable {
                 .build();
         try {
             next.restore(snapshot());
-            replace(next, next.stats());
+            replace(next, next.stats(), step);
             profiling = measures;
-            begin(step);
         } catch (RuntimeException | Error e) {
             next.close();
             throw e;
         }
     }
 
-    private void replace(World next, WorldStats figures) {
+    /** Takes another world, which has made so many steps. If that fails, all stays as it is. */
+    private void replace(World next, WorldStats figures, int at) {
+        FixedStep ofNext = new FixedStep(next, TIME_STEP);
+        Timeline past = new Timeline(next);
+        ownPulls = pulls(next);
         World old = world;
         world = next;
         stats = figures;
+        loop = ofNext;
+        timeline = past;
+        step = at;
         if (old != null) {
             old.close();
         }
     }
 
-    private void begin(int at) {
-        step = at;
-        loop = new FixedStep(world, TIME_STEP);
-        timeline = new Timeline(world);
+    private static Set<Long> pulls(World world) {
+        Joints joints = world.joints();
+        Set<Long> found = new HashSet<>();
+        for (int id = 0; id < joints.idLimit(); id++) {
+            long joint = joints.handle(id);
+            if (joint != 0 && isPull(joints.joint(joint))) {
+                found.add(joint);
+            }
+        }
+        return found;
+    }
+
+    private static boolean isPull(Joint joint) {
+        return joint.type() == JointType.PIN && joint.maxForce() < Float.POSITIVE_INFINITY;
+    }
+
+    /** Whether a joint is one by which a hand has held a circle: a world that was saved may have such joints of its own. */
+    boolean isOfHand(long joint) {
+        return isPull(world.joints().joint(joint)) && !ownPulls.contains(joint);
     }
 
     /** The state, ready to be restored. */

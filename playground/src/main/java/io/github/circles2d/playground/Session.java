@@ -4,6 +4,7 @@ import io.github.circles2d.Backend;
 import io.github.circles2d.World;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.function.Consumer;
 
 /** What a person does to a sandbox, and what there is to be seen of it. Belongs to one thread, which is not that of the window. */
@@ -305,6 +306,7 @@ final class Session implements AutoCloseable {
         rebuilt();
         long hash = gauges.hashNow(sandbox);
         say(String.format(
+                Locale.ROOT,
                 "%s goes on from step %,d: hash %016x, %s",
                 sandbox.stats().backend(),
                 sandbox.step(),

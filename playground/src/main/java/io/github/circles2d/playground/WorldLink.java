@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Base64;
+import java.util.Locale;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
@@ -26,8 +27,10 @@ final class WorldLink {
 
         TooLongException(int length) {
             super(String.format(
+                    Locale.ROOT,
                     "a link would have %,d characters, and may have %,d: save a file instead",
-                    length, GREATEST_LENGTH));
+                    length,
+                    GREATEST_LENGTH));
         }
     }
 

@@ -420,11 +420,19 @@ class PlaygroundSessionTest {
         session.load(Stages.named("empty"));
         session.open(file);
         assertThat(session.world().hash()).isEqualTo(hash);
+        session.press(80, 90);
         session.stepOnce();
+        session.stepOnce();
+        assertThat(session.world().joints().size()).isEqualTo(3);
         session.stepBack();
         assertThat(session.world().joints().size())
                 .as("only the hand of then is let go")
-                .isEqualTo(1);
+                .isEqualTo(2);
+        session.release();
+        session.switchTo(Backend.JVM);
+        session.stepOnce();
+        session.stepBack();
+        assertThat(session.world().joints().size()).isEqualTo(2);
     }
 
     @Test

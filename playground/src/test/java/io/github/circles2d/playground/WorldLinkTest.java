@@ -9,6 +9,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.Locale;
 import java.util.Random;
 import java.util.zip.Inflater;
 import java.util.zip.InflaterOutputStream;
@@ -50,9 +51,15 @@ class WorldLinkTest {
     void aLinkThatWouldBeTooLongIsRefused() {
         byte[] noise = new byte[24_000];
         new Random(1).nextBytes(noise);
-        assertThatExceptionOfType(WorldLink.TooLongException.class)
-                .isThrownBy(() -> WorldLink.of(noise))
-                .withMessageMatching(
-                        "a link would have 32,0\\d\\d characters, and may have 32,000: save a file instead");
+        Locale before = Locale.getDefault();
+        Locale.setDefault(Locale.GERMANY); // the text is English all the same
+        try {
+            assertThatExceptionOfType(WorldLink.TooLongException.class)
+                    .isThrownBy(() -> WorldLink.of(noise))
+                    .withMessageMatching(
+                            "a link would have 32,0\\d\\d characters, and may have 32,000: save a file instead");
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 }

@@ -11,10 +11,10 @@ import io.github.circles2d.world.model.PairRule;
 import java.util.Arrays;
 
 /**
- * The circles of {@linkplain GridLevels folded} levels, in cells about as large as they are apart. Whoever looks around a long path
- * would see many cells of {@link Grid} there, each with circles that are far away; here it sees few, and what is near. Where the
- * circles of a level lie close together, such cells are full, and this grid does not {@linkplain #holds hold} the level. Worlds
- * without walls have none. A cell is a list in no order, so what is made of it must not depend on one.
+ * The circles of {@linkplain GridLevels folded} levels, in cells about as wide as circles are apart. Around a long path {@link Grid} has
+ * many cells of such a level, each with circles that are far away; here there are few cells, with circles that are near. If the circles
+ * of a level lie close together, such cells are full, and this grid does not {@linkplain #holds hold} the level. It holds none in a world
+ * with an axis that has no walls. A cell is a list in no order, so no result may depend on one.
  */
 final class SparseGrid {
     private static final int NONE = -1;

@@ -43,7 +43,7 @@ public final class GridLevels {
     /** By size class. */
     public final int[] levelOf = new int[COUNT];
 
-    /** Circles. */
+    /** By level: the number of circles. */
     public final int[] population = new int[COUNT];
 
     public final float[] inverseEdge = new float[COUNT];

@@ -11,8 +11,8 @@ import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
- * The state of a world, which its parts keep: how it is saved, hashed, and replaced by another one. Before, all changes that wait and all
- * steps are made.
+ * The state of a world, which its parts keep: saves it, hashes it, and puts another one in its place. The caller makes all changes that
+ * wait, and all steps, before.
  */
 public final class WorldState {
     private final Pipeline pipeline;

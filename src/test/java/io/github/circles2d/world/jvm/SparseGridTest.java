@@ -63,6 +63,44 @@ class SparseGridTest {
         assertThat(found).isGreaterThan(MANY);
     }
 
+    /** All in few cells, so that threads meet at them; then far apart. */
+    @Test
+    void threadsFillTheSameCellsAsOneAndDecideAlike() {
+        for (float share : new float[] {0.02f, 1}) {
+            build(new Bounds(0, 0, 1, 1), share);
+            boolean held = sparse.holds(0, 0);
+            TreeSet<Integer> expected = slotsOfAll(sparse);
+            try (Team three = new Team(3)) {
+                SparseGrid shared = new SparseGrid(state, grid, levels, three);
+                shared.ensure();
+                boolean[] decisions = new boolean[3];
+                three.run(3, worker -> {
+                    shared.clear(worker);
+                    three.sync(worker);
+                    shared.add(worker, three.part(MANY, worker), three.part(MANY, worker + 1));
+                    three.sync(worker);
+                    shared.settle(worker);
+                    decisions[worker] = shared.holds(worker, 0);
+                });
+                assertThat(decisions).containsOnly(held);
+                assertThat(slotsOfAll(shared)).hasSize(MANY).isEqualTo(expected);
+            }
+        }
+    }
+
+    /** By a circle that reaches over all. */
+    private TreeSet<Integer> slotsOfAll(SparseGrid cells) {
+        float own = reach[0];
+        reach[0] = 10;
+        int count = cells.find(0, 0, 0, -1, 2, -1, 2, reach);
+        reach[0] = own;
+        TreeSet<Integer> slots = new TreeSet<>();
+        for (int k = 0; k < count; k++) {
+            assertThat(slots.add(cells.hits(0)[k])).as("found once").isTrue();
+        }
+        return slots;
+    }
+
     @Test
     void holdsNoLevelWhoseCirclesLieClose() {
         build(new Bounds(0, 0, 1, 1), 0.02f);

@@ -7,7 +7,9 @@ import io.github.circles2d.Rewind;
 import io.github.circles2d.Ropes;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
+import java.util.HashSet;
 import java.util.Random;
+import java.util.Set;
 
 /** A world, its past, and what the pointer does to it. */
 final class Sandbox {
@@ -57,6 +59,10 @@ final class Sandbox {
     private final Rewind past;
     private final int mostCircles;
     private final Random random = new Random(1);
+
+    /** The pins whose force has a limit that the world had when it came. Others of the past are hands of then. */
+    private final Set<Long> ownPulls = new HashSet<>();
+
     private long grabbed;
     private long grip;
     private long begun;
@@ -73,6 +79,7 @@ final class Sandbox {
         grain = Grain.of(world, first);
         mostCircles = Math.max(MOST_CIRCLES, world.size() + MORE_CIRCLES);
         int fitting = BYTES_OF_PAST / world.snapshotBytes();
+        findPulls();
         past = new Rewind(world, Math.max(LEAST_PAST, Math.min(fitting, MOST_PAST)));
     }
 
@@ -283,15 +290,24 @@ final class Sandbox {
         Joints joints = world.joints();
         for (int id = 0; id < joints.idLimit(); id++) {
             long found = joints.handle(id);
-            if (found != 0 && isHand(joints.joint(found))) {
+            if (found != 0 && isPull(joints.joint(found)) && !ownPulls.contains(found)) {
                 joints.remove(found);
             }
         }
         grip = 0;
     }
 
-    /** Stages have no other pin whose force has a limit. */
-    private static boolean isHand(Joint joint) {
+    private void findPulls() {
+        Joints joints = world.joints();
+        for (int id = 0; id < joints.idLimit(); id++) {
+            long found = joints.handle(id);
+            if (found != 0 && isPull(joints.joint(found))) {
+                ownPulls.add(found);
+            }
+        }
+    }
+
+    private static boolean isPull(Joint joint) {
         return joint.type() == JointType.PIN && joint.maxForce() < Float.POSITIVE_INFINITY;
     }
 }
