@@ -78,8 +78,9 @@ final class SparseGrid {
             }
         }
         if (last.length < cells) {
-            last = new int[cells + (cells >> 2)];
-            count = new int[last.length];
+            int c = cells + (cells >> 2);
+            count = new int[c];
+            last = new int[c]; // which tells what there is, so it comes last
         }
         if (cells > 0 && before.length < state.capacity()) {
             before = new int[state.capacity()];
