@@ -25,9 +25,6 @@ final class Picture {
 
     private static final int TINTS = 8;
 
-    /** The form of a piece of terrain that is an arc. */
-    static final float ARC = 3;
-
     /** The speed that has the last colour, as a part of one that is high in the world. */
     private static final float FAST = 0.5f;
 

@@ -51,10 +51,12 @@ record View(float minX, float minY, float maxX, float maxY) {
         float[] pieces = new float[Terrain.PIECE_STRIDE * world.terrain().size()];
         world.terrain().readPieces(pieces, null);
         for (int k = 0; k < pieces.length; k += Terrain.PIECE_STRIDE) {
-            if (pieces[k] == Picture.ARC) {
-                all = all.with(pieces[k + 2], pieces[k + 3], pieces[k + 4]);
+            if (pieces[k + Terrain.FORM] == Terrain.ARC) {
+                all = all.with(
+                        pieces[k + Terrain.CENTRE_X], pieces[k + Terrain.CENTRE_Y], pieces[k + Terrain.RADIUS]);
             } else {
-                all = all.with(pieces[k + 2], pieces[k + 3], 0).with(pieces[k + 4], pieces[k + 5], 0);
+                all = all.with(pieces[k + Terrain.X1], pieces[k + Terrain.Y1], 0)
+                        .with(pieces[k + Terrain.X2], pieces[k + Terrain.Y2], 0);
             }
         }
         return all;
