@@ -52,8 +52,7 @@ record View(float minX, float minY, float maxX, float maxY) {
         world.terrain().readPieces(pieces, null);
         for (int k = 0; k < pieces.length; k += Terrain.PIECE_STRIDE) {
             if (pieces[k + Terrain.FORM] == Terrain.ARC) {
-                all = all.with(
-                        pieces[k + Terrain.CENTRE_X], pieces[k + Terrain.CENTRE_Y], pieces[k + Terrain.RADIUS]);
+                all = all.with(pieces[k + Terrain.CENTRE_X], pieces[k + Terrain.CENTRE_Y], pieces[k + Terrain.RADIUS]);
             } else {
                 all = all.with(pieces[k + Terrain.X1], pieces[k + Terrain.Y1], 0)
                         .with(pieces[k + Terrain.X2], pieces[k + Terrain.Y2], 0);
