@@ -17,6 +17,9 @@ public final class Kernel implements AutoCloseable {
     /** Many enough for a GPU to hide latency, few enough for every device. */
     private static final int WORK_GROUP_SIZE = 256;
 
+    /** OpenCL takes a handle of zeros for no buffer. */
+    private static final long NO_BUFFER = 0;
+
     private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};
     private static final CLEvent[] WITH_EVENT = {};
 
@@ -43,12 +46,20 @@ public final class Kernel implements AutoCloseable {
         this.name = name;
         this.kernel = kernel;
         CLDevice device = session.device().handle();
-        Long limit = kernel.getWorkGroupSize().get(device);
-        maxWorkGroupSize = (int) Math.min(
-                limit == null ? WORK_GROUP_SIZE : limit, session.device().maxWorkGroupSize());
+        maxWorkGroupSize = (int) Math.min(limit(device), session.device().maxWorkGroupSize());
         usualSize = Math.min(WORK_GROUP_SIZE, maxWorkGroupSize);
         handle = new Handle(kernel::release);
         session.own(handle);
+    }
+
+    /** A kernel that requires a size has that; NVIDIA's driver gives 256 as the limit of each. */
+    private long limit(CLDevice device) {
+        long[] required = kernel.getCompileWorkGroupSize().get(device);
+        if (required != null && required[0] > 0) {
+            return required[0];
+        }
+        Long limit = kernel.getWorkGroupSize().get(device);
+        return limit == null ? WORK_GROUP_SIZE : limit;
     }
 
     /**
@@ -61,7 +72,7 @@ public final class Kernel implements AutoCloseable {
     }
 
     /**
-     * Returns the greatest work-group that this kernel can run in on this device.
+     * Returns the greatest work-group that this kernel can run in on this device: if its text requires a size, that one.
      *
      * @return work-items, at least 1
      */
@@ -93,6 +104,16 @@ public final class Kernel implements AutoCloseable {
         buffers[index] = buffer;
         numberBytes[index] = 0;
         return this;
+    }
+
+    /**
+     * Sets no buffer as a buffer argument, of which the kernel must then read and write nothing.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @return this kernel
+     */
+    public Kernel withoutBuffer(int index) {
+        return arg(index, NO_BUFFER);
     }
 
     private void ensureArguments(int index) {

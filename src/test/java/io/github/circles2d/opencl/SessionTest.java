@@ -49,6 +49,44 @@ class SessionTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void aKernelRunsInWorkGroupsOfTheSizeThatItRequires(Device device) {
+        KernelSource source = KernelSource.ofText(
+                "sizes",
+                "kernel __attribute__((reqd_work_group_size(SIZE, 1, 1))) void required(global int *size) {\n"
+                        + "    size[0] = (int) get_local_size(0);\n"
+                        + "}\n");
+        int size = Math.min(512, device.maxWorkGroupSize());
+        try (Session session = Session.open(device)) {
+            DeviceBuffer data = session.allocate("data", 4);
+            Kernel kernel = session.build(source.define("SIZE", size)).kernel("required");
+            assertThat(kernel.maxWorkGroupSize()).isEqualTo(size);
+            kernel.arg(0, data).run(1, size);
+            int[] result = new int[1];
+            data.read(0, IntBuffer.wrap(result));
+            assertThat(result[0]).isEqualTo(size);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void anArgumentWithoutABufferIsNull(Device device) {
+        KernelSource source = KernelSource.ofText(
+                "null", "kernel void tell(global int *data, global int *other) { data[0] = other == 0 ? 1 : 2; }\n");
+        try (Session session = Session.open(device)) {
+            DeviceBuffer data = session.allocate("data", 4);
+            Kernel kernel = session.build(source).kernel("tell").arg(0, data);
+            int[] result = new int[1];
+            kernel.withoutBuffer(1).run(1, 1);
+            data.read(0, IntBuffer.wrap(result));
+            assertThat(result[0]).isEqualTo(1);
+            kernel.arg(1, data).run(1, 1);
+            data.read(0, IntBuffer.wrap(result));
+            assertThat(result[0]).isEqualTo(2);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void intsGoThereAndBackAtAnOffsetFromHeapAndDirectBuffers(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer data = session.allocate("data", 32);

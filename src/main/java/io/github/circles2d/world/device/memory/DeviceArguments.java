@@ -38,6 +38,15 @@ final class DeviceArguments {
         return blocks;
     }
 
+    /** Of the buffer in which an array lies. */
+    static int position(DeviceArray array) {
+        Index index = array.index();
+        if (index.block() != null) {
+            return position(index);
+        }
+        return ARRAYS.indexOf(array.isHeld(Features.NONE) ? array : DeviceArray.KIND_MOTION);
+    }
+
     static int position(Index block) {
         return ARRAYS.size() + BLOCKS.indexOf(block);
     }

@@ -14,6 +14,7 @@ import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.ToLongFunction;
@@ -433,17 +434,28 @@ public final class DeviceArrays {
         version++;
     }
 
-    /** Gives a stage's kernel its buffers and what says where arrays lie in them; its other counts are set by {@link StageKernels}. */
-    void bind(Kernel kernel) {
+    /**
+     * Gives a stage's kernel the buffers that it uses and what says where arrays lie in them; its other counts are set by
+     * {@link StageKernels}.
+     */
+    void bind(Kernel kernel, BitSet used) {
         for (int k = 0; k < DeviceArguments.ARRAYS.size(); k++) {
-            kernel.arg(k, arrays.get(DeviceArguments.ARRAYS.get(k)));
+            bind(kernel, used, k, arrays.get(DeviceArguments.ARRAYS.get(k)));
         }
         blocks.forEach((index, block) -> {
-            kernel.arg(DeviceArguments.position(index), block.buffer());
+            bind(kernel, used, DeviceArguments.position(index), block.buffer());
             if (index.stride() != null && !index.forTilesAlone()) {
                 kernel.arg(index.stride().position(), block.stride());
             }
         });
         kernel.arg(DeviceCount.CONTACT_ROOM.position(), contactCapacity);
+    }
+
+    private static void bind(Kernel kernel, BitSet used, int position, DeviceBuffer buffer) {
+        if (used.get(position)) {
+            kernel.arg(position, buffer);
+        } else {
+            kernel.withoutBuffer(position);
+        }
     }
 }

@@ -23,6 +23,7 @@ public final class StageKernels {
 
     private final Program program;
     private final int workGroupSize;
+    private final UsedArguments used;
     private final Map<String, Kernel> staged = new HashMap<>();
     private final boolean recording;
     private int boundVersion = -1;
@@ -38,6 +39,7 @@ public final class StageKernels {
     public StageKernels(Session session, KernelSource source, int workGroupSize, boolean reporting, boolean recording) {
         KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
         compiled = recording ? compiled.define("RECORDING", 1) : compiled;
+        used = new UsedArguments(compiled);
         program = session.build(compiled, options(session.device()));
         this.workGroupSize = workGroupSize;
         this.recording = recording;
@@ -81,7 +83,7 @@ public final class StageKernels {
         boolean replaced = boundVersion != arrays.version();
         for (Kernel kernel : staged.values()) {
             if (replaced) {
-                arrays.bind(kernel);
+                arrays.bind(kernel, used.of(kernel.name()));
             }
             if (replaced || boundSlots != slots) {
                 kernel.arg(DeviceCount.SLOTS.position(), slots);

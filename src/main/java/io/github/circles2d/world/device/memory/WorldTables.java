@@ -11,7 +11,9 @@ import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * The text that the tables of the host give to the kernels: status words, structs that the host fills, the fields of elements, the argument
@@ -27,6 +29,9 @@ final class WorldTables {
 
     /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
     private static final List<String> FEATURES = List.of(TURNING, TERRAIN, JOINTS);
+
+    /** Macros that name all arrays, whether a kernel uses them or not. */
+    static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
 
     private WorldTables() {}
 
@@ -290,6 +295,12 @@ final class WorldTables {
     }
 
     /** What kernels are compiled for that have an array; empty if all have it. */
+    private static Set<String> macrosOfAllArrays() {
+        Set<String> macros = new HashSet<>(Set.of("WORLD", "WORLD_PARAMETERS"));
+        FEATURES.forEach(feature -> macros.add(feature + "_ARRAYS"));
+        return macros;
+    }
+
     private static String featureOf(DeviceArray array) {
         return array.turns() ? TURNING : array.isOfTerrain() ? TERRAIN : array.isOfJoints() ? JOINTS : "";
     }

@@ -1,0 +1,171 @@
+package io.github.circles2d.opencl;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The names that functions of a {@link KernelSource} reach: those in their own text, in the text of the functions, variables and macros that
+ * these are names of, and so on. They may be too many, never too few: all branches of the preprocessor count.
+ */
+public final class ReachableNames {
+    /** The worlds of a program mostly have the same kernels. */
+    private static volatile ReachableNames latest = new ReachableNames("", Set.of());
+
+    /** By what is defined: the names in its text, of all its texts if there are several. */
+    private final Map<String, Set<String>> definitions = new HashMap<>();
+
+    private final String text;
+    private final Set<String> hidden;
+    private int at;
+
+    private ReachableNames(String text, Set<String> hidden) {
+        this.text = text;
+        this.hidden = hidden;
+        while (skipSpace()) {
+            if (text.charAt(at) == '#') {
+                readDirective();
+            } else {
+                readDeclaration();
+            }
+        }
+    }
+
+    /**
+     * Reads a source.
+     *
+     * @param source the kernels
+     * @param hidden macros whose text does not count
+     * @return what its functions reach
+     */
+    public static ReachableNames of(KernelSource source, Set<String> hidden) {
+        ReachableNames names = latest;
+        String text = source.text();
+        if (!text.equals(names.text) || !hidden.equals(names.hidden)) {
+            names = new ReachableNames(text, hidden);
+            latest = names;
+        }
+        return names;
+    }
+
+    /**
+     * Returns the names that a kernel reaches, its own included.
+     *
+     * @param kernel the name of a function
+     * @return names
+     */
+    public Set<String> from(String kernel) {
+        Set<String> reached = new HashSet<>(Set.of(kernel));
+        Deque<String> next = new ArrayDeque<>(reached);
+        while (!next.isEmpty()) {
+            for (String name : definitions.getOrDefault(next.pop(), Set.of())) {
+                if (reached.add(name)) {
+                    next.push(name);
+                }
+            }
+        }
+        return reached;
+    }
+
+    private void readDirective() {
+        int end = at;
+        do {
+            end = endOfLine(end + 1);
+        } while (text.charAt(end - 1) == '\\');
+        at++;
+        boolean isMacro = nextName(end).equals("define");
+        String macro = nextName(end);
+        if (isMacro && !hidden.contains(macro)) {
+            Set<String> names = namesOf(macro);
+            for (String name = nextName(end); !name.isEmpty(); name = nextName(end)) {
+                names.add(name);
+            }
+        }
+        at = end;
+    }
+
+    /**
+     * Reads up to a semicolon, or the body of a function. Types are left out: their members are not used where they are declared. Directives
+     * may stand within.
+     */
+    private void readDeclaration() {
+        Set<String> names = new HashSet<>();
+        String declared = "";
+        String last = "";
+        int braces = 0;
+        int parentheses = 0;
+        while (skipSpace()) {
+            char c = text.charAt(at);
+            if (c == '#') {
+                readDirective();
+                continue;
+            }
+            if (isOfName(c)) {
+                last = nextName(text.length());
+                names.add(last);
+                continue;
+            }
+            at++;
+            boolean outside = braces == 0 && parentheses == 0;
+            if (outside && declared.isEmpty() && "(=[;".indexOf(c) >= 0 && !last.equals("__attribute__")) {
+                declared = last;
+            }
+            parentheses += c == '(' ? 1 : c == ')' ? -1 : 0;
+            braces += c == '{' ? 1 : c == '}' ? -1 : 0;
+            if (braces == 0 && (c == ';' || (c == '}' && !names.contains("typedef")))) {
+                break;
+            }
+        }
+        if (!names.contains("typedef")) {
+            namesOf(declared).addAll(names);
+        }
+    }
+
+    private Set<String> namesOf(String definition) {
+        return definitions.computeIfAbsent(definition, name -> new HashSet<>());
+    }
+
+    /** Goes to what is neither space nor comment; false at the end of the text. */
+    private boolean skipSpace() {
+        while (at < text.length()) {
+            if (text.startsWith("//", at)) {
+                at = endOfLine(at);
+            } else if (text.startsWith("/*", at)) {
+                int end = text.indexOf("*/", at + 2);
+                at = end < 0 ? text.length() : end + 2;
+            } else if (Character.isWhitespace(text.charAt(at)) || text.charAt(at) == '\\') {
+                at++;
+            } else {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private int endOfLine(int from) {
+        int end = text.indexOf('\n', from);
+        return end < 0 ? text.length() : end;
+    }
+
+    /** The next name before an end, not in a comment; empty if there is none. */
+    private String nextName(int end) {
+        while (skipSpace() && at < end) {
+            int from = at;
+            while (at < end && isOfName(text.charAt(at))) {
+                at++;
+            }
+            if (at > from) {
+                return text.substring(from, at);
+            }
+            at++;
+        }
+        return "";
+    }
+
+    private static boolean isOfName(char c) {
+        return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    }
+}

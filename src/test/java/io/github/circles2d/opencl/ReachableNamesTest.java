@@ -1,0 +1,69 @@
+package io.github.circles2d.opencl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+class ReachableNamesTest {
+    private static Set<String> reached(String text, String kernel, String... hidden) {
+        return ReachableNames.of(KernelSource.ofText("test", text), Set.of(hidden))
+                .from(kernel);
+    }
+
+    @Test
+    void aKernelReachesWhatItsFunctionsName() {
+        String text = """
+                float inner(global float *deep) { return deep[0]; }
+                float outer(global float *p) { if (p) { return inner(p); } return 0; }
+                float other(global float *q) { return q[0]; }
+                kernel void run(global float *p) { p[0] = outer(p); }
+                """;
+        assertThat(reached(text, "run"))
+                .contains("run", "outer", "inner", "deep")
+                .doesNotContain("other", "q");
+    }
+
+    @Test
+    void macrosVariablesAndAllBranchesCount() {
+        String text = """
+                #define FIRST(a) (a \\
+                    + SECOND)
+                #define SECOND hidden
+                #ifdef HOT
+                #define SECOND shown
+                #endif
+                constant float TABLE[2] = {A, B};
+                kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void run(int n) {
+                #ifdef HOT
+                    call(FIRST(n));
+                #else
+                    use(TABLE[n]);
+                #endif
+                }
+                """;
+        assertThat(reached(text, "run")).contains("shown", "hidden", "call", "use", "A", "B", "GROUP");
+        assertThat(reached(text, "run", "SECOND")).contains("SECOND").doesNotContain("shown", "hidden");
+    }
+
+    @Test
+    void typesCommentsAndOtherFunctionsOfTheSameTypeDoNot() {
+        String text = """
+                typedef struct {
+                    union { int member; } of;
+                } World; // comment
+                /* remark */
+                World one(World w) { return w; }
+                World two(World w) { return gone(w); }
+                TILE_KERNEL run(World w) { one(w); }
+                """;
+        assertThat(reached(text, "run"))
+                .contains("one", "World")
+                .doesNotContain("member", "comment", "remark", "gone", "two");
+    }
+
+    @Test
+    void anEndlessCommentEnds() {
+        assertThat(reached("kernel void run() { f(); } /* on and on", "run")).contains("f");
+    }
+}

@@ -1,0 +1,43 @@
+package io.github.circles2d.world.device.memory;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.device.plan.Plans;
+import java.util.BitSet;
+import org.junit.jupiter.api.Test;
+
+/** That kernels use no more buffers than these the tests of all plans show: what is missing would be no buffer at all. */
+class UsedArgumentsTest {
+    private final UsedArguments used = new UsedArguments(Plans.source(Plans.all()));
+
+    @Test
+    void aKernelUsesTheBuffersOfArraysThatItsTextNames() {
+        BitSet buffers = used.of("grid_count");
+        assertThat(buffers.get(DeviceArguments.position(DeviceArray.CONSTANTS))).isTrue();
+        assertThat(buffers.get(DeviceArguments.position(DeviceArray.HOME_CIRCLE)))
+                .isTrue();
+        assertThat(buffers.get(DeviceArguments.position(DeviceArray.LEVELS))).isTrue();
+        assertThat(buffers.get(DeviceArguments.position(DeviceArray.CONTACT))).isFalse();
+        assertThat(buffers.get(DeviceArguments.position(Index.TILE))).isFalse();
+    }
+
+    @Test
+    void tablesOfTerrainAndJointsLieInThatOfKinds() {
+        assertThat(DeviceArguments.position(DeviceArray.TERRAIN))
+                .isEqualTo(DeviceArguments.position(DeviceArray.KIND_MOTION));
+        assertThat(used.of("pieces_find").get(DeviceArguments.position(DeviceArray.TERRAIN)))
+                .isTrue();
+        assertThat(used.of("joints_begin").get(DeviceArguments.position(DeviceArray.JOINTS)))
+                .isTrue();
+    }
+
+    /** Each costs a driver time, in 20 launches a step. */
+    @Test
+    void mostKernelsUseFewBuffers() {
+        for (String kernel :
+                new String[] {"grid_count", "grid_scatter", "scan_starts", "contacts_list", "contacts_link"}) {
+            assertThat(used.of(kernel).cardinality()).as(kernel).isLessThan(DeviceArguments.COUNT / 2);
+        }
+    }
+}
