@@ -4,6 +4,7 @@ import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.BlobSwarm;
 import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.games.JointCosts;
+import io.github.circles2d.bench.games.SurfaceCosts;
 import io.github.circles2d.bench.games.TerrainCosts;
 import io.github.circles2d.bench.games.TerrainLevels;
 import io.github.circles2d.bench.measure.Measurements;
@@ -81,6 +82,9 @@ public final class Bench {
                     break;
                 case "games":
                     GameCosts.run(rest, System.out);
+                    break;
+                case "surfaces":
+                    SurfaceCosts.run(rest, System.out);
                     break;
                 case "terrain":
                     TerrainCosts.run(rest, System.out);
