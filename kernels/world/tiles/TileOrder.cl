@@ -21,6 +21,8 @@ typedef struct {
     float spin[TILE_CIRCLES]; // by circle: sums of impulses on the surface speed
 #endif
     ushort progress[TILE_CIRCLES];     // by circle: see below
+    // By cell of a layer: place of the first circle, how many, and circles of all layers.
+    ushort layerFrom[LAYER_CELLS], layerCount[LAYER_CELLS], layerBucket[LAYER_CELLS];
     int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
     short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
     int firstNumber; // of the tile's own contacts
@@ -48,11 +50,38 @@ int progressAfter(int progress, int round, int carried) {
     return (progress & HAS_CARRIED) | carried | met << MET_SHIFT | (round + 1);
 }
 
+bool isLayer(const Region *r) { return r->layersLog > 0; }
+
+// The keys of a layer go on from the greatest at the least, and so do its circles in the bucket.
+void findLayer(const World *w, const Region *r, local Arrangement *a, int cell) {
+    int row = cell / r->columns;
+    int column = r->firstColumn + cell - row * r->columns;
+    int bucket = bucketOfRow(w, r, row) + wrapped(column, r->torusColumns);
+    int start = w->bucketStart[bucket];
+    int end = w->bucketStart[bucket + 1];
+    int seam = sheetKeyOf(w, r->level, column >= r->torusColumns, r->firstRow + row >= r->torusRows);
+    uint keys = 1u << (32 - r->layersLog);
+    int firstKey = (int) ((uint) r->layer * keys + (uint) seam);
+    int endKey = (int) ((uint) firstKey + keys);
+    int from = firstOfSheet(w, start, end, firstKey);
+    int to = firstOfSheet(w, start, end, endKey);
+    a->layerFrom[cell] = (ushort) (from - start);
+    a->layerCount[cell] = (ushort) (to - from + (endKey < firstKey ? end - start : 0));
+    a->layerBucket[cell] = (ushort) (end - start);
+}
+
+int circlesOfLayerBefore(local const Arrangement *a, int cell) {
+    int sum = 0;
+    for (int before = 0; before < cell; before++) sum += a->layerCount[before];
+    return sum;
+}
+
 // All work-items of the work-group; returns how many there are.
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item < r->rows) a->rowSlots[item] = slotsInRow(w, r, item);
+    TILE_EACH(cell, isLayer(r) ? r->columns * r->rows : 0) findLayer(w, r, a, cell);
     if (item == 0) {
         a->contacts = 0;
         a->met = 0;
@@ -69,7 +98,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         a->rowStart[item] = sum;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    int circles = a->rowStart[r->rows];
+    int circles = isLayer(r) ? circlesOfLayerBefore(a, r->columns * r->rows) : a->rowStart[r->rows];
     int cells = circles > TILE_CIRCLES ? 0 : r->columns * r->rows;
 #pragma unroll 1
     TILE_EACH(cell, cells) {
@@ -81,9 +110,19 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int from = w->bucketStart[bucket];
         int to = w->bucketStart[bucket + 1];
         int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
+        int end = i + to - from;
+        int slot = from;
+        if (isLayer(r)) {
+            i = circlesOfLayerBefore(a, cell);
+            end = i + a->layerCount[cell];
+            slot += a->layerFrom[cell];
+        }
         a->cellStart[cell] = (ushort) i;
         int own = owns(r, inRow, row) ? 0 : NOT_OWN;
-        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
+        for (; i < end; i++) {
+            if (slot == to) slot = from;
+            record[RECORD_SLOTS + i] = slot++ | own;
+        }
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
@@ -96,12 +135,23 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     return circles;
 }
 
+// Negative if it is none of the layer.
+int placeInLayer(local const Arrangement *a, int cell, int place) {
+    place -= a->layerFrom[cell];
+    if (place < 0) place += a->layerBucket[cell];
+    return place < a->layerCount[cell] ? place : -1;
+}
+
+// Negative if it is none of the tile's layer.
 int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
     if (part & LINK_COLUMN) column++;
     if (part & LINK_ROW) row++;
     if (r->ringX) column = wrapped(column, r->torusColumns);
     if (r->ringY) row = wrapped(row, r->torusRows);
-    return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
+    int cell = row * r->columns + column;
+    int place = (int) (part & LINK_PLACE);
+    if (isLayer(r)) place = placeInLayer(a, cell, place);
+    return place < 0 ? -1 : a->cellStart[cell] + place;
 }
 
 // A contact as met, in 32 bits: its group by column (6) and row (4) in the region, its place there (13), its round (9).
@@ -123,13 +173,35 @@ uint meeting(int column, int row, int inGroup, int round) {
 // Where their copies are to be.
 global uint *metFrom(const World *w, int firstCopy) { return metOf(w) + 2 * (size_t) firstCopy; }
 
+// Work-items that count the contacts of a group.
+#define LAYER_COUNTERS 16
+
+// Of the groups of a colour, by number: contacts that one of the group's counters finds in the layer.
+int contactsInLayer(const World *w, const Region *r, local const Arrangement *a, const Groups *g, int number, int counter) {
+    int line = number / g->across;
+    int column = g->column + 2 * (number - line * g->across);
+    int row = g->row + 2 * line;
+    int group = groupAt(w, r, column, row);
+    int end = w->groupStart[group + 1];
+    int sum = 0;
+    for (int c = w->groupStart[group] + counter; c < end; c += LAYER_COUNTERS) {
+        uint link = w->link[c];
+        sum += circleOfLink(r, a, column, row, link) >= 0 && circleOfLink(r, a, column, row, link >> 16) >= 0;
+    }
+    return sum;
+}
+
 // Returns whether there is room.
 bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any) {
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         Groups g = groupsOfColour(r, colour);
-        int lines = any ? g.down : 0;
+        int lines = any && !isLayer(r) ? g.down : 0;
         TILE_EACH(line, lines) atomic_add(&a->contacts, contactsInRow(w, r, &g, line));
+        int counters = any && isLayer(r) ? LAYER_COUNTERS * g.across * g.down : 0;
+        TILE_EACH(i, counters) {
+            atomic_add(&a->contacts, contactsInLayer(w, r, a, &g, i / LAYER_COUNTERS, i % LAYER_COUNTERS));
+        }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     int contacts = a->contacts;
@@ -142,11 +214,15 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
     return fits && (contacts == 0 || (a->firstCopy >= 0 && a->firstCopy <= w->copyRoom - contacts));
 }
 
-// k: its place among those met.
+// k: its place among those met, if all are the tile's.
 void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup,
                  uint link, float2 impulse AND_TURNING(float2 spins)) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
+    if (isLayer(r)) {
+        if (lo < 0 || hi < 0) return;
+        k = atomic_inc(&a->met);
+    }
     int progressLo = a->progress[lo];
     int progressHi = a->progress[hi];
     float2 loadLo = a->load[lo];
@@ -192,7 +268,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int group = groupAt(w, r, column, row);
             int first = w->groupStart[group];
             int size = w->groupStart[group + 1] - first;
-            int k0 = size > 0 ? atomic_add(&a->met, size) : 0;
+            int k0 = size > 0 && !isLayer(r) ? atomic_add(&a->met, size) : 0;
 #pragma unroll 1
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];

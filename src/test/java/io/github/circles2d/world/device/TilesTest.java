@@ -4,16 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,6 +25,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Which way a step takes where tiles are the plan; that all ways have the same bits is for {@link PipelinesAgreeTest}. */
 class TilesTest {
+    private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
+
     static List<Device> devices() {
         return TestDevices.all().stream().filter(Tiles::fit).toList();
     }
@@ -78,6 +84,47 @@ class TilesTest {
                 twins.assertEqual("step " + k);
             }
             assertThat(pipeline.kernelNanos()).containsKey("contacts_cutTiles").doesNotContainKey("solver_solve");
+        }
+    }
+
+    /** A region of the smallest tile, eight cells wide, has 1,377 of the circles, so tiles have layers. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aRowOfManyCirclesInAsWideAnArenaIsSolvedByTiles(Device device) {
+        DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
+        Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+        try (Twins twins = Twins.empty(UNIT, java, pipeline)) {
+            SparseArena.line(21_000, 0, 0.99, 1, twins::add);
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("a row");
+            assertThat(pipeline.kernelNanos()).containsKey("contacts_cutTiles").doesNotContainKey("solver_solve");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void manyTurnsOfTheTorusAreSolvedByTilesWithTheSameBitsAndEvents(Device device) {
+        for (AxisEdge edge : List.of(AxisEdge.WALL, AxisEdge.OPEN)) {
+            for (int large : new int[] {1, 8}) {
+                DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
+                Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+                try (Twins twins = Twins.empty(UNIT.with(edge, edge), java, pipeline)) {
+                    twins.report(ContactEvents.BEGIN | ContactEvents.END | ContactEvents.HIT);
+                    SparseArena.corners(edge == AxisEdge.OPEN, large * SparseArena.RADIUS, new Random(2), twins::add);
+                    int events = 0;
+                    for (int k = 0; k < TestScale.of(2, 20); k++) {
+                        String when = edge + ", " + large + ", after " + 2 * (k + 1) + " steps";
+                        twins.step(1 / 60f, 2);
+                        twins.assertEqual(when);
+                        twins.assertSameFigures();
+                        events += twins.assertSameEvents(when);
+                    }
+                    assertThat(events).isGreaterThan(100);
+                    assertThat(pipeline.kernelNanos())
+                            .containsKey("contacts_cutTiles")
+                            .doesNotContainKey("solver_solve");
+                }
+            }
         }
     }
 

@@ -118,6 +118,7 @@ class WorldOclgrindTest {
                         "wide",
                         "fast",
                         "TILES",
+                        "layers of tiles",
                         "turning",
                         "terrain",
                         "edges"))

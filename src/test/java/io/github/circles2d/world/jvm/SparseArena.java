@@ -74,6 +74,27 @@ public final class SparseArena {
         }
     }
 
+    /** How many circles {@link #corners} adds: the torus of so many has 26 columns and 58 rows. */
+    public static final int IN_CORNERS = 2000;
+
+    /**
+     * Circles that move slowly, around the corners of 20 x 20 turns of the torus: all are in the same few cells of it.
+     *
+     * @param isOpen whether the edges are
+     * @param large radius of one in forty
+     */
+    public static void corners(boolean isOpen, float large, Random random, Taker to) {
+        float cell = 2 * RADIUS * (1 + Tuning.MARGIN + Tuning.CAP) + (isOpen ? 0 : 0x1p-20f);
+        for (int i = 0; i < IN_CORNERS; i++) {
+            int turn = i / 5;
+            float x = (20 + turn % 20) * 26 * cell + 4 * cell * (random.nextFloat() - 0.5f);
+            float y = (20 + turn / 20) * 58 * cell + 2 * cell * (random.nextFloat() - 0.5f);
+            float vx = 10 * RADIUS * (random.nextFloat() - 0.5f);
+            float vy = 10 * RADIUS * (random.nextFloat() - 0.5f);
+            to.add(x, y, i % 40 == 0 ? large : 0.99f * RADIUS, 1, 0.5f, vx, vy);
+        }
+    }
+
     /**
      * Groups of four circles each, near enough to each other for contacts, at random places; one circle in eight goes a few
      * radii in a step of 1/60.
