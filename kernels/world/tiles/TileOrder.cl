@@ -135,22 +135,25 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     return circles;
 }
 
+int cellOfLink(const Region *r, int column, int row, uint part) {
+    if (part & LINK_COLUMN) column++;
+    if (part & LINK_ROW) row++;
+    if (r->ringX) column = wrapped(column, r->torusColumns);
+    if (r->ringY) row = wrapped(row, r->torusRows);
+    return row * r->columns + column;
+}
+
 // Negative if it is none of the layer.
-int placeInLayer(local const Arrangement *a, int cell, int place) {
-    place -= a->layerFrom[cell];
+int placeInLayer(local const Arrangement *a, int cell, uint part) {
+    int place = (int) (part & LINK_PLACE) - a->layerFrom[cell];
     if (place < 0) place += a->layerBucket[cell];
     return place < a->layerCount[cell] ? place : -1;
 }
 
 // Negative if it is none of the tile's layer.
 int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
-    if (part & LINK_COLUMN) column++;
-    if (part & LINK_ROW) row++;
-    if (r->ringX) column = wrapped(column, r->torusColumns);
-    if (r->ringY) row = wrapped(row, r->torusRows);
-    int cell = row * r->columns + column;
-    int place = (int) (part & LINK_PLACE);
-    if (isLayer(r)) place = placeInLayer(a, cell, place);
+    int cell = cellOfLink(r, column, row, part);
+    int place = isLayer(r) ? placeInLayer(a, cell, part) : (int) (part & LINK_PLACE);
     return place < 0 ? -1 : a->cellStart[cell] + place;
 }
 
@@ -186,7 +189,8 @@ int contactsInLayer(const World *w, const Region *r, local const Arrangement *a,
     int sum = 0;
     for (int c = w->groupStart[group] + counter; c < end; c += LAYER_COUNTERS) {
         uint link = w->link[c];
-        sum += circleOfLink(r, a, column, row, link) >= 0 && circleOfLink(r, a, column, row, link >> 16) >= 0;
+        sum += placeInLayer(a, cellOfLink(r, column, row, link), link) >= 0 &&
+               placeInLayer(a, cellOfLink(r, column, row, link >> 16), link >> 16) >= 0;
     }
     return sum;
 }
@@ -555,21 +559,35 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     }
 }
 
-// Index space: a work-group a tile. cut: tiles of the list.
-TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int cut RECORDING_PARAMETERS) {
+// listed: tiles of the list. Known to kernels, or those without layers would ask for them at each contact.
+INLINE void arrangeOne(const World *w, local Arrangement *a, bool listed) {
+    if (w->status[EVENTS_LACK]) return; // the records are read once more
+    // Others may refuse the step meanwhile: a work-group must see one answer.
+    if (get_local_id(0) == 0) {
+        if (atomic_max(&w->status[TILE_PEAK], 0) == NO_TILE) refuseTile(w, NO_TILE); // see linkContact
+        if (listed && w->status[TILES_LISTED] > w->levels->tileCount) atomic_or(&w->status[OUT_OF_ROOM], 1);
+        a->idle = refusedMeanwhile(w);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int tile = (int) get_group_id(0);
+    Region r = listed ? regionOfListed(w, tile) : regionOf(w, tile);
+    arrangeTile(w, &r, a, tile, a->idle, 2);
+}
+
+// Index space of both: a work-group a tile.
+
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
-    if (status[EVENTS_LACK]) return; // the records are read once more
-    // Others may refuse the step meanwhile: a work-group must see one answer.
-    if (get_local_id(0) == 0) {
-        if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
-        if (cut && status[TILES_LISTED] > w.levels->tileCount) atomic_or(&status[OUT_OF_ROOM], 1);
-        arrangement.idle = refusedMeanwhile(&w);
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    int tile = (int) get_group_id(0);
-    Region r = cut ? regionOfListed(&w, tile) : regionOf(&w, tile);
-    arrangeTile(&w, &r, &arrangement, tile, arrangement.idle, 2);
+    arrangeOne(&w, &arrangement, false);
+}
+
+TILE_KERNEL contacts_arrangeListed(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    SET_TOUCH_NUMBERS(w);
+    local Arrangement arrangement;
+    arrangeOne(&w, &arrangement, true);
 }
