@@ -7,6 +7,8 @@ typedef struct {
         struct {
             uint place[TILE_ROUNDS + 1];       // by round: of its next own contact (lower half), next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
+            // By cell of a layer: place of the first circle, how many, and circles of all layers.
+            ushort layerFrom[LAYER_CELLS], layerCount[LAYER_CELLS], layerBucket[LAYER_CELLS];
         } met;
         struct { // when all have been placed
             float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
@@ -21,8 +23,6 @@ typedef struct {
     float spin[TILE_CIRCLES]; // by circle: sums of impulses on the surface speed
 #endif
     ushort progress[TILE_CIRCLES];     // by circle: see below
-    // By cell of a layer: place of the first circle, how many, and circles of all layers.
-    ushort layerFrom[LAYER_CELLS], layerCount[LAYER_CELLS], layerBucket[LAYER_CELLS];
     int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
     short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
     int firstNumber; // of the tile's own contacts
@@ -65,14 +65,14 @@ void findLayer(const World *w, const Region *r, local Arrangement *a, int cell) 
     int endKey = (int) ((uint) firstKey + keys);
     int from = firstOfSheet(w, start, end, firstKey);
     int to = firstOfSheet(w, start, end, endKey);
-    a->layerFrom[cell] = (ushort) (from - start);
-    a->layerCount[cell] = (ushort) (to - from + (endKey < firstKey ? end - start : 0));
-    a->layerBucket[cell] = (ushort) (end - start);
+    a->of.met.layerFrom[cell] = (ushort) (from - start);
+    a->of.met.layerCount[cell] = (ushort) (to - from + (endKey < firstKey ? end - start : 0));
+    a->of.met.layerBucket[cell] = (ushort) (end - start);
 }
 
 int circlesOfLayerBefore(local const Arrangement *a, int cell) {
     int sum = 0;
-    for (int before = 0; before < cell; before++) sum += a->layerCount[before];
+    for (int before = 0; before < cell; before++) sum += a->of.met.layerCount[before];
     return sum;
 }
 
@@ -114,8 +114,8 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int slot = from;
         if (isLayer(r)) {
             i = circlesOfLayerBefore(a, cell);
-            end = i + a->layerCount[cell];
-            slot += a->layerFrom[cell];
+            end = i + a->of.met.layerCount[cell];
+            slot += a->of.met.layerFrom[cell];
         }
         a->cellStart[cell] = (ushort) i;
         int own = owns(r, inRow, row) ? 0 : NOT_OWN;
@@ -145,9 +145,9 @@ int cellOfLink(const Region *r, int column, int row, uint part) {
 
 // Negative if it is none of the layer.
 int placeInLayer(local const Arrangement *a, int cell, uint part) {
-    int place = (int) (part & LINK_PLACE) - a->layerFrom[cell];
-    if (place < 0) place += a->layerBucket[cell];
-    return place < a->layerCount[cell] ? place : -1;
+    int place = (int) (part & LINK_PLACE) - a->of.met.layerFrom[cell];
+    if (place < 0) place += a->of.met.layerBucket[cell];
+    return place < a->of.met.layerCount[cell] ? place : -1;
 }
 
 // Negative if it is none of the tile's layer.

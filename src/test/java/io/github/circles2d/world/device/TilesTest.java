@@ -15,6 +15,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.shared.Pipeline;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -104,7 +105,8 @@ class TilesTest {
     @ParameterizedTest
     @MethodSource("devices")
     void manyTurnsOfTheTorusAreSolvedByTilesWithTheSameBitsAndEvents(Device device) {
-        for (AxisEdge edge : List.of(AxisEdge.WALL, AxisEdge.OPEN)) {
+        AxisEdge[] edges = {AxisEdge.WALL, AxisEdge.OPEN};
+        for (AxisEdge edge : Arrays.copyOf(edges, TestScale.of(1, 2))) {
             for (int large : new int[] {1, 8}) {
                 DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
                 Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
