@@ -574,7 +574,7 @@ INLINE void arrangeOne(const World *w, local Arrangement *a, bool listed) {
     arrangeTile(w, &r, a, tile, a->idle, 2);
 }
 
-// Index space of both: a work-group a tile.
+// Index space of both: a work-group a tile. Oclgrind gives a kernel the local memory of all whose names begin with its own, too: these do not.
 
 TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -584,7 +584,7 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     arrangeOne(&w, &arrangement, false);
 }
 
-TILE_KERNEL contacts_arrangeListed(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+TILE_KERNEL contacts_orderListed(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
