@@ -40,6 +40,9 @@ final class TouchingPairs {
     /** By hash, of which there are a power of two: the first pair of the chain, or NONE. */
     private int[] first = {NONE};
 
+    /** By hash: the marks of the chain's pairs. They are few bytes, and mostly tell of a pair that is not there. */
+    private byte[] marks = new byte[1];
+
     /** By pair: a row of what is looked at together. */
     private int[] rows = new int[0];
 
@@ -57,11 +60,13 @@ final class TouchingPairs {
             int c = Math.max(pairs, Math.max(LEAST_PAIRS, b.length + (b.length >> 1)));
             int hashes = c > 1 << 30 ? 1 << 30 : Integer.highestOneBit(2 * c - 1);
             int[] longer = new int[hashes];
+            byte[] longerMarks = new byte[hashes];
             rows = Arrays.copyOf(rows, Math.multiplyExact(STRIDE, c));
             next = Arrays.copyOf(next, c);
             a = Arrays.copyOf(a, c);
             b = Arrays.copyOf(b, c);
             first = longer;
+            marks = longerMarks;
             Arrays.fill(first, NONE);
             for (int pair = 0; pair < count; pair++) {
                 chain(pair);
@@ -74,6 +79,7 @@ final class TouchingPairs {
         others = 0;
         if (count > 0) {
             Arrays.fill(first, NONE);
+            Arrays.fill(marks, (byte) 0);
             count = 0;
         }
     }
@@ -110,7 +116,12 @@ final class TouchingPairs {
 
     /** The number of a pair, or NONE. */
     int find(int lowerId, int higherId) {
-        int pair = first[hash(lowerId, higherId)];
+        int mixed = mix(lowerId, higherId);
+        int hash = hash(mixed);
+        if ((marks[hash] & mark(mixed)) == 0) {
+            return NONE;
+        }
+        int pair = first[hash];
         while (pair != NONE && !is(pair, lowerId, higherId)) {
             pair = next[pair];
         }
@@ -122,15 +133,29 @@ final class TouchingPairs {
     }
 
     /** Ids are dense: a multiplicative hash of each, of which the upper bits count. */
-    private int hash(int lowerId, int higherId) {
-        int mixed = (lowerId * 0x9E3779B1 ^ higherId) * 0x85EBCA6B;
+    private static int mix(int lowerId, int higherId) {
+        return (lowerId * 0x9E3779B1 ^ higherId) * 0x85EBCA6B;
+    }
+
+    private int hash(int mixed) {
         return (mixed ^ mixed >>> 15) & first.length - 1;
     }
 
+    /** One of eight bits. */
+    private static int mark(int mixed) {
+        return 1 << (mixed >>> 29);
+    }
+
+    private int mixOf(int pair) {
+        return mix(lower(pair), higher(pair));
+    }
+
     private void chain(int pair) {
-        int hash = hash(lower(pair), higher(pair));
+        int mixed = mixOf(pair);
+        int hash = hash(mixed);
         next[pair] = first[hash];
         first[hash] = pair;
+        marks[hash] |= (byte) mark(mixed);
     }
 
     /** Adds a pair that is not there, and returns its number. */
@@ -152,7 +177,9 @@ final class TouchingPairs {
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
         others -= EventOrder.isCircle(higher(pair)) ? 0 : 1;
+        int hash = hash(mixOf(pair));
         link(pair, next[pair]);
+        markAnew(hash);
         int last = --count;
         if (pair != last) {
             link(last, pair);
@@ -163,9 +190,18 @@ final class TouchingPairs {
         }
     }
 
+    /** Marks a chain anew. */
+    private void markAnew(int hash) {
+        int all = 0;
+        for (int pair = first[hash]; pair != NONE; pair = next[pair]) {
+            all |= mark(mixOf(pair));
+        }
+        marks[hash] = (byte) all;
+    }
+
     /** Lets what leads to a pair lead to another. */
     private void link(int pair, int to) {
-        int hash = hash(lower(pair), higher(pair));
+        int hash = hash(mixOf(pair));
         if (first[hash] == pair) {
             first[hash] = to;
             return;
@@ -179,6 +215,6 @@ final class TouchingPairs {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * first.length + 4L * rows.length + 20L * b.length;
+        return 5L * first.length + 4L * rows.length + 20L * b.length;
     }
 }

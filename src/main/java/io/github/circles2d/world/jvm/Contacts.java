@@ -295,7 +295,7 @@ public final class Contacts {
                 warmGrip(c, found, constants);
             }
             if (touches != null) {
-                touches.follow(c, found);
+                touches.follow(worker, c, found);
             }
         }
         if (!candidates.thinned()) {
@@ -306,7 +306,7 @@ public final class Contacts {
     }
 
     /** Fills some cross contacts. */
-    void fillCross(int from, int to, StepConstants constants) {
+    void fillCross(int worker, int from, int to, StepConstants constants) {
         int entry = from;
         for (int c = from; c < to; c++) {
             int light = cross.lightSlot(c - firstCross);
@@ -320,7 +320,7 @@ public final class Contacts {
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             if (touches != null) {
-                touches.follow(c, found);
+                touches.follow(worker, c, found);
             }
             heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
             int o = ContactRow.of(c);

@@ -53,6 +53,11 @@ final class PairVisits {
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
 
+    /** Contacts of a block whose impulses of the relaxing pass are not kept, as far as {@link #touches} is told of them. */
+    private final int[] unkeptOnes = new int[BLOCK];
+
+    private int unkept;
+
     private final LikeBodies like;
 
     /** Null if the contacts are of circles of one level. */
@@ -234,6 +239,9 @@ final class PairVisits {
         int visit = visitOf(c, vn, lingers, meets);
         if (visit == Constraints.BOUNCE && !(cross != null && cross.waits(c, a, b, separation + vn * k.h, false))) {
             bounce(c, a, b, vn - contacts.halfFall(c, k));
+            if (touches != null) {
+                touches.noteUnkept(c);
+            }
         }
         return visit != Constraints.SOLVE;
     }
@@ -266,8 +274,13 @@ final class PairVisits {
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
         for (int block = from; block < to; block += BLOCK) {
-            int open = measureAll(block, Math.min(to, block + BLOCK));
+            int end = Math.min(to, block + BLOCK);
+            int open = measureAll(block, end);
+            unkept = 0;
             int carrying = relaxOpen(open, k);
+            if (touches != null) {
+                touches.afterRelax(listed, carrying, unkeptOnes, unkept, block, end, k.dt);
+            }
             if (last) {
                 storeImpulses(carrying);
             } else {
@@ -329,6 +342,7 @@ final class PairVisits {
                 next = 0f;
                 if (touches != null) {
                     touches.add(c, impulse + applied);
+                    unkeptOnes[unkept++] = c;
                 }
             }
             q[o + NORMAL_IMPULSE] = next;
@@ -344,6 +358,7 @@ final class PairVisits {
         if (visit == Constraints.BOUNCE
                 && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
             bounce(c, a, b, vn);
+            unkeptOnes[unkept++] = c;
         } else if (grips != null && visit != Constraints.SOLVE) {
             float[] q = contacts.contact;
             int o = ContactRow.of(c);

@@ -151,10 +151,10 @@ public final class Solver {
         for (int l = 0; l < share.count; l++) {
             int from = firstCross(share, l);
             int to = endCross(share, l);
-            contacts.fillCross(from, to, k);
+            contacts.fillCross(worker, from, to, k);
             crossVisits[worker].prepare(from, to);
             if (touches != null) {
-                touches.clear(from, to);
+                touches.clear(worker, from, to);
             }
         }
         team.sync(worker);
@@ -364,8 +364,8 @@ public final class Solver {
         team.sync(worker);
         for (int l = 0; l < share.count; l++) {
             crossVisits[worker].relax(firstCross(share, l), endCross(share, l), k, last);
-            if (touches != null) {
-                touches.afterRelax(worker, firstCross(share, l), endCross(share, l), k, last);
+            if (touches != null && last) {
+                touches.tell(worker, firstCross(share, l), endCross(share, l), k);
             }
         }
         team.sync(worker);
@@ -409,7 +409,7 @@ public final class Solver {
         int level = levels.used[l];
         likeVisits[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
         if (touches != null) {
-            touches.clear(firstContact(level, row), firstContact(level, row + 1));
+            touches.clear(worker, firstContact(level, row), firstContact(level, row + 1));
         }
     }
 
@@ -422,9 +422,8 @@ public final class Solver {
 
     private void relax(int worker, int level, int row, int sub, StepConstants k) {
         likeVisits[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
-        if (touches != null) {
-            touches.afterRelax(
-                    worker, firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
+        if (touches != null && sub == k.subSteps - 1) {
+            touches.tell(worker, firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
 import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
@@ -27,12 +28,15 @@ import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
 
 /**
- * Records what contacts do in a step, if events are reported. It looks at a row of contacts after each pass over it; the passes
+ * Records what contacts do in a step, if events are reported. It looks at contacts after each pass over them; the passes
  * themselves tell it of impulses that they do not keep. {@link WallTouches} does the same for walls.
  */
 final class Touches {
     private static final int STRIDE = 4;
     private static final int BLOCK = 256;
+
+    /** Contacts of a {@link #hasUnkept}, as a power of two. */
+    private static final int PART = 5;
 
     /** In place of the number of a pair that has to be looked for. */
     private static final int UNKNOWN = Integer.MAX_VALUE;
@@ -74,7 +78,7 @@ final class Touches {
     /** By worker: what it tells of the step. */
     private final TouchRecords[] records;
 
-    /** By worker: the contacts that need a record; and how many. */
+    /** By worker: the contacts whose pairs are to be found, later those that need a record; and how many. */
     private final int[][] listed;
 
     private final int[] count;
@@ -100,6 +104,9 @@ final class Touches {
     private int numbering;
 
     private float[] rows = new float[0];
+
+    /** By part of the contacts: whether some may have bounced in a biased pass of this step. */
+    private boolean[] hasUnkept = new boolean[0];
 
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
     private float[] places = new float[0];
@@ -141,6 +148,7 @@ final class Touches {
         }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
+            hasUnkept = new boolean[(length / STRIDE >> PART) + 1];
             places = new float[length];
             rows = new float[length];
         }
@@ -162,16 +170,36 @@ final class Touches {
     }
 
     /** Takes note which contact of the step before a contact goes on from, or -1. */
-    void follow(int c, int before) {
-        number[c] = before < 0 || before >= numberBefore.length ? UNKNOWN : numberBefore[before];
+    void follow(int worker, int c, int before) {
+        int known = before < 0 || before >= numberBefore.length ? UNKNOWN : numberBefore[before];
+        number[c] = known;
+        if (!events.isNumber(pairOf(known))) {
+            list(worker, c);
+        }
+    }
+
+    /** Finds the pairs of the contacts that are listed: one search after the other, so that the processor waits for several at once. */
+    private void findListed(int worker) {
+        int[] ofWorker = listed[worker];
+        for (int n = 0; n < count[worker]; n++) {
+            long ids = contacts.ids(ofWorker[n]);
+            int pair = events.find((int) (ids >>> 32), (int) ids);
+            boolean goesOn = pair != ContactEvents.NONE && events.openHit(pair) != ContactEvents.NONE;
+            number[ofWorker[n]] = goesOn ? ContactEvents.going(pair) : pair;
+        }
+        count[worker] = 0;
     }
 
     /** Begins a step for contacts. */
-    void clear(int from, int to) {
+    void clear(int worker, int from, int to) {
+        findListed(worker);
         for (int t = STRIDE * from; t < STRIDE * to; t += STRIDE) {
             rows[t + APPROACH] = TouchRule.NONE;
             rows[t + IMPULSE] = 0f;
             rows[t + IMPULSE_NOW] = 0f;
+        }
+        if (from < to) {
+            Arrays.fill(hasUnkept, from >> PART, (to - 1 >> PART) + 1, false);
         }
         if (slips != null) {
             Arrays.fill(slips, SLIPS * from, SLIPS * to, 0f);
@@ -180,24 +208,25 @@ final class Touches {
             long ids = contacts.ids(c);
             wanted[c] = events.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
         }
-        for (int c = from; c < to; c++) {
-            if (!events.isNumber(pair(c))) {
-                long ids = contacts.ids(c);
-                int pair = events.find((int) (ids >>> 32), (int) ids);
-                boolean goesOn = pair != ContactEvents.NONE && events.openHit(pair) != ContactEvents.NONE;
-                number[c] = goesOn ? ContactEvents.going(pair) : pair;
-            }
-        }
     }
 
     /** The number of the pair of a contact, or {@link ContactEvents#NONE}. */
     private int pair(int c) {
-        return number[c] >= ContactEvents.NONE ? number[c] : ContactEvents.going(number[c]);
+        return pairOf(number[c]);
+    }
+
+    private static int pairOf(int number) {
+        return number >= ContactEvents.NONE ? number : ContactEvents.going(number);
     }
 
     /** An impulse that has acted, or will, and that the contact does not keep as its normal impulse. */
     void add(int c, float impulse) {
         rows[STRIDE * c + IMPULSE_NOW] += impulse;
+    }
+
+    /** Takes note that a contact has bounced in the biased pass, so that its impulse is taken even if it does not push. */
+    void noteUnkept(int c) {
+        hasUnkept[c >> PART] = true;
     }
 
     /** Looks at contacts after the biased pass. */
@@ -274,44 +303,67 @@ final class Touches {
         return many;
     }
 
-    /** Looks at contacts after the relaxing pass. */
-    void afterRelax(int worker, int from, int to, StepConstants k, boolean last) {
-        for (int block = from; block < to; block += BLOCK) {
-            placeAll(worker, afterRelax(fast[worker], block, Math.min(to, block + BLOCK), k.dt));
-        }
-        if (last) {
-            tell(worker, from, to, k);
-        }
-    }
-
-    private int afterRelax(int[] fastOnes, int from, int to, float dt) {
+    /**
+     * Looks at a block of contacts after the relaxing pass: at those that push, which are among the listed ones, and at those with impulses
+     * that they do not keep. All others are as they were.
+     */
+    void afterRelax(int[] listed, int carrying, int[] unkeptOnes, int unkept, int from, int to, float dt) {
         float[] q = contacts.contact;
         float[] r = rows;
         boolean[] some = wanted;
         boolean all = some == ALL;
-        float[] slide = slips;
-        int many = 0;
-        for (int c = from; c < to; c++) {
+        for (int n = 0; n < carrying; n++) {
+            int c = listed[n];
             if (!all && !some[c]) {
                 continue;
             }
-            int o = ContactRow.of(c);
             int t = STRIDE * c;
-            float impulse = r[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
-            float approach = r[t + APPROACH_NOW];
-            float before = r[t + APPROACH];
-            float greatest = TouchRule.greatest(before, approach, impulse, Float.MAX_VALUE);
+            float impulse = r[t + IMPULSE_NOW] + q[ContactRow.of(c) + NORMAL_IMPULSE];
             r[t + IMPULSE_NOW] = 0f;
             r[t + IMPULSE] += impulse;
-            r[t + APPROACH] = greatest;
-            if (slide != null && greatest > before) {
-                slide[SLIPS * c + SLIP] = slide[SLIPS * c + SLIP_NOW];
-            }
-            if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
-                fastOnes[many++] = c;
+            if (r[t + APPROACH_NOW] > r[t + APPROACH] && impulse > 0f) {
+                touchLate(c, dt);
             }
         }
-        return many;
+        for (int n = 0; n < unkept; n++) {
+            take(unkeptOnes[n], dt);
+        }
+        for (int part = from >> PART; part <= to - 1 >> PART; part++) {
+            if (hasUnkept[part]) {
+                int end = Math.min(to, part + 1 << PART);
+                for (int c = Math.max(from, part << PART); c < end; c++) {
+                    take(c, dt);
+                }
+            }
+        }
+    }
+
+    /** Takes the impulses of a contact that it has not kept, if they have not been taken. */
+    private void take(int c, float dt) {
+        int t = STRIDE * c;
+        float impulse = rows[t + IMPULSE_NOW];
+        if (impulse != 0f) {
+            rows[t + IMPULSE_NOW] = 0f;
+            rows[t + IMPULSE] += impulse;
+            if (rows[t + APPROACH_NOW] > rows[t + APPROACH] && impulse > 0f) {
+                touchLate(c, dt);
+            }
+        }
+    }
+
+    /** Takes note that a contact touches only since the relaxing pass. */
+    private void touchLate(int c, float dt) {
+        int o = ContactRow.of(c);
+        int t = STRIDE * c;
+        float approach = rows[t + APPROACH_NOW];
+        rows[t + APPROACH] = approach;
+        if (slips != null) {
+            slips[SLIPS * c + SLIP] = slips[SLIPS * c + SLIP_NOW];
+        }
+        if (TouchRule.isFast(approach, dt, contacts.contact[o + RADII])) {
+            int a = contacts.pair[ContactRow.a(c)];
+            place(o, t, a, state.motion[a + DX], state.motion[a + DY]);
+        }
     }
 
     /** Notes where contacts touch that may be elsewhere after the step. */
@@ -324,31 +376,38 @@ final class Touches {
     }
 
     /** Tells which pairs still touch and which do no more, and lists the contacts that need a record. */
-    private void tell(int worker, int from, int to, StepConstants k) {
+    void tell(int worker, int from, int to, StepConstants k) {
         float[] q = contacts.contact;
         TouchRecords own = records[worker];
         int stay = 0;
+        float[] r = rows;
+        int[] numbers = number;
+        float hitSpeed = events.hitSpeed();
         for (int c = from; c < to; c++) {
             if (isUnwanted(c)) {
-                number[c] = ContactEvents.NONE;
+                numbers[c] = ContactEvents.NONE;
                 continue;
             }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
-            float approach = rows[t + APPROACH];
+            float approach = r[t + APPROACH];
             float separation = q[o + SEPARATION];
-            if (number[c] == ContactEvents.NONE) {
+            if (numbers[c] == ContactEvents.NONE) {
                 if (TouchRule.touches(approach, separation)) {
                     list(worker, c);
                 }
             } else if (TouchRule.staysInTouch(approach, separation, q[o + RADII])) {
                 stay++;
-                if (number[c] < ContactEvents.NONE || events.isHit(approach(c), rows[t + IMPULSE], threshold(c, k))) {
+                // the threshold of a hit is not less than that of a bounce
+                boolean mayHit =
+                        hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > q[o + RESTITUTION_THRESHOLD];
+                if (numbers[c] < ContactEvents.NONE
+                        || mayHit && events.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
                     list(worker, c);
                 }
             } else {
                 own.end(pair(c));
-                number[c] = ContactEvents.NONE;
+                numbers[c] = ContactEvents.NONE;
             }
         }
         own.stay(stay);
@@ -446,6 +505,7 @@ final class Touches {
     /** Memory of the arrays. */
     long bytes() {
         return 8L * rows.length
+                + hasUnkept.length
                 + (slips == null ? 0 : 4L * slips.length)
                 + 4L * (number.length + numberBefore.length)
                 + wanted.length
