@@ -154,6 +154,12 @@ async function checkLinks(page, folder, names, hashes) {
     assert.equal(bytes[0], 1);
     assert.deepEqual(inflateRawSync(bytes.subarray(1)), readFileSync(join(folder, `${name}-30.circles2d`)));
   }
+  const again = links[links.length - 1];
+  await openFile(page, join(folder, 'gas-30.circles2d'));
+  await says(page, '^gas');
+  await follow(page, readFileSync(join(folder, `${again}-30.link`), 'utf8').trim());
+  await says(page, '^The link is opened');
+  await page.waitForFunction(is => document.getElementById('hash').textContent === is, {}, hashes.get(`${again}-30.circles2d`));
   await openFile(page, join(folder, 'gas-30.circles2d'));
   await says(page, '^gas');
   await page.click('#link');

@@ -8,6 +8,7 @@ const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300]
   ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
 const SLIDING_MILLIS = 400; // for so long after an input, a slider is the hand's
 const GREATEST_FILE = 32; // megabytes
+const THE_LINK = 'The link'; // as the name of a world that came by one
 const WALL_EVERY = 2.3; // radii of usual circles
 
 const $ = id => document.getElementById(id);
@@ -224,6 +225,7 @@ function showSurface() {
 }
 $('stage').addEventListener('change', () => {
   say('');
+  leaveLink();
   act({ what: 'open', stage: $('stage').value });
 });
 addEventListener('resize', () => { dirty = picture !== undefined; });
@@ -250,10 +252,17 @@ async function openFile(file) {
 async function openLink() {
   if (isLink(location.hash)) {
     try {
-      restore(await snapshotOf(location.hash), 'The link');
+      restore(await snapshotOf(location.hash), THE_LINK);
     } catch (e) {
       say(`The link is not opened: ${e.message}.`);
     }
+  }
+}
+
+/** The address no longer has the world that is shown; a link that is followed once more is then another address. */
+function leaveLink() {
+  if (isLink(location.hash)) {
+    history.replaceState(null, '', location.href.split('#')[0]);
   }
 }
 
@@ -263,6 +272,9 @@ function restore(snapshot, name) {
 
 function restored({ name, undrawn }) {
   pointer = null;
+  if (name !== THE_LINK) {
+    leaveLink();
+  }
   $('stage').selectedIndex = -1; // so that each stage can be chosen
   say(`${name} is opened. ${undrawn}`);
 }

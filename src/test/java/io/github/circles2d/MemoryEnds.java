@@ -119,6 +119,12 @@ final class MemoryEnds {
             world.joints().readEnds(ends);
             world.joints().force(world.joints().handle(0));
         });
+        calls.put("jointEnds", world -> {
+            if (world.joints().size() == 0) {
+                world.joints().addAll(firsts, others, spring, null);
+            }
+            new FixedStep(world, STEP).jointEnds(ends, null);
+        });
         calls.put("queries", world -> world.queries().overlapBox(0, 0, 100, 100, new long[0]));
         calls.forEach((name, call) -> {
             for (int spare : SPARES) {

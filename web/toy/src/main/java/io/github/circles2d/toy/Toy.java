@@ -39,12 +39,20 @@ public final class Toy {
     }
 
     private static void take(World world) {
-        Sandbox next = new Sandbox(world);
+        Sandbox next;
+        Picture shown;
+        try {
+            next = new Sandbox(world);
+            shown = new Picture(next.grain());
+        } catch (RuntimeException | Error e) {
+            world.close();
+            throw e;
+        }
         if (sandbox != null) {
             sandbox.close();
         }
         sandbox = next;
-        picture = new Picture(next.grain());
+        picture = shown;
     }
 
     /** What of the world the page does not draw as it is: sentences, or an empty text. */
