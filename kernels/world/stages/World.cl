@@ -188,7 +188,7 @@ int sheetKeyOf(const World *w, int atLevel, int sheetX, int sheetY) {
 }
 
 // Of the slots [from, to) of a bucket the first with no lower key, or to.
-int firstOfSheet(const World *w, int from, int to, int key) {
+int firstNotBelow(const World *w, int from, int to, int key) {
     int low = from;
     int high = to;
     while (low < high) {
@@ -205,7 +205,7 @@ int firstOfSheet(const World *w, int from, int to, int key) {
 // Of the slots [from, to) of a bucket those of a sheet; all, if they are few: callers look at each anyway.
 int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics) {
     if (withStatics && to - from <= FEW) return (int2)(from, to);
-    int low = firstOfSheet(w, from, to, sheet);
+    int low = firstNotBelow(w, from, to, sheet);
     int high = low;
     int last = sheet + (withStatics ? 1 : 0);
     while (high < to && w->sheetKey[high] <= last) high++;

@@ -2,8 +2,8 @@
 // Stage Contacts by tiles: lists the tiles of a step in which some hold too much. These are cut in two until all fit, down to 2 x 2 cells.
 //
 // Where cells share buckets, as in a straight row of many circles in an arena as wide, the smallest may hold too much of many sheets. Circles
-// of two sheets do not meet, so the tile has layers then, each with the sheets whose keys lie in one part of all keys. The sheet is that of
-// the region's first cell: behind the seam of the torus the next one is beside it.
+// of two sheets do not meet, so the tile has layers then, each with the sheets whose keys lie in one part of all keys. Keys are
+// counted from the sheet of the region's first cell: cells behind the seam of the torus belong to the next sheet.
 
 // A listed tile in 31 bits: its first block of 2 x 2 cells, fewer than 2^26 (the Java class Limits); log2 of columns and rows.
 #define CUT_BLOCK 0x3ffffff
@@ -93,7 +93,7 @@ int layersFor(const World *w, const Region *r, int circles, int contacts) {
     bool has = w->levels->folded[l] && w->levels->sheetsX[l] == ENDLESS && w->levels->sheetsY[l] == ENDLESS;
     if (!has || r->ringX || r->ringY || circles > MOST_IN_LAYERS) return 0;
     int log = 0;
-    while (circles >> log > TILE_CIRCLES - TILE_CIRCLES / 8 || contacts >> log > TILE_CONTACTS - TILE_CONTACTS / 8) log++;
+    while (log < LAYERS_SHIFT && (circles >> log > TILE_CIRCLES - TILE_CIRCLES / 8 || contacts >> log > TILE_CONTACTS - TILE_CONTACTS / 8)) log++;
     return log;
 }
 
@@ -121,8 +121,9 @@ void cutTile(const World *w, int block) {
         }
         cut = true;
     }
-    if (((column & ((1 << wl) - 1)) | (row & ((1 << hl) - 1))) != 0 || !ownsAny(w, &r)) return;
-    if (cut) w->status[TILES_CUT] = 1;
+    if (((column & ((1 << wl) - 1)) | (row & ((1 << hl) - 1))) != 0) return;
+    if (cut) w->status[TILES_CUT] = 1; // whole, it would be refused even if it owns nothing
+    if (!ownsAny(w, &r)) return;
     int tile = atomic_add(&w->status[TILES_LISTED], 1 << layers);
     for (int layer = 0; layer < 1 << layers && tile + layer < w->levels->tileCount; layer++) {
         global int *record = recordOf(w, tile + layer);

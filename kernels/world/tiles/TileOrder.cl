@@ -63,8 +63,8 @@ void findLayer(const World *w, const Region *r, local Arrangement *a, int cell) 
     uint keys = 1u << (32 - r->layersLog);
     int firstKey = (int) ((uint) r->layer * keys + (uint) seam);
     int endKey = (int) ((uint) firstKey + keys);
-    int from = firstOfSheet(w, start, end, firstKey);
-    int to = firstOfSheet(w, start, end, endKey);
+    int from = firstNotBelow(w, start, end, firstKey);
+    int to = firstNotBelow(w, start, end, endKey);
     a->of.met.layerFrom[cell] = (ushort) (from - start);
     a->of.met.layerCount[cell] = (ushort) (to - from + (endKey < firstKey ? end - start : 0));
     a->of.met.layerBucket[cell] = (ushort) (end - start);
@@ -559,7 +559,7 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     }
 }
 
-// listed: tiles of the list. Known to kernels, or those without layers would ask for them at each contact.
+// listed: of the list. A constant in each kernel: else tiles without layers would ask for them at each contact.
 INLINE void arrangeOne(const World *w, local Arrangement *a, bool listed) {
     if (w->status[EVENTS_LACK]) return; // the records are read once more
     // Others may refuse the step meanwhile: a work-group must see one answer.

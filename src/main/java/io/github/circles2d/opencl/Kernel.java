@@ -6,6 +6,7 @@ import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
 import com.nativelibs4java.opencl.CLKernel;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * A kernel and its arguments. It belongs to one thread at a time: an OpenCL kernel shared by threads gives wrong results.
@@ -46,20 +47,24 @@ public final class Kernel implements AutoCloseable {
         this.name = name;
         this.kernel = kernel;
         CLDevice device = session.device().handle();
-        maxWorkGroupSize = (int) Math.min(limit(device), session.device().maxWorkGroupSize());
-        usualSize = Math.min(WORK_GROUP_SIZE, maxWorkGroupSize);
+        long[] required = kernel.getCompileWorkGroupSize().get(device);
+        boolean isRequired = required != null && required[0] > 0;
+        long limit = isRequired ? limit(device, required[0]) : limit(device);
+        maxWorkGroupSize = (int) Math.min(limit, session.device().maxWorkGroupSize());
+        usualSize = isRequired ? maxWorkGroupSize : Math.min(WORK_GROUP_SIZE, maxWorkGroupSize);
         handle = new Handle(kernel::release);
         session.own(handle);
     }
 
-    /** A kernel that requires a size has that; NVIDIA's driver gives 256 as the limit of each. */
     private long limit(CLDevice device) {
-        long[] required = kernel.getCompileWorkGroupSize().get(device);
-        if (required != null && required[0] > 0) {
-            return required[0];
-        }
         Long limit = kernel.getWorkGroupSize().get(device);
         return limit == null ? WORK_GROUP_SIZE : limit;
+    }
+
+    /** NVIDIA's driver tells of 256 even where a kernel requires more, and runs it. */
+    private long limit(CLDevice device, long required) {
+        boolean understates = session.device().vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
+        return understates ? required : Math.min(required, limit(device));
     }
 
     /**
@@ -72,7 +77,7 @@ public final class Kernel implements AutoCloseable {
     }
 
     /**
-     * Returns the greatest work-group that this kernel can run in on this device: if its text requires a size, that one.
+     * Returns the greatest work-group that this kernel can run in on this device: if its text requires a size, no more than that.
      *
      * @return work-items, at least 1
      */

@@ -9,7 +9,8 @@ import java.util.Set;
 
 /**
  * The names that functions of a {@link KernelSource} reach: those in their own text, in the text of the functions, variables and macros that
- * these are names of, and so on. They may be too many, never too few: all branches of the preprocessor count.
+ * these are names of, and so on. They may be too many: all branches of the preprocessor count. Names that macros put together ({@code ##})
+ * are not found.
  */
 public final class ReachableNames {
     /** The worlds of a program mostly have the same kernels. */
@@ -40,6 +41,7 @@ public final class ReachableNames {
      * @param source the kernels
      * @param hidden macros whose text does not count
      * @return what its functions reach
+     * @throws IllegalArgumentException if braces are not in pairs where all branches of the preprocessor count
      */
     public static ReachableNames of(KernelSource source, Set<String> hidden) {
         ReachableNames names = latest;
@@ -56,8 +58,12 @@ public final class ReachableNames {
      *
      * @param kernel the name of a function
      * @return names
+     * @throws IllegalArgumentException if the source has no such function
      */
     public Set<String> from(String kernel) {
+        if (!definitions.containsKey(kernel)) {
+            throw new IllegalArgumentException("the source has no function " + kernel);
+        }
         Set<String> reached = new HashSet<>(Set.of(kernel));
         Deque<String> next = new ArrayDeque<>(reached);
         while (!next.isEmpty()) {
@@ -74,7 +80,7 @@ public final class ReachableNames {
         int end = at;
         do {
             end = endOfLine(end + 1);
-        } while (text.charAt(end - 1) == '\\');
+        } while (end < text.length() && text.charAt(end - 1) == '\\');
         at++;
         boolean isMacro = nextName(end).equals("define");
         String macro = nextName(end);
@@ -118,6 +124,10 @@ public final class ReachableNames {
             if (braces == 0 && (c == ';' || (c == '}' && !names.contains("typedef")))) {
                 break;
             }
+        }
+        if (braces != 0 || parentheses != 0) {
+            throw new IllegalArgumentException(
+                    "the declaration of '" + declared + "' has no end in all branches of the preprocessor");
         }
         if (!names.contains("typedef")) {
             namesOf(declared).addAll(names);

@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -60,6 +61,20 @@ class ReachableNamesTest {
         assertThat(reached(text, "run"))
                 .contains("one", "World")
                 .doesNotContain("member", "comment", "remark", "gone", "two");
+    }
+
+    @Test
+    void whatCannotBeReadIsRefused() {
+        assertThatThrownBy(() -> reached("kernel void run() {}\n", "other"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no function other");
+        String branches =
+                "#ifdef A\nint f(int a) {\n#else\nint f(float a) {\n#endif\nreturn 0; }\nkernel void run() {}\n";
+        assertThatThrownBy(() -> reached(branches, "run"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("'f' has no end");
+        assertThat(reached("kernel void run() { f(); }\n#define LAST \\", "run"))
+                .contains("f");
     }
 
     @Test

@@ -374,6 +374,11 @@ public final class ContactEvents {
         return tracker.isHit(approach, impulse, threshold);
     }
 
+    /** Whether a pair approaches fast enough for a hit; the threshold as in {@link #isHit}. */
+    public boolean isHitSpeed(float approach, float threshold) {
+        return tracker.isHitSpeed(approach, threshold);
+    }
+
     /**
      * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
      * does, before {@link #endStep}; {@link #concerns} calls it.

@@ -170,7 +170,12 @@ final class TouchTracker {
 
     /** See {@link ContactEvents#isHit}. */
     boolean isHit(float approach, float impulse, float threshold) {
-        return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
+        return impulse > 0f && isHitSpeed(approach, threshold);
+    }
+
+    /** See {@link ContactEvents#isHitSpeed}. */
+    boolean isHitSpeed(float approach, float threshold) {
+        return hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold;
     }
 
     /** See {@link ContactEvents#misses}. */

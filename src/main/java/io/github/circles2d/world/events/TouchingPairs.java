@@ -190,7 +190,7 @@ final class TouchingPairs {
         }
     }
 
-    /** Marks a chain anew. */
+    /** Another pair of the chain may have the mark of the one that went. */
     private void markAnew(int hash) {
         int all = 0;
         for (int pair = first[hash]; pair != NONE; pair = next[pair]) {

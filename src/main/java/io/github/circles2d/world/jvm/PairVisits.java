@@ -53,7 +53,7 @@ final class PairVisits {
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
 
-    /** Contacts of a block whose impulses of the relaxing pass are not kept, as far as {@link #touches} is told of them. */
+    /** Contacts of a block that got an impulse in the relaxing pass and do not keep it: {@link #touches} takes it. */
     private final int[] unkeptOnes = new int[BLOCK];
 
     private int unkept;

@@ -138,6 +138,7 @@ final class Touches {
     }
 
     void ensure(int many) {
+        Arrays.fill(count, 0); // a step that ended for want of memory may have left some
         if (events.hasAllPairs()) {
             wanted = ALL;
         } else if (wanted.length < many || wanted == ALL) {
@@ -304,16 +305,16 @@ final class Touches {
     }
 
     /**
-     * Looks at a block of contacts after the relaxing pass: at those that push, which are among the listed ones, and at those with impulses
+     * Looks at a block of contacts after the relaxing pass: at those that push, which are among the carriers, and at those with impulses
      * that they do not keep. All others are as they were.
      */
-    void afterRelax(int[] listed, int carrying, int[] unkeptOnes, int unkept, int from, int to, float dt) {
+    void afterRelax(int[] carriers, int carrying, int[] unkeptOnes, int unkept, int from, int to, float dt) {
         float[] q = contacts.contact;
         float[] r = rows;
         boolean[] some = wanted;
         boolean all = some == ALL;
         for (int n = 0; n < carrying; n++) {
-            int c = listed[n];
+            int c = carriers[n];
             if (!all && !some[c]) {
                 continue;
             }
@@ -382,7 +383,6 @@ final class Touches {
         int stay = 0;
         float[] r = rows;
         int[] numbers = number;
-        float hitSpeed = events.hitSpeed();
         for (int c = from; c < to; c++) {
             if (isUnwanted(c)) {
                 numbers[c] = ContactEvents.NONE;
@@ -398,11 +398,10 @@ final class Touches {
                 }
             } else if (TouchRule.staysInTouch(approach, separation, q[o + RADII])) {
                 stay++;
-                // the threshold of a hit is not less than that of a bounce
-                boolean mayHit =
-                        hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > q[o + RESTITUTION_THRESHOLD];
+                // Few pairs reach even the threshold of a bounce, which is at hand and not more than that of a hit.
                 if (numbers[c] < ContactEvents.NONE
-                        || mayHit && events.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
+                        || events.isHitSpeed(approach, q[o + RESTITUTION_THRESHOLD])
+                                && events.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
                     list(worker, c);
                 }
             } else {

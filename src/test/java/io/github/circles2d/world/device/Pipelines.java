@@ -4,6 +4,8 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Tiles;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
@@ -15,7 +17,17 @@ final class Pipelines {
     }
 
     static DevicePipeline of(Device device, Plans plans, boolean profiling) {
-        return of(device, plans.of(device), profiling);
+        return of(device, plans(device, plans), profiling);
+    }
+
+    /** Those by colours have the program of those by tiles: a driver compiles what both have once. */
+    private static List<Plan> plans(Device device, Plans plans) {
+        if (plans != Plans.COLOURS || !Tiles.fit(device)) {
+            return plans.of(device);
+        }
+        List<Plan> all = new ArrayList<>(Plans.TILES.of(device));
+        all.replaceAll(plan -> plan instanceof Tiles ? new CompiledOnly(plan) : plan);
+        return all;
     }
 
     static DevicePipeline of(Device device, List<Plan> plans, boolean profiling) {

@@ -5,6 +5,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -23,8 +24,15 @@ public final class StageKernels {
 
     private final Program program;
     private final int workGroupSize;
-    private final UsedArguments used;
+    private final KernelSource source;
     private final Map<String, Kernel> staged = new HashMap<>();
+
+    /** By name of a stage's kernel: the positions of the buffers that it uses. */
+    private final Map<String, BitSet> buffers = new HashMap<>();
+
+    /** Null before the first kernel of a stage. */
+    private UsedArguments used;
+
     private final boolean recording;
     private int boundVersion = -1;
     private int boundSlots = -1;
@@ -39,7 +47,7 @@ public final class StageKernels {
     public StageKernels(Session session, KernelSource source, int workGroupSize, boolean reporting, boolean recording) {
         KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
         compiled = recording ? compiled.define("RECORDING", 1) : compiled;
-        used = new UsedArguments(compiled);
+        this.source = compiled;
         program = session.build(compiled, options(session.device()));
         this.workGroupSize = workGroupSize;
         this.recording = recording;
@@ -70,6 +78,10 @@ public final class StageKernels {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
         boundVersion = -1;
+        if (used == null) {
+            used = new UsedArguments(source);
+        }
+        buffers.put(name, used.of(name));
         return kernel;
     }
 
@@ -83,7 +95,7 @@ public final class StageKernels {
         boolean replaced = boundVersion != arrays.version();
         for (Kernel kernel : staged.values()) {
             if (replaced) {
-                arrays.bind(kernel, used.of(kernel.name()));
+                arrays.bind(kernel, buffers.get(kernel.name()));
             }
             if (replaced || boundSlots != slots) {
                 kernel.arg(DeviceCount.SLOTS.position(), slots);

@@ -23,9 +23,8 @@ public final class TileRecord {
     /** A peak that says that no tile would do. */
     public static final int NO_TILE = Integer.MAX_VALUE;
 
-    // A record begins with the numbers of its circles, of its parts and of its first copy, and where it is and its
-    // layer
-    // if tiles are listed.
+    // A record begins with the numbers of its circles, of its parts and of its first copy. If tiles are listed, where
+    // it is and its layer follow.
     public static final int AT_CIRCLES = 0;
     public static final int AT_PARTS = 1;
     public static final int AT_COPIES = 2;

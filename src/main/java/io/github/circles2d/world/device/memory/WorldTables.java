@@ -295,13 +295,13 @@ final class WorldTables {
         }
     }
 
-    /** What kernels are compiled for that have an array; empty if all have it. */
     private static Set<String> macrosOfAllArrays() {
         Set<String> macros = new HashSet<>(Set.of("WORLD", "WORLD_PARAMETERS"));
         FEATURES.forEach(feature -> macros.add(feature + "_ARRAYS"));
         return macros;
     }
 
+    /** What kernels are compiled for that have an array; empty if all have it. */
     private static String featureOf(DeviceArray array) {
         return array.turns() ? TURNING : array.isOfTerrain() ? TERRAIN : array.isOfJoints() ? JOINTS : "";
     }
