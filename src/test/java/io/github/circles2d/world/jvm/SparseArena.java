@@ -81,7 +81,7 @@ public final class SparseArena {
      * Circles that move slowly, around the corners of 20 x 20 turns of the torus: all are in the same few cells of it.
      *
      * @param isOpen whether the edges are
-     * @param large radius of one in forty
+     * @param large radius of one in forty; another one in forty is static
      */
     public static void corners(boolean isOpen, float large, Random random, Taker to) {
         float cell = 2 * RADIUS * (1 + Tuning.MARGIN + Tuning.CAP) + (isOpen ? 0 : 0x1p-20f);
@@ -91,7 +91,8 @@ public final class SparseArena {
             float y = (20 + turn / 20) * 58 * cell + 2 * cell * (random.nextFloat() - 0.5f);
             float vx = 10 * RADIUS * (random.nextFloat() - 0.5f);
             float vy = 10 * RADIUS * (random.nextFloat() - 0.5f);
-            to.add(x, y, i % 40 == 0 ? large : 0.99f * RADIUS, 1, 0.5f, vx, vy);
+            float mass = i % 40 == 20 ? Float.POSITIVE_INFINITY : 1;
+            to.add(x, y, i % 40 == 0 ? large : 0.99f * RADIUS, mass, 0.5f, vx, vy);
         }
     }
 

@@ -65,8 +65,8 @@ public final class SurfaceCosts {
             int[] numbers = arguments.subList(1, arguments.size()).stream()
                     .mapToInt(Integer::parseInt)
                     .toArray();
-            if (numbers.length != 4) {
-                throw new IllegalArgumentException("arguments are: run N THREADS SKIPPED STEPS, not " + arguments);
+            if (numbers.length != 4 || numbers[3] < 1) {
+                throw new IllegalArgumentException("arguments are: run N THREADS SKIPPED STEPS, a step or more, not " + arguments);
             }
             time(numbers, out);
             return;
