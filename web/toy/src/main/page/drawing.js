@@ -81,6 +81,9 @@ export class Drawing {
     const ratio = Math.min(devicePixelRatio || 1, 2);
     const width = Math.round(canvas.clientWidth * ratio);
     const height = Math.round(canvas.clientHeight * ratio);
+    if (width === 0 || height === 0) {
+      return true; // the page is hidden, or not laid out yet
+    }
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;
       canvas.height = height;
