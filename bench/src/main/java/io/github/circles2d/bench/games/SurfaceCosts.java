@@ -66,7 +66,8 @@ public final class SurfaceCosts {
                     .mapToInt(Integer::parseInt)
                     .toArray();
             if (numbers.length != 4 || numbers[3] < 1) {
-                throw new IllegalArgumentException("arguments are: run N THREADS SKIPPED STEPS, a step or more, not " + arguments);
+                throw new IllegalArgumentException(
+                        "arguments are: run N THREADS SKIPPED STEPS, a step or more, not " + arguments);
             }
             time(numbers, out);
             return;
