@@ -2,9 +2,11 @@ package io.github.circles2d.bench.games;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.World;
+import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiConsumer;
 
 /** Two worlds that make their steps in turn, so that other work on the machine slows both. Times are in ms a step, the shortest first. */
 record InTurn(double[] ms, double[] otherMs) {
@@ -40,6 +42,16 @@ record InTurn(double[] ms, double[] otherMs) {
                 }
             }
             return new Arguments(backend, sizes.isEmpty() ? List.of(usualSize) : sizes, cases.isEmpty() ? all : cases);
+        }
+    }
+
+    /** What a main method does: arguments that are refused end the program with 2, and a line that says why. */
+    static void main(String[] arguments, BiConsumer<List<String>, PrintStream> run) {
+        try {
+            run.accept(List.of(arguments), System.out);
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
         }
     }
 

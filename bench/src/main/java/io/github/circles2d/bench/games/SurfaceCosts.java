@@ -44,12 +44,7 @@ public final class SurfaceCosts {
      * @param arguments as {@link #run}
      */
     public static void main(String[] arguments) {
-        try {
-            run(List.of(arguments), System.out);
-        } catch (IllegalArgumentException e) {
-            System.err.println(e.getMessage());
-            System.exit(2);
-        }
+        InTurn.main(arguments, SurfaceCosts::run);
     }
 
     /**
@@ -90,31 +85,31 @@ public final class SurfaceCosts {
     }
 
     static void compare(String radii, Backend backend, int n, int settling, int warm, int rounds, PrintStream out) {
-        InTurn friction = measure(radii, backend, n, settling, warm, rounds, 0);
-        InTurn rolling = measure(radii, backend, n, settling, warm, rounds, ROLLING);
-        try (World silent = world(radii, backend, n, 0, 0)) {
-            out.printf(
-                    Locale.ROOT,
-                    "\"%s\",%s,%d,%.0f,%.0f,%.2f,%.2f,%.2f,%s%n",
-                    silent.stats().device(),
-                    radii.equals("mixed") ? "1:10" : radii,
-                    n,
-                    1000 * friction.otherMedian(),
-                    1000 * friction.median(),
-                    friction.ratio(),
-                    friction.ratioOfMinima(),
-                    rolling.ratio(),
-                    ASKED);
-            out.flush();
+        String device;
+        InTurn friction;
+        try (World grips = world(radii, backend, n, FRICTION, 0);
+                World silent = world(radii, backend, n, 0, 0)) {
+            friction = InTurn.measure(grips, silent, settling, warm, rounds);
+            device = silent.stats().device();
         }
-    }
-
-    private static InTurn measure(
-            String radii, Backend backend, int n, int settling, int warm, int rounds, float rolling) {
-        try (World with = world(radii, backend, n, FRICTION, rolling);
-                World other = world(radii, backend, n, 0, 0)) {
-            return InTurn.measure(with, other, settling, warm, rounds);
+        InTurn rolling;
+        try (World rolls = world(radii, backend, n, FRICTION, ROLLING);
+                World silent = world(radii, backend, n, 0, 0)) {
+            rolling = InTurn.measure(rolls, silent, settling, warm, rounds);
         }
+        out.printf(
+                Locale.ROOT,
+                "\"%s\",%s,%d,%.0f,%.0f,%.2f,%.2f,%.2f,%s%n",
+                device,
+                radii.equals("mixed") ? "1:10" : radii,
+                n,
+                1000 * friction.otherMedian(),
+                1000 * friction.median(),
+                friction.ratio(),
+                friction.ratioOfMinima(),
+                rolling.ratio(),
+                ASKED);
+        out.flush();
     }
 
     static World world(String radii, Backend backend, int n, float friction, float rolling) {

@@ -37,12 +37,7 @@ public final class TerrainCosts {
      * @param arguments as {@link #run}
      */
     public static void main(String[] arguments) {
-        try {
-            run(List.of(arguments), System.out);
-        } catch (IllegalArgumentException e) {
-            System.err.println(e.getMessage());
-            System.exit(2);
-        }
+        InTurn.main(arguments, TerrainCosts::run);
     }
 
     /**
