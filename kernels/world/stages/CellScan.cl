@@ -32,13 +32,15 @@ CellCursor firstCells(const CellRange *r) {
     return at;
 }
 
-// [x, y): of so many columns from a cell of the torus on, up to its seam and of one sheet. over: whether the seam is between the first cell
-// and it.
-int2 slotsInCells(const World *w, const CellRange *r, int row, int column, int columns, int overX, int overY, bool withStatics) {
+// [x, y): of the first of so many columns from a cell of the torus on, up to its seam. Sets how many columns that are: one where it tells sheets
+// apart, all where that would take longer than to look at their circles. over: whether the seam is between the first cell of the range and
+// this one.
+int2 slotsInCells(const World *w, const CellRange *r, int row, int column, int *columns, int overX, int overY, bool withStatics) {
     global const int *start = w->bucketStart + w->levels->first[r->level] + (row << w->levels->columnsLog[r->level]) + column;
-    int2 slots = (int2)(start[0], start[columns]);
-    if (!r->sheets.known) return slots;
-    return slotsOfSheet(w, slots.x, slots.y, sheetKeyBeside(w, r->level, &r->sheets, overX, overY), withStatics);
+    int2 slots = (int2)(start[0], start[*columns]);
+    if (!r->sheets.known || (withStatics && slots.y - slots.x <= FEW * *columns)) return slots;
+    *columns = 1;
+    return slotsOfSheet(w, slots.x, start[1], sheetKeyBeside(w, r->level, &r->sheets, overX, overY), withStatics);
 }
 
 // Those that lie one behind the other. Returns whether there were any.
@@ -49,8 +51,8 @@ bool nextCells(const World *w, const CellRange *r, CellCursor *at, bool withStat
     int overX = onRing(r->column, columns) + (at->column - r->column) >= columns ? 1 : 0;
     int overY = onRing(r->row, rows) + (at->row - r->row) >= rows ? 1 : 0;
     int column = onRing(at->column, columns);
-    int many = r->sheets.known ? 1 : min(r->endColumn - at->column, columns - column);
-    *slots = slotsInCells(w, r, onRing(at->row, rows), column, many, overX, overY, withStatics);
+    int many = min(r->endColumn - at->column, columns - column);
+    *slots = slotsInCells(w, r, onRing(at->row, rows), column, &many, overX, overY, withStatics);
     at->column += many;
     if (at->column >= r->endColumn) {
         at->column = r->column;

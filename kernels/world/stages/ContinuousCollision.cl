@@ -193,9 +193,10 @@ int inBlock(int column, int side, int most) {
 // In one block, or up to the seam.
 void lookAtCells(const World *w, const Runner *s, float reach, const CellRange *r, int row, int column, int columns, int overX, int overY,
                  Look look) {
-    int width = r->sheets.known ? 1 : columns;
-    for (int u = 0; u < columns; u += width) {
-        int2 slots = slotsInCells(w, r, row, column + u, width, overX, overY, true);
+    for (int u = 0; u < columns;) {
+        int many = columns - u;
+        int2 slots = slotsInCells(w, r, row, column + u, &many, overX, overY, true);
+        u += many;
         if (look == STOPS) {
             meetNear(w, s, reach, slots.x, slots.y);
         } else {

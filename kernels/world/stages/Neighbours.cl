@@ -67,9 +67,26 @@ Piece pieceOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
     return pieceOfRanges((int4)(left.x, middle.x, right.x, 0), (int4)(left.y, middle.y, right.y, 0));
 }
 
-// Each cell by itself.
-bool looksBySheet(const World *w, const Seeker *s, bool haveSheets) {
-    return haveSheets && (w->levels->folded[s->level] || s->inverseMass == 0.0f);
+// Whether the rows v to 1, three cells each, have so few circles that all are looked at: to look for their sheets would take longer.
+bool areFewAround(const World *w, const Seeker *s, int v) {
+    int last = w->levels->columnCount[s->level] - 1;
+    int most = 3 * FEW * (2 - v);
+    int sum = 0;
+    for (; v <= 1; v++) {
+        int row = neighbour(s->row, v, w->levels->rowCount[s->level]);
+        global const int *start = w->bucketStart + w->levels->first[s->level] + (row << w->levels->columnsLog[s->level]);
+        sum += start[min(s->column + 1, last) + 1] - start[max(s->column - 1, 0)];
+        if (s->column == 0) sum += start[last + 1] - start[last];
+        if (s->column == last) sum += start[1] - start[0];
+    }
+    return sum <= most;
+}
+
+// Each cell by itself, in the rows v to 1. A static seeker does so to leave static circles out. With one level, cells are told apart one by
+// one, as in Java: which pairs are tested is told.
+bool looksBySheet(const World *w, const Seeker *s, bool haveSheets, int v) {
+    if (!haveSheets) return false;
+    return s->inverseMass == 0.0f || (w->levels->folded[s->level] && (s->oneLevel || !areFewAround(w, s, v)));
 }
 
 // found: null to count alone.
@@ -117,7 +134,7 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
 INLINE void seekAround(const World *w, Seeker *s, int atLevel, int own, bool haveSheets, local Findings *found) {
     seekIn(w, s, atLevel);
     bool inOwnLevel = atLevel == own;
-    bool bySheet = looksBySheet(w, s, haveSheets);
+    bool bySheet = looksBySheet(w, s, haveSheets, inOwnLevel ? 0 : -1);
 #pragma unroll 1
     for (int v = inOwnLevel ? (bySheet ? 0 : 1) : -1; v <= 1; v++) {
         Piece piece;
@@ -164,7 +181,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
         seekIn(&w, &s, levels->used[l]);
-        bool bySheet = looksBySheet(&w, &s, levels->haveSheets != 0);
+        bool bySheet = looksBySheet(&w, &s, levels->haveSheets != 0, -1);
         for (int v = -1; v <= 1; v++) {
             Piece piece = bySheet ? pieceOfSheets(&w, &s, v, false) : pieceOf(&w, &s, v, false);
             sum += candidatesIn(&w, &s, &piece);
