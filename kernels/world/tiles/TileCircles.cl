@@ -22,19 +22,6 @@ float2 lastingTraits(const World *w, int slot) {
     return *(global const float2 *) ((global const float *) (w->traits + slot) + INVERSE_MASS_AT);
 }
 
-// If they have changed.
-void storeWalls(const World *w, int slot, float2 old, float2 walls) {
-    if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
-        *(global float2 *) ((global float *) (w->traits + slot) + WALLS_AT) = walls;
-    }
-}
-
-// Most have none, and need not look at their traits.
-bool hasWalls(const World *w, float4 c, float2 walls) {
-    float2 none = noWalls(&w->k, c);
-    return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);
-}
-
 // Without impulses of walls; false if that is not all. sum: of contact impulses; carried: by a contact; s, spinSum: surface speed, and sum of
 // impulses on it.
 bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum,
