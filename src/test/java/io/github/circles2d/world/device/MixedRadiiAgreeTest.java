@@ -14,10 +14,12 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
+@Tag("one-jdk")
 class MixedRadiiAgreeTest {
     private static final AxisEdge[][] EDGES = {
         {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every plan of the OpenCL pipeline has the same bits as the pipeline in Java, on every device. */
+@Tag("one-jdk")
 class PipelinesAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * However circles lie in an arena of far more cells than buckets, they test about as many pairs as those of a square; and two static
  * circles none.
  */
+@Tag("one-jdk")
 class SheetsTest {
     private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
     private static final float STATIC = Float.POSITIVE_INFINITY;
