@@ -239,10 +239,10 @@ class JointsAgreeTest {
             pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, false, true));
             long some = pipeline.bytesHeld();
             assertThat(some).isGreaterThan(none);
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, true, true));
+            pipeline.prepare(ContactSettings.DEFAULT, Pipelines.INSIDE);
             assertThat(pipeline.bytesHeld()).isGreaterThan(some);
             long both = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, true, true));
+            pipeline.prepare(ContactSettings.DEFAULT, Pipelines.INSIDE);
             assertThat(pipeline.bytesHeld()).isEqualTo(both);
         }
     }
