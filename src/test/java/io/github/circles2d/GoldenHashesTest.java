@@ -65,6 +65,7 @@ class GoldenHashesTest {
 
     @ParameterizedTest
     @MethodSource("scenesAndDevices")
+    @Tag("one-jdk")
     void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
         check(scene, scene.builder().device(device).build(), TestScale.EXHAUSTIVE ? LONG : SHORTEST);
     }

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.reference.Event;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -83,6 +84,7 @@ class WorldFuzzTest {
     @MethodSource("openClBackends")
     void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
         try (World player = World.builder().backend(backend).build()) {
+            makeReady(player);
             for (int k = 0; k < 40; k++) {
                 new Program(SEED + k, null, player).run();
             }
@@ -101,6 +103,27 @@ class WorldFuzzTest {
     @Tag("exhaustive")
     void soDoHundredsMore(Backend backend) {
         compare(backend, SEED + 25, 300);
+    }
+
+    /**
+     * Restores a world that turns and has a piece of terrain, a joint and contacts of other settings, so that the programs that follow need
+     * no kernels of their own. In an exhaustive run they do: a driver takes long to compile them.
+     */
+    private static void makeReady(World world) {
+        if (TestScale.EXHAUSTIVE) {
+            return;
+        }
+        try (World all =
+                WorldScenes.jvm().friction(0.5f).greatestPushOutSpeed(7).build()) {
+            long one = all.add(0.2f, 0.5f, 0.1f, 1);
+            all.setAngularVelocity(one, 1);
+            all.joints().add(one, 0.2f, 0.6f, Joint.pin());
+            all.terrain().addSegment(0, 0.1f, 1, 0.1f, 0, 0);
+            all.step(0.01f);
+            ByteBuffer bytes = ByteBuffer.allocate(all.snapshotBytes());
+            all.snapshot(bytes);
+            world.restore(bytes.flip());
+        }
     }
 
     private static void compare(Backend backend, long seed, int programs) {
@@ -225,6 +248,11 @@ class WorldFuzzTest {
         void run() {
             try {
                 world = build();
+                if (traced != null) {
+                    ByteBuffer empty = snapshotOf(world);
+                    makeReady(world);
+                    world.restore(empty);
+                }
                 record();
                 try {
                     if (traced != null) {

@@ -11,6 +11,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The script {@code .ci/run}, on a launcher that leaves a report of three tests and behaves as each test wants. */
 @EnabledOnOs(OS.LINUX)
+@Tag("one-jdk")
 class CiRunTest {
     @TempDir
     Path project;
@@ -92,6 +94,29 @@ class CiRunTest {
         assertThat(status).isEqualTo(1);
         assertThat(output).containsOnlyOnce("the dry run of a release failed");
         assertThat(lastLine()).matches("(3|6) passed, 1 failed");
+    }
+
+    @Test
+    void aDryRunAndAPageThatFailAreTwoFailures() throws Exception {
+        run("[ \"$1\" != web ] || STATUS=1", "echo a dry run; exit 1");
+        assertThat(status).isEqualTo(1);
+        assertThat(output)
+                .containsSubsequence("a dry run", "the dry run of a release failed", "circles2d web --test failed");
+        assertThat(lastLine()).matches("(3|6) passed, 2 failed");
+    }
+
+    @Test
+    void theSecondJdkHasACopyOfTheProjectAndNoTestsThatOneJdkIsEnoughFor() throws Exception {
+        run("echo \"$* in $(pwd)\"");
+        List<String> calls =
+                output.lines().filter(line -> line.matches("(test|web) .*")).toList();
+        Path real = project.toRealPath();
+        assertThat(calls).hasSizeBetween(2, 3).contains("test in " + real, "web --test in " + real);
+        for (String call : calls.subList(1, calls.size() - 1)) {
+            assertThat(call)
+                    .contains("-Dcircles2d.excluded.tests=exhaustive | one-jdk")
+                    .endsWith(" in " + real.resolve("target/second-jdk"));
+        }
     }
 
     @Test

@@ -15,6 +15,8 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
@@ -50,7 +52,17 @@ class EdgesAgreeTest {
         if (Plans.choose(device) != Plans.TILES && Plans.choose(device) != Plans.COLOURS) {
             pipelines.add(Pipelines.of(device, Plans.choose(device)));
         }
-        return pipelines.toArray(Pipeline[]::new);
+        return Pipelines.ready(pipelines.toArray(Pipeline[]::new));
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void edgesTakeNoMemory(Device device) {
+        try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
+            long walled = pipeline.bytesHeld();
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, false));
+            assertThat(pipeline.bytesHeld()).isEqualTo(walled);
+        }
     }
 
     /** From crowds at one point to fast circles, of one size and of many. */

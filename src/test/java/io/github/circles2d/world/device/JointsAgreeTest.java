@@ -17,17 +17,19 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles and joints have the same bits on every device as in Java, by every plan. */
+@Tag("one-jdk")
 class JointsAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return PipelinesAgreeTest.pipelines(device);
+        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
     }
 
     private static JointTwins joints(Scene scene) {
@@ -196,8 +198,10 @@ class JointsAgreeTest {
     void callsHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(200, 5), Scenes.mixed(200, 5)}) {
             SplittableRandom random = new SplittableRandom(11);
-            try (Twins twins = Twins.load(scene, pipelines(device))) {
+            Pipeline[] pipelines = PipelinesAgreeTest.pipelines(device);
+            try (Twins twins = Twins.load(scene, pipelines)) {
                 twins.step(scene.timeStep(), 3);
+                Pipelines.ready(pipelines);
                 int most = 0;
                 for (int k = 0; k < TestScale.of(30, 100); k++) {
                     if (k == 12) {
@@ -222,7 +226,7 @@ class JointsAgreeTest {
                     most = Math.max(most, twins.joints());
                 }
                 assertThat(most).as(scene.name()).isGreaterThan(30);
-                twins.assertGoOnIn(scene, pipelines(device));
+                twins.assertGoOnIn(scene, PipelinesAgreeTest.pipelines(device));
             }
         }
     }
@@ -230,17 +234,15 @@ class JointsAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void onlyAWorldWithJointsHasMemoryForThem(Device device) {
-        try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS)) {
+        try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long none = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, false));
-            assertThat(pipeline.bytesHeld()).isEqualTo(none);
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, true));
+            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, false, true));
             long some = pipeline.bytesHeld();
             assertThat(some).isGreaterThan(none);
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, true, true));
+            pipeline.prepare(ContactSettings.DEFAULT, Pipelines.INSIDE);
             assertThat(pipeline.bytesHeld()).isGreaterThan(some);
             long both = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, true, true));
+            pipeline.prepare(ContactSettings.DEFAULT, Pipelines.INSIDE);
             assertThat(pipeline.bytesHeld()).isEqualTo(both);
         }
     }

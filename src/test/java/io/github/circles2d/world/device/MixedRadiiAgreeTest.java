@@ -14,10 +14,12 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
+@Tag("one-jdk")
 class MixedRadiiAgreeTest {
     private static final AxisEdge[][] EDGES = {
         {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}
@@ -31,7 +33,7 @@ class MixedRadiiAgreeTest {
     @MethodSource("devices")
     void blendsHaveTheSameBitsWithAllEdges(Device device) {
         Scene[] scenes = {HardScenes.blend(500, 10, 1), HardScenes.blend(1200, 100, 2), HardScenes.blend(200, 3, 3)};
-        try (Twins twins = Twins.load(Scenes.thesis(10, 1), PipelinesAgreeTest.pipelines(device))) {
+        try (Twins twins = Twins.load(Scenes.thesis(10, 1), Pipelines.ready(PipelinesAgreeTest.pipelines(device)))) {
             for (int s = 0; s < scenes.length; s++) {
                 Scene scene = scenes[s];
                 AxisEdge[][] some = TestScale.EXHAUSTIVE ? EDGES : new AxisEdge[][] {EDGES[s]};

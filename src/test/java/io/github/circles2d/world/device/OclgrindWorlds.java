@@ -40,10 +40,10 @@ import java.util.TreeSet;
 /**
  * Makes steps of a small world in a JVM whose OpenCL driver is Oclgrind, which reports to standard error; prints the kernels
  * that have run. Oclgrind interprets each work-item, also those past a kernel's count, so small work-groups are quick.
- * Arguments: the world, and its size, {@code small} or {@code large}.
+ * Arguments: the world, and its size: {@code smallest}, which makes fewer steps than {@code small}, or {@code large}.
  */
 final class OclgrindWorlds {
-    /** Work-items of a work-group in a world of size small, if its kernel leaves that open. */
+    /** Work-items of a work-group in a world that is not large, if its kernel leaves that open. */
     private static final int SMALL_GROUP = 8;
 
     /**
@@ -59,10 +59,14 @@ final class OclgrindWorlds {
     /** Of a step. A kernel asks of a sub-step no more than whether it is the first and whether it is the last: two are both of that. */
     private final int subSteps;
 
-    private OclgrindWorlds(Device device, boolean small) {
+    /** Of a call. */
+    private final int steps;
+
+    private OclgrindWorlds(Device device, String size) {
         this.device = device;
-        this.small = small;
+        small = !size.equals("large");
         subSteps = small ? 1 : 2;
+        steps = size.equals("smallest") ? 1 : 2;
     }
 
     public static void main(String[] args) {
@@ -70,7 +74,7 @@ final class OclgrindWorlds {
         if (!device.platform().contains("Oclgrind")) {
             throw new IllegalStateException("not Oclgrind but " + device);
         }
-        Set<String> kernels = new OclgrindWorlds(device, args[1].equals("small")).run(args[0]);
+        Set<String> kernels = new OclgrindWorlds(device, args[1]).run(args[0]);
         System.out.println("kernels " + String.join(" ", kernels));
         System.out.println("done");
     }
@@ -242,7 +246,7 @@ final class OclgrindWorlds {
         Scene scene = Scenes.mixed(small ? 20 : 40, 8, 2);
         DevicePipeline pipeline = pipeline(Plans.COLOURS, scene.size());
         try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
-            twins.step(scene.timeStep(), 2);
+            twins.step(scene.timeStep(), steps);
             twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }
@@ -297,7 +301,7 @@ final class OclgrindWorlds {
         DevicePipeline pipeline = pipeline(Plans.COLOURS, scene.size());
         SplittableRandom random = new SplittableRandom(4);
         Bounds bounds = new Bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
-        try (Twins twins = Twins.empty(bounds, jvm(), pipeline)) {
+        try (Twins twins = Twins.empty(bounds, subSteps, jvm(), pipeline)) {
             twins.changeSurfaces(random);
             for (int i = 0; i < scene.size(); i++) {
                 twins.add(scene.x(i), scene.y(i), scene.radius(i), 1, 0.1f * (i % 10), 0, -1);
@@ -339,12 +343,13 @@ final class OclgrindWorlds {
                     twins.changeSurfaces(random);
                 }
                 twins.set(Commands.RADIUS, k, 1.1f * scene.radius(k), 0);
-                twins.step(5 * scene.timeStep(), 2);
+                twins.step(5 * scene.timeStep(), steps);
                 twins.assertEqual(scene.name() + " with terrain, step " + k);
             }
             if (twins.pieces() == 0) {
                 throw new IllegalStateException("there is no terrain");
             }
+            twins.assertSameTurns(scene.name());
             return pipeline.kernelNanos().keySet();
         }
     }
@@ -373,7 +378,7 @@ final class OclgrindWorlds {
                 split += joints.split();
                 batches += joints.batches();
                 inNoBatch += joints.inNoBatch();
-                for (int step = 0; step < 2; step++) {
+                for (int step = 0; step < steps; step++) {
                     joints.moveAnchors(random);
                     twins.step(scene.timeStep(), 1);
                     String when = scene.name() + " with joints, step " + k;
@@ -413,7 +418,7 @@ final class OclgrindWorlds {
                 if (k == 1) {
                     twins.giveSensors(200, 5);
                 }
-                twins.step(5 * scene.timeStep(), 2);
+                twins.step(5 * scene.timeStep(), steps);
                 events += twins.assertSameEvents(scene.name());
             }
             if (events == 0) {
@@ -435,7 +440,7 @@ final class OclgrindWorlds {
         int heap = 20;
         int flying = 9;
         DevicePipeline pipeline = pipeline(Plans.COLOURS, heap + flying);
-        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), jvm(), pipeline)) {
+        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), subSteps, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
             twins.sense(0, 0);
             for (int circle = 0; circle < heap; circle++) {

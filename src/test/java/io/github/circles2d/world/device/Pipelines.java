@@ -1,16 +1,36 @@
 package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
+import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
 final class Pipelines {
+    /** What a world has memory and kernels for only once it needs them, except edges. */
+    static final Features INSIDE = Features.of(false, true, true, true);
+
     private Pipelines() {}
+
+    /**
+     * Those on devices are ready for all that a world can have inside, so that tests of surfaces, of terrain and of joints share programs.
+     * An exhaustive run compiles for each world what it has.
+     */
+    static Pipeline[] ready(Pipeline... pipelines) {
+        for (Pipeline pipeline : pipelines) {
+            if (pipeline instanceof DevicePipeline && !TestScale.EXHAUSTIVE) {
+                pipeline.prepare(ContactSettings.DEFAULT, INSIDE);
+            }
+        }
+        return pipelines;
+    }
 
     static DevicePipeline of(Device device, Plans plans) {
         return of(device, plans, false);

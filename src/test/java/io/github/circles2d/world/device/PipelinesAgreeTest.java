@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every plan of the OpenCL pipeline has the same bits as the pipeline in Java, on every device. */
+@Tag("one-jdk")
 class PipelinesAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -82,14 +83,14 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void theSizeOfWorkGroupsDoesNotShow(Device device) {
-        compareSizesOfWorkGroups(device, 3, 256);
+        compareSizesOfWorkGroups(device, 3);
     }
 
     @ParameterizedTest
     @MethodSource("devices")
     @Tag("exhaustive")
     void otherSizesOfWorkGroupsDoNotShow(Device device) {
-        compareSizesOfWorkGroups(device, 1, 32);
+        compareSizesOfWorkGroups(device, 1, 32, 256);
     }
 
     /** A driver may compile every kernel anew for each size. */

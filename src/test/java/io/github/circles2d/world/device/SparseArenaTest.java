@@ -9,12 +9,14 @@ import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Few circles in a vast arena, where far cells share buckets: the work stays in proportion, and the bits are the same. */
+@Tag("one-jdk")
 class SparseArenaTest {
     /** Candidate pairs of a circle: of the same level, and of a coarser one. */
     private static final int MOST_PAIRS = 8;

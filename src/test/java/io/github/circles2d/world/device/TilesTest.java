@@ -25,6 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Which way a step takes where tiles are the plan; that all ways have the same bits is for {@link PipelinesAgreeTest}. */
+@Tag("one-jdk")
 class TilesTest {
     private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
 

@@ -63,7 +63,11 @@ final class Twins implements AutoCloseable {
 
     /** Worlds without gravity and circles. */
     static Twins empty(Bounds bounds, Pipeline... pipelines) {
-        WorldParameters parameters = new WorldParameters(bounds, 0, 0, 0, SUB_STEPS, 0);
+        return empty(bounds, SUB_STEPS, pipelines);
+    }
+
+    static Twins empty(Bounds bounds, int subSteps, Pipeline... pipelines) {
+        WorldParameters parameters = new WorldParameters(bounds, 0, 0, 0, subSteps, 0);
         return new Twins(
                 Arrays.stream(pipelines)
                         .map(pipeline -> new Simulation(pipeline, parameters))

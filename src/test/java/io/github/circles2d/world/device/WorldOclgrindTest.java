@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,6 +37,7 @@ import org.opentest4j.TestAbortedException;
  * <p>Where Oclgrind is not installed the test fails if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says
  * that it is known to be absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.
  */
+@Tag("one-jdk")
 class WorldOclgrindTest {
     private static final String PROPERTY = "circles2d.oclgrind";
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
@@ -49,17 +51,15 @@ class WorldOclgrindTest {
     /** In the lines of each report. They are read from the output, since a log begins anew with each context. */
     private static final String[] REPORTS = {"Kernel: ", "Oclgrind - ", "OCLGRIND"};
 
-    /** The stages by colours and the queries. */
+    /** The stages by colours, of circles that turn, too, and the queries. */
     @Test
     void noStageRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
         assertThat(run(
-                        "small",
+                        TestScale.EXHAUSTIVE ? "small" : "smallest",
                         "COLOURS",
                         "a table of pairs that grows",
-                        "changes",
                         "fast",
                         "levels in an arena that is not folded",
-                        "turning",
                         "terrain",
                         "joints",
                         "queries"))
@@ -161,7 +161,7 @@ class WorldOclgrindTest {
 
     private static List<String> runWorld(String driver, String world, String size) throws IOException {
         ForkedJvm jvm = new ForkedJvm().option("-Djavacl.cacheBinaries=false");
-        if (size.equals("small")) {
+        if (!size.equals("large")) {
             jvm.option("-Dcircles2d.groups.small=true");
         }
         ForkedJvm.Result result = jvm.environment("OCL_ICD_VENDORS", driver)

@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.KindField;
@@ -14,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** What must not show in the state: threads and slots. */
 @Timeout(120) // a barrier that is wrong may as well hang
 class JvmPipelineTest {
-    private static final int STEPS = 40;
+    private static final int STEPS = TestScale.of(15, 40);
 
     static Stream<Scene> scenes() {
         return Stream.of(
@@ -26,7 +27,7 @@ class JvmPipelineTest {
                 Scenes.mixed(2000, 100, Scenes.SEED),
                 Scenes.noCollide(),
                 Scenes.billiards(40),
-                Scenes.onePoint(1000, Scenes.SEED));
+                Scenes.onePoint(TestScale.of(500, 1000), Scenes.SEED));
     }
 
     @ParameterizedTest
