@@ -82,8 +82,8 @@ bool areFewAround(const World *w, const Seeker *s, int v) {
     return sum <= most;
 }
 
-// Each cell by itself, in the rows v to 1. A static seeker does so to leave static circles out. With one level, cells are told apart one by
-// one, as in Java: which pairs are tested is told.
+// Each cell by itself, in the rows v to 1. A static seeker does so to leave static circles out. With one level, back ends test the same pairs:
+// the statistics tell how many.
 bool looksBySheet(const World *w, const Seeker *s, bool haveSheets, int v) {
     if (!haveSheets) return false;
     return s->inverseMass == 0.0f || (w->levels->folded[s->level] && (s->oneLevel || !areFewAround(w, s, v)));

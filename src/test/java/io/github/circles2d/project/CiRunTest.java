@@ -106,6 +106,14 @@ class CiRunTest {
     }
 
     @Test
+    void whatRunsBesideTheSecondJdkAndDiesIsAFailure() throws Exception {
+        run("", "kill -9 $PPID");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).contains("were ended: exit status 137");
+        assertThat(lastLine()).matches("(3|6) passed, 1 failed");
+    }
+
+    @Test
     void theSecondJdkHasACopyOfTheProjectAndNoTestsThatOneJdkIsEnoughFor() throws Exception {
         run("echo \"$* in $(pwd)\"");
         List<String> calls =

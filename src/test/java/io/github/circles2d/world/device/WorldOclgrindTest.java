@@ -60,6 +60,7 @@ class WorldOclgrindTest {
                         "a table of pairs that grows",
                         "fast",
                         "levels in an arena that is not folded",
+                        "turning",
                         "terrain",
                         "joints",
                         "queries"))
