@@ -74,14 +74,14 @@ INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, floa
     return (invMass != 0.0f) & farX & farY;
 }
 
-// If they have changed.
+// Impulses of walls, if they have changed.
 void storeWalls(const World *w, int slot, float2 old, float2 walls) {
     if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
         *(global float2 *) ((global float *) (w->traits + slot) + WALLS_AT) = walls;
     }
 }
 
-// Most have none, and need not look at their traits.
+// Whether walls push a circle, or its zeros have other signs than off walls.
 bool hasWalls(const World *w, float4 c, float2 walls) {
     float2 none = noWalls(&w->k, c);
     return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);

@@ -70,7 +70,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 #ifdef TERRAIN
     if (atPieces) m.DISPLACEMENT = movePieces(w, slot, c, from, m.DISPLACEMENT);
 #endif
-    // Most circles are at no wall: on a GPU what follows takes twice as long as all before it.
+    // Most circles are at no wall, and on a GPU what follows takes longer than all before it.
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float2 walls = t.WALLS;
         float2 moving = m.VELOCITY;
