@@ -5,8 +5,11 @@ public final class TileRecord {
     /** In local memory: as few as the largest size needs for packed circles, since more room means fewer work-groups at once. */
     public static final int CIRCLES = 1312;
 
-    /** Contacts that a tile has room for: their numbers, and differences of these, are shorts. */
-    public static final int CONTACTS = 24 << 10;
+    /**
+     * Contacts that a tile has room for: their numbers, and differences of these, are shorts. A pass notes their parts in local memory. With
+     * 2,048 more, seven work-groups of it would leave a compute unit of Hopper 28 KiB of cache, not 60.
+     */
+    public static final int CONTACTS = 22 << 10;
 
     /** Rounds that there is room for. */
     public static final int ROUNDS = 416;

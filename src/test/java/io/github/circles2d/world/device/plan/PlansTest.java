@@ -4,9 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.GridLevels;
+import java.nio.IntBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -117,6 +123,25 @@ class PlansTest {
         assertThat(Plans.source(Plans.TILES.of(device)).toString())
                 .contains("TileSolver.cl")
                 .doesNotContain("PersistentGpu");
+    }
+
+    /** Hopper gives work-groups 196 KiB of local memory, or takes 32 KiB more from its cache; the driver adds 1 KiB to each. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void sevenWorkGroupsOfAPassByTilesLeaveHopperItsCache(Device device) {
+        KernelSource source = Plans.source(Plans.TILES.of(device), device)
+                .and(KernelSource.ofText(
+                        "probe", "kernel void probe(global int *out) { out[0] = (int) sizeof(Tile); }\n"));
+        int[] bytes = new int[1];
+        try (Session session = Session.open(device);
+                DeviceBuffer out = session.allocate("bytes", 4)) {
+            session.build(source, StageKernels.options(device))
+                    .kernel("probe")
+                    .arg(0, out)
+                    .run(1);
+            out.read(IntBuffer.wrap(bytes));
+        }
+        assertThat(bytes[0]).isBetween(20 * TileRecord.CIRCLES, 196 * 1024 / 7 - 1024);
     }
 
     @Test
