@@ -6,8 +6,8 @@ import io.github.circles2d.world.model.Limits;
 
 /**
  * A kind of circles of a world, such as players, bullets or grains. It decides which other circles they meet, and how they move. A world
- * has 256 kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. A kind that nobody
- * has changed meets all others.
+ * has 256 kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. So is each piece of
+ * {@link Terrain}. A kind that nobody has changed meets all others.
  *
  * <pre>{@code
  * static final int ENEMY = 1, BULLET = 2;

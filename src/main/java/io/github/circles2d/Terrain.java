@@ -29,6 +29,9 @@ import io.github.circles2d.world.terrain.PieceRead;
  *
  * <p><b>Bodies:</b> pieces belong to the ground, which never moves, or to a {@link TerrainBody}, which does.
  *
+ * <p><b>Handles</b> of pieces and of bodies are longs, never 0, stale once the piece or body has gone. They may be equal to handles of circles,
+ * and no call can tell them apart.
+ *
  * <p><b>Edges:</b> walls hold circles, not terrain: pieces may go beyond them. Along an axis that wraps, pieces wrap, too; a piece is at
  * most half as long as the axis.
  *
@@ -365,9 +368,10 @@ public final class Terrain {
      * #THICKNESS}; of an arc {@link #CENTRE_X}, {@link #CENTRE_Y}, {@link #RADIUS}, {@link #FROM}, {@link #TO} and {@link #INSIDE}.
      *
      * <pre>{@code
+     * float[] pieces = new float[terrain.size() * Terrain.PIECE_STRIDE];
      * int count = terrain.readPieces(pieces, null);
      * for (int row = 0; row < count * Terrain.PIECE_STRIDE; row += Terrain.PIECE_STRIDE) {
-     *     if (pieces[row + Terrain.FORM] == Terrain.SEGMENT) {
+     *     if (pieces[row + Terrain.FORM] != Terrain.ARC) { // a segment, or a line of a chain
      *         draw(pieces[row + Terrain.X1], pieces[row + Terrain.Y1], pieces[row + Terrain.X2], pieces[row + Terrain.Y2]);
      *     }
      * }

@@ -1769,7 +1769,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, terrain, joints, bounds, gravity,
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, kinds, terrain, joints, bounds, gravity,
      * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
      * equal bytes, on every back end.
      *

@@ -112,7 +112,8 @@
  * <ul>
  *   <li>with a value out of range, or a handle whose circle is gone: an IllegalArgumentException that names the value and the range;
  *   <li>with null: a NullPointerException that names the parameter;
- *   <li>after {@code close}: an IllegalStateException.
+ *   <li>after {@code close}: an IllegalStateException;
+ *   <li>while another thread is inside a call of the same world: a ConcurrentModificationException.
  * </ul>
  *
  * <p>Both engines hold memory, threads and devices that {@code close} gives back.

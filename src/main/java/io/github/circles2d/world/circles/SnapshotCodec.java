@@ -277,7 +277,10 @@ public final class SnapshotCodec {
 
     /** Copies a snapshot: what is checked in the copy still holds when it is used. */
     private static ByteBuffer copy(ByteBuffer from) {
-        require(from.limit() >= HEADER, "it has no room for the header: " + from.limit() + " bytes");
+        require(
+                from.limit() >= HEADER,
+                "the buffer has " + from.limit()
+                        + " bytes from its position on, which hold no header; flip it after a snapshot has been written");
         require(from.getInt() == MAGIC, "it does not begin as one");
         int version = from.getInt();
         if (version != VERSION) {

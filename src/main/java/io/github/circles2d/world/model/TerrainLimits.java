@@ -61,12 +61,12 @@ public final class TerrainLimits {
         return units >= -Rotation.TURN && units <= Rotation.TURN && (units >= LEAST_OPENING || units <= -LEAST_OPENING);
     }
 
-    /** The units of the opening of an arc, counterclockwise between two angles. */
+    /** The units of the opening of an arc, anticlockwise between two angles. */
     public static long opening(float from, float to) {
         double angle = (double) to - from;
         if (!(angle > 0)) {
             throw new IllegalArgumentException("the arc goes from " + from + " to " + to
-                    + ", but must go counterclockwise: `to` must be greater than `from`, by 2 pi at most");
+                    + ", but must go anticlockwise: `to` must be greater than `from`, by 2 pi at most");
         }
         return opening("the angle between `from` and `to`", angle);
     }
