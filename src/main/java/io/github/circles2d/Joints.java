@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
-import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.Limits;
 
 /**
@@ -190,14 +190,14 @@ public final class Joints {
     }
 
     /**
-     * The id of a handle: its lower 30 bits. Two joints that are there at the same time have different ids. When a joint has gone, a new one takes
+     * The id of a handle: its lower 28 bits. Two joints that are there at the same time have different ids. When a joint has gone, a new one takes
      * its id over.
      *
      * @param joint the handle of a joint, stale or not
      * @return its id, at least 0
      */
     public static int id(long joint) {
-        return JointTable.id(joint);
+        return Handle.id(joint);
     }
 
     /**

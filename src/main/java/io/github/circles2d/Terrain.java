@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.terrain.PieceRead;
 
@@ -29,8 +30,8 @@ import io.github.circles2d.world.terrain.PieceRead;
  *
  * <p><b>Bodies:</b> pieces belong to the ground, which never moves, or to a {@link TerrainBody}, which does.
  *
- * <p><b>Handles</b> of pieces and of bodies are longs, never 0, stale once the piece or body has gone. They may be equal to handles of circles,
- * and no call can tell them apart.
+ * <p><b>Handles</b> of pieces and of bodies are longs, never 0, stale once the piece or body has gone. No handle of a circle or joint is equal
+ * to one of them, so a call refuses one for the other.
  *
  * <p><b>Edges:</b> walls hold circles, not terrain: pieces may go beyond them. Along an axis that wraps, pieces wrap, too; a piece is at
  * most half as long as the axis.
@@ -127,7 +128,7 @@ public final class Terrain {
         makeRoom(simulation.bodies().idLimit());
         TerrainBody body = new TerrainBody(simulation);
         long handle = simulation.bodies().add(x, y, angle);
-        bodies[(int) handle] = body.of(handle);
+        bodies[Handle.id(handle)] = body.of(handle);
         return body;
     }
 
@@ -163,7 +164,7 @@ public final class Terrain {
     }
 
     private TerrainBody object(long handle) {
-        int id = (int) handle;
+        int id = Handle.id(handle);
         makeRoom(id);
         if (bodies[id] == null || bodies[id].handle() != handle) {
             bodies[id] = new TerrainBody(simulation).of(handle);
@@ -301,14 +302,14 @@ public final class Terrain {
     }
 
     /**
-     * The id of a handle: its lower 32 bits. Two pieces that are there at the same time have different ids. When a piece has been removed,
+     * The id of a handle: its lower 28 bits. Two pieces that are there at the same time have different ids. When a piece has been removed,
      * a new one takes its id over.
      *
      * @param piece the handle of a piece, stale or not
      * @return its id, at least 0
      */
     public static int id(long piece) {
-        return (int) piece;
+        return Handle.id(piece);
     }
 
     /**

@@ -25,7 +25,7 @@ interface GoldenTerrain {
 
     /** The handle of the body that got an id first. */
     private static long body(int id) {
-        return 1L << 32 | id;
+        return 1L << 32 | 1 << 28 | id;
     }
 
     private static void line(WorldCalls world, float x1, float y1, float x2, float y2) {

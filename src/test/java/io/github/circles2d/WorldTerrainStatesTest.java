@@ -63,7 +63,7 @@ class WorldTerrainStatesTest {
             case 0 -> terrain.remove(some);
             case 1 -> terrain.addSegment(2, 20 + input.nextFloat(), 9, 21);
             case 2 -> terrain.setKind(some, input.nextBoolean() ? 0 : ONE_WAY);
-            case 3 -> move(terrain.bodyOf(some), input);
+            case 3 -> move(terrain, terrain.bodyOf(some), input);
             case 4 -> terrain.addChain(Chain.of(14, 9 + input.nextFloat(), 10, 8, 7, 9), 0, null);
             case 5 -> terrain.addBody(input.nextInt(40), 20, input.nextFloat()).addSegment(-1, 0, 1, 0);
             case 6 -> terrain.addArc(input.nextInt(40), 3, 0.5f, 0, 2 * PI, ArcSide.OUTER);
@@ -71,8 +71,8 @@ class WorldTerrainStatesTest {
         }
     }
 
-    private static void move(TerrainBody body, Random input) {
-        if (body.handle() != body.handle() >>> 32 << 32) {
+    private static void move(Terrain terrain, TerrainBody body, Random input) {
+        if (body != terrain.ground()) {
             switch (input.nextInt(4)) {
                 case 0 -> body.moveTo(body.x() + input.nextFloat() - 0.5f, body.y(), body.angle() + 0.1f);
                 case 1 -> body.teleport(input.nextInt(40), 10, 1);

@@ -1,9 +1,11 @@
 package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
 /** The calls of terrain: what they keep, and what they refuse. */
@@ -39,6 +41,38 @@ class WorldTerrainTest {
             terrain.clear();
             assertThat(terrain.size()).isZero();
         }
+    }
+
+    @Test
+    void noCallTakesTheHandleOfSomethingElse() {
+        try (World world = world()) {
+            Terrain terrain = world.terrain();
+            long circle = world.add(20, 20, 1, 1);
+            world.add(30, 20, 1, 1); // the ids of the piece and the body are those of circles
+            long piece = terrain.addSegment(0, 0, 10, 0);
+            long body = terrain.addBody(50, 50, 0).handle();
+            long joint = world.joints().add(circle, Joint.friction(1, 1));
+            refused(() -> world.remove(piece), "no circle has the handle " + piece + ": it is of a piece of terrain");
+            refused(() -> world.x(body), "no circle has the handle " + body + ": it is of a body of terrain");
+            String gone = ": it was removed, or is none of this world's";
+            refused(() -> terrain.remove(circle), "no piece of terrain has the handle " + circle + gone);
+            refused(
+                    () -> terrain.remove(body),
+                    "no piece of terrain has the handle " + body + ": it is of a body of terrain");
+            refused(() -> terrain.kindOf(joint), "no piece of terrain has the handle " + joint + ": it is of a joint");
+            refused(() -> terrain.body(circle), "no body of terrain has the handle " + circle + gone);
+            refused(
+                    () -> terrain.body(piece),
+                    "no body of terrain has the handle " + piece + ": it is of a piece of terrain");
+            assertThat(world.contains(piece) || world.contains(body)).isFalse();
+            assertThat(terrain.contains(circle) || terrain.contains(joint)).isFalse();
+            assertThat(world.size()).isEqualTo(2);
+            assertThat(terrain.size()).isOne();
+        }
+    }
+
+    private static void refused(ThrowingCallable call, String message) {
+        assertThatIllegalArgumentException().isThrownBy(call).withMessage(message);
     }
 
     @Test

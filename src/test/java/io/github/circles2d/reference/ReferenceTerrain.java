@@ -19,6 +19,10 @@ final class ReferenceTerrain {
 
     private static final long TURN = 1L << 32;
 
+    // bits of handles that are in no id
+    private static final int PIECE = 1 << 29;
+    private static final int BODY = 1 << 28;
+
     /** Openings that differ so little from a turn are one. */
     private static final long SLACK = 1 << 14;
 
@@ -34,7 +38,7 @@ final class ReferenceTerrain {
     private int lastSerial;
 
     ReferenceTerrain() {
-        bodies.add(new Body(0, newHandle(0, bodyGenerations), 0f, 0f, 0));
+        bodies.add(new Body(0, newHandle(0, bodyGenerations, BODY), 0f, 0f, 0));
     }
 
     /** In the order of their ids. */
@@ -48,11 +52,11 @@ final class ReferenceTerrain {
     }
 
     Body body(long handle) {
-        return bodies.get((int) handle);
+        return bodies.get((int) handle & ~BODY);
     }
 
     Piece piece(long handle) {
-        return pieces.get((int) handle);
+        return pieces.get((int) handle & ~PIECE);
     }
 
     private static <T> int freeId(List<T> all) {
@@ -62,8 +66,8 @@ final class ReferenceTerrain {
         return all.indexOf(null);
     }
 
-    private static long newHandle(int id, Map<Integer, Integer> generations) {
-        return (long) generations.merge(id, 1, Integer::sum) << 32 | id;
+    private static long newHandle(int id, Map<Integer, Integer> generations, int mark) {
+        return (long) generations.merge(id, 1, Integer::sum) << 32 | mark | id;
     }
 
     // ---- calls
@@ -71,7 +75,7 @@ final class ReferenceTerrain {
 
     long addBody(float x, float y, float angle) {
         int id = freeId(bodies);
-        Body body = new Body(id, newHandle(id, bodyGenerations), x, y, (int) Angles.units(angle));
+        Body body = new Body(id, newHandle(id, bodyGenerations, BODY), x, y, (int) Angles.units(angle));
         bodies.set(id, body);
         return body.handle;
     }
@@ -94,14 +98,14 @@ final class ReferenceTerrain {
 
     private Piece addLine(Body body, float[] from, float[] to, boolean twoSided, float thickness, int kind) {
         int id = freeId(pieces);
-        long handle = newHandle(id, pieceGenerations);
+        long handle = newHandle(id, pieceGenerations, PIECE);
         return add(new LinePiece(id, handle, body, kind, from, to, twoSided, thickness));
     }
 
     private Piece addArc(
             Body body, float[] centre, float[] toMiddle, float radius, int half, boolean solidOutside, int kind) {
         int id = freeId(pieces);
-        long handle = newHandle(id, pieceGenerations);
+        long handle = newHandle(id, pieceGenerations, PIECE);
         return add(new ArcPiece(id, handle, body, kind, centre, toMiddle, radius, half, solidOutside));
     }
 

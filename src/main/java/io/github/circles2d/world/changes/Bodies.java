@@ -1,5 +1,6 @@
 package io.github.circles2d.world.changes;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Rotation;
@@ -70,7 +71,7 @@ public final class Bodies {
         int body = terrain.bodies.ids.find(handle);
         if (body < 0) {
             throw new IllegalArgumentException(
-                    "no body of terrain has the handle " + handle + ": it was removed, or is none of this world's");
+                    "no body of terrain has the handle " + handle + Handle.reason(handle, Handle.BODY));
         }
         return body;
     }

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.Copies;
@@ -250,8 +250,7 @@ public final class Circles {
 
     /** Why a handle is refused. */
     static String gone(long handle) {
-        return "no circle has the handle " + handle
-                + (JointTable.isMarked(handle) ? ": it is of a joint" : ": it was removed, or is none of this world's");
+        return "no circle has the handle " + handle + Handle.reason(handle, 0);
     }
 
     /** The restitution of one circle. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.changes;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.joints.GoneJoints;
 import io.github.circles2d.world.joints.JointForm;
@@ -291,7 +292,7 @@ public final class JointCalls {
     }
 
     private static String gone(long handle) {
-        return JointTable.isMarked(handle)
+        return Handle.has(handle, Handle.JOINT)
                 ? "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's"
                 : "no joint has the handle " + handle + ": it is of a circle or a piece of terrain, or none at all";
     }

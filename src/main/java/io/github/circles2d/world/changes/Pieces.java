@@ -1,5 +1,6 @@
 package io.github.circles2d.world.changes;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
@@ -254,7 +255,7 @@ public final class Pieces {
         int piece = table.ids.find(handle);
         if (piece < 0) {
             throw new IllegalArgumentException(
-                    "no piece of terrain has the handle " + handle + ": it was removed, or is none of this world's");
+                    "no piece of terrain has the handle " + handle + Handle.reason(handle, Handle.PIECE));
         }
         return piece;
     }

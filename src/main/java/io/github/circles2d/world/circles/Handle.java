@@ -1,7 +1,14 @@
 package io.github.circles2d.world.circles;
 
-/** The numbers that callers name circles, pieces and bodies of terrain, and joints by: ((generation + 1) &lt;&lt; 32 | id), which is never 0. */
+/**
+ * The numbers that callers name circles, pieces and bodies of terrain, and joints by: ((generation + 1) &lt;&lt; 32 | mark | id), which is never
+ * 0. A mark is a bit that is in no id, so no handle of one thing is taken for one of another.
+ */
 public final class Handle {
+    public static final int JOINT = 1 << 30;
+    public static final int PIECE = 1 << 29;
+    public static final int BODY = 1 << 28;
+
     private static final int GENERATION_SHIFT = 32;
     private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
 
@@ -14,8 +21,27 @@ public final class Handle {
         return (long) (generation + 1) << GENERATION_SHIFT | id;
     }
 
-    /** Not negative. */
-    public static long id(long handle) {
+    /** The id in a handle that a world has given. */
+    public static int id(long handle) {
+        return (int) handle & ~(JOINT | PIECE | BODY);
+    }
+
+    /** Whether a handle is of the form that handles of something have. */
+    public static boolean has(long handle, int mark) {
+        return (handle & mark) != 0;
+    }
+
+    /** Why a handle names none of what a caller asks for: it is of something else, or of nothing. Ends a sentence. */
+    public static String reason(long handle, int mark) {
+        int other = (int) handle & (JOINT | PIECE | BODY) & ~mark;
+        String of = other == JOINT ? "a joint" : other == PIECE ? "a piece of terrain" : "a body of terrain";
+        return Integer.bitCount(other) == 1 && (mark == 0 || (handle & mark) == 0)
+                ? ": it is of " + of
+                : ": it was removed, or is none of this world's";
+    }
+
+    /** The id and its mark, if it has one. Not negative. */
+    static long marked(long handle) {
         return handle & ID_MASK;
     }
 

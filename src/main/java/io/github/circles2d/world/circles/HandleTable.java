@@ -97,7 +97,7 @@ public final class HandleTable {
 
     /** -1 if no living circle has the handle. */
     public int find(long handle) {
-        long id = Handle.id(handle);
+        long id = Handle.marked(handle);
         if (id >= end || !lives((int) id) || !Handle.hasGeneration(handle, generation[(int) id])) {
             return -1;
         }

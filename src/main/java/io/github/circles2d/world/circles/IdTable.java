@@ -2,10 +2,7 @@ package io.github.circles2d.world.circles;
 
 import java.util.Arrays;
 
-/**
- * Which ids are in use, of pieces or bodies of terrain or of joints, under a {@link Handle} each. The next one gets the lowest free id. Handles
- * may have a mark, a bit that is in no id: then no handle of something else is taken for one of these.
- */
+/** Which ids are in use, of pieces or bodies of terrain or of joints, under a {@link Handle} each. The next one gets the lowest free id. */
 public final class IdTable {
     private boolean[] live = new boolean[0];
     private int[] generation = new int[0];
@@ -13,12 +10,8 @@ public final class IdTable {
     private int end;
     private int noneFreeBelow;
 
-    /** The bit of handles, or 0. */
+    /** Of the handles. */
     private final int mark;
-
-    public IdTable() {
-        this(0);
-    }
 
     public IdTable(int mark) {
         this.mark = mark;
@@ -51,7 +44,7 @@ public final class IdTable {
 
     /** -1 if nothing that lives has the handle. */
     public int find(long handle) {
-        long id = Handle.id(handle) ^ mark;
+        long id = Handle.marked(handle) ^ mark;
         if (id >= end || !live[(int) id] || !Handle.hasGeneration(handle, generation[(int) id])) {
             return -1;
         }

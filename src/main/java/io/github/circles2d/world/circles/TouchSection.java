@@ -144,7 +144,9 @@ final class TouchSection {
         boolean isEvent = type == SavedTouches.HIT || type == SavedTouches.END;
         boolean isPair = side == -1
                 ? isHandle(b, Limits.CIRCLES) && (int) a < (int) b
-                : side == SavedTouches.PIECE ? isHandle(b, TerrainLimits.PIECES) : side >= 0 && side < WALLS && b == 0;
+                : side == SavedTouches.PIECE
+                        ? isHandle(b ^ Handle.PIECE, TerrainLimits.PIECES)
+                        : side >= 0 && side < WALLS && b == 0;
         SnapshotCodec.require(
                 isEvent && isHandle(a, Limits.CIRCLES) && isPair,
                 "an event of a removed circle or piece is out of range");

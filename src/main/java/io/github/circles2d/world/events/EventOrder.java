@@ -1,5 +1,6 @@
 package io.github.circles2d.world.events;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Limits;
 
@@ -35,6 +36,6 @@ final class EventOrder {
 
     /** The partner of a circle of lower id: by the handle of the other circle or of the piece, or by the side of a wall. */
     static int higher(long handle, int side) {
-        return side == NO_SIDE ? (int) handle : side == PIECE ? PieceCode.of((int) handle) : Limits.CIRCLES + side;
+        return side == NO_SIDE ? (int) handle : side == PIECE ? PieceCode.of(Handle.id(handle)) : Limits.CIRCLES + side;
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
@@ -17,10 +18,7 @@ public final class JointTable {
     private static final int A = 0;
     private static final int B = 1;
 
-    /** In handles of joints, and of nothing else. */
-    private static final int MARK = 1 << 30;
-
-    public final IdTable ids = new IdTable(MARK);
+    public final IdTable ids = new IdTable(Handle.JOINT);
 
     final SpringTable springs = new SpringTable();
 
@@ -69,16 +67,6 @@ public final class JointTable {
     /** Makes room for one more spring. */
     public void ensureSpring() {
         springs.ensure(1);
-    }
-
-    /** Whether a handle is of the form that handles of joints have. */
-    public static boolean isMarked(long handle) {
-        return (handle & MARK) != 0;
-    }
-
-    /** The id in a handle of a joint. */
-    public static int id(long handle) {
-        return (int) handle & ~MARK;
     }
 
     // ---- what there is

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
@@ -20,7 +21,7 @@ public final class BodyTable {
     /** A body turns so far in a sub-step at most, in units of an angle: a sixteenth less than half a turn. */
     private static final long MOST_TURN = 15L << 27;
 
-    public final IdTable ids = new IdTable();
+    public final IdTable ids = new IdTable(Handle.BODY);
 
     double[] x = new double[0];
     double[] y = new double[0];

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
@@ -25,7 +26,7 @@ public final class PieceTable {
     /** Sine of the least angle by which a chain turns to its right; by less it is straight. */
     private static final double STRAIGHT = 0x1p-13;
 
-    public final IdTable ids = new IdTable();
+    public final IdTable ids = new IdTable(Handle.PIECE);
 
     float[] form = new float[0];
 

@@ -3,6 +3,7 @@ package io.github.circles2d.world.terrain;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
@@ -48,7 +49,7 @@ class TerrainTablesTest {
         tables.addChain(BodyTable.GROUND, 0, path, path.pieces(), path.isClosed(), handles);
         int[] ids = new int[handles.length];
         for (int k = 0; k < ids.length; k++) {
-            ids[k] = (int) handles[k];
+            ids[k] = Handle.id(handles[k]);
         }
         return ids;
     }
