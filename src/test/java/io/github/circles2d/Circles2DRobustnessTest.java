@@ -27,6 +27,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The traps of JavaCL and of the drivers below it, seen from the public class. */
+@Tag("each-jdk")
 class Circles2DRobustnessTest {
     private static final float STEP = 1 / 60f;
     private static final float[] GRAVITY = {0, -0.01f};

@@ -47,11 +47,21 @@ class GoldenHashesTest {
         return runs;
     }
 
-    static List<Arguments> scenesAndDevices() throws IOException {
+    static List<Arguments> plainScenesAndDevices() throws IOException {
+        return scenesAndDevices(true);
+    }
+
+    static List<Arguments> otherScenesAndDevices() throws IOException {
+        return scenesAndDevices(false);
+    }
+
+    private static List<Arguments> scenesAndDevices(boolean plain) throws IOException {
         List<Arguments> runs = new ArrayList<>();
         for (Device device : TestDevices.all()) {
             for (GoldenScene scene : GoldenHashes.scenes()) {
-                runs.add(Arguments.of(scene, device));
+                if (scene.isPlain() == plain) {
+                    runs.add(Arguments.of(scene, device));
+                }
             }
         }
         return runs;
@@ -59,14 +69,26 @@ class GoldenHashesTest {
 
     @ParameterizedTest
     @MethodSource("scenesAndTwoNumbersOfThreads")
+    @Tag("each-jdk")
     void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), SHORT);
     }
 
     @ParameterizedTest
-    @MethodSource("scenesAndDevices")
-    @Tag("one-jdk")
-    void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
+    @MethodSource("plainScenesAndDevices")
+    void everyOpenClDeviceGivesTheHashesOfPlainScenes(GoldenScene scene, Device device) throws IOException {
+        checkOn(device, scene);
+    }
+
+    /** Those with edges, surfaces, terrain and joints, each of which has kernels of its own. */
+    @ParameterizedTest
+    @MethodSource("otherScenesAndDevices")
+    @Tag("long")
+    void everyOpenClDeviceGivesTheHashesOfAllOtherScenes(GoldenScene scene, Device device) throws IOException {
+        checkOn(device, scene);
+    }
+
+    private static void checkOn(Device device, GoldenScene scene) throws IOException {
         check(scene, scene.builder().device(device).build(), TestScale.EXHAUSTIVE ? LONG : SHORTEST);
     }
 

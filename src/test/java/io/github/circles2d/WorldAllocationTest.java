@@ -13,11 +13,13 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A game that runs leaves no garbage. */
+@Tag("each-jdk")
 class WorldAllocationTest {
     private static final float STEP = 1 / 60f;
     private static final int SENSOR = 9;

@@ -23,11 +23,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Errors of the virtual machine and of devices: which of them lose the state of a world, and which do not. */
+@Tag("each-jdk")
 class WorldErrorsTest {
     private static final float STEP = 1 / 60f;
 

@@ -13,14 +13,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command lines of the sample games, which are those of the playground: their messages and exit codes. */
-@Tag("one-jdk")
 class SamplesTest {
     @TempDir
     Path classes;

@@ -17,7 +17,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.opentest4j.TestAbortedException;
 
@@ -26,7 +25,6 @@ import org.opentest4j.TestAbortedException;
  * installed these tests fail if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says that it is known to be
  * absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.
  */
-@Tag("one-jdk")
 class OclgrindTest {
     private static final String PROPERTY = "circles2d.oclgrind";
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";

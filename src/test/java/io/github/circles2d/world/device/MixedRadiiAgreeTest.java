@@ -19,7 +19,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
-@Tag("one-jdk")
 class MixedRadiiAgreeTest {
     private static final AxisEdge[][] EDGES = {
         {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}
@@ -55,6 +54,7 @@ class MixedRadiiAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void blendsHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {HardScenes.blend(500, 10, 4), HardScenes.blend(900, 100, 5)}) {
             try (Twins twins = Twins.load(scene, PipelinesAgreeTest.pipelines(device))) {
@@ -75,6 +75,7 @@ class MixedRadiiAgreeTest {
     /** The step finds out about it late: other circles have no contacts that could tell. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aCrowdOfCrossContactsAloneHasTheSameBits(Device device) {
         Bounds bounds = new Bounds(0, 0, 1, 1);
         try (Twins twins = Twins.empty(bounds, PipelinesAgreeTest.pipelines(device))) {
@@ -90,6 +91,7 @@ class MixedRadiiAgreeTest {
     /** Groups have more like contacts than a tile takes, and circles more candidates than are kept, in more than one level. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void crowdsOfSeveralLevelsHaveTheSameBits(Device device) {
         for (int circles : new int[] {40, 300}) {
             Scene scene = Scenes.onePoint(circles, 3);
@@ -109,6 +111,7 @@ class MixedRadiiAgreeTest {
     /** A level comes and goes with the one circle that is in it: the smallest, the largest, and one between. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void levelsComeAndGo(Device device) {
         Scene scene = Scenes.thesis(1250, 9);
         float[] factors = {1, 0.05f, 1, 6, 2.5f, 1};

@@ -21,7 +21,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles that grip and turn have the same bits on every device as in Java. */
-@Tag("one-jdk")
 class SurfacesAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -34,6 +33,7 @@ class SurfacesAgreeTest {
     /** From the first surface in mid-life on, in steps of several lengths, also with fast circles. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
             Scenes.thesis(600, 1),
@@ -102,6 +102,7 @@ class SurfacesAgreeTest {
     /** A world that is empty at first grows, step by step, from the room that there is at first. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aWorldThatGrowsHasTheSameBits(Device device) {
         Scene scene = Scenes.mixed(40, 9);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -124,6 +125,7 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void eventsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), HardScenes.blend(300, 10, 4), Scenes.bouncy(2)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -146,6 +148,7 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
@@ -165,6 +168,7 @@ class SurfacesAgreeTest {
     /** Static circles turn, and belts run, under circles that lie on them. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void staticRollersHaveTheSameBits(Device device) {
         Scene scene = HardScenes.pile(12, 12, 1);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -185,6 +189,7 @@ class SurfacesAgreeTest {
     /** Masses, speeds, frictions and torques of any magnitude, now and then one of a few. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -207,6 +212,7 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long still = pipeline.bytesHeld();
@@ -223,6 +229,7 @@ class SurfacesAgreeTest {
     /** That a world turns shows in nothing: not in bits, not in snapshots. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aWorldThatTurnsWithoutGripHasTheBitsOfOneThatDoesNot(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.mixed(300, 6)}) {
             try (Twins still = Twins.load(scene, PipelinesAgreeTest.pipelines(device));

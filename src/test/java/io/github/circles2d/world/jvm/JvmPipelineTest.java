@@ -8,12 +8,14 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.KindField;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What must not show in the state: threads and slots. */
 @Timeout(120) // a barrier that is wrong may as well hang
+@Tag("each-jdk")
 class JvmPipelineTest {
     private static final int STEPS = TestScale.of(15, 40);
 
