@@ -31,8 +31,7 @@ class ReferenceWorldTest {
     /** Those of more circles than one number, and no more than the other. */
     private static List<GoldenScene> scenes(int more, int most) {
         return GoldenScene.all().stream()
-                .filter(golden ->
-                        golden.scene().size() > more && golden.scene().size() <= most)
+                .filter(golden -> golden.scene().size() > more && golden.scene().size() <= most)
                 .toList();
     }
 
