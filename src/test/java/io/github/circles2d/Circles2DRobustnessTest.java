@@ -71,6 +71,7 @@ class Circles2DRobustnessTest {
     /** Buffers that only a running kernel knows must not go: a collected one ends the process or changes the result. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void collectionsUnderRunningKernelsChangeNothing(Device device) throws Exception {
         for (PairIndexing indexing : PairIndexing.values()) {
             float[][] undisturbed;
@@ -188,6 +189,7 @@ class Circles2DRobustnessTest {
     @ParameterizedTest
     @MethodSource("devices")
     @EnabledOnOs(OS.LINUX)
+    @Tag("long")
     void aHundredEnginesCreatedSteppedAndClosedLeaveResidentMemoryWhereItWas(Device device) {
         assertThat(growthOf(device, 100)).isLessThan(64L << 20);
     }

@@ -365,6 +365,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void queriesAllocateNothing() {
         Scene scene = Scenes.packed(1250, Scenes.SEED);
         int batch = 100;
@@ -447,6 +448,7 @@ class WorldAllocationTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 3})
+    @Tag("long")
     void jointsAllocateNothing(int threads) {
         World.Builder builder = WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10);
         try (World world = WorldScenes.onThreads(threads, builder)) {

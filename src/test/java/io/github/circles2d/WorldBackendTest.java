@@ -62,6 +62,7 @@ class WorldBackendTest {
 
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void aWorldThatReportsSensorsAloneTakesNoMemoryForContacts(Backend backend) {
         Scene scene = Scenes.packed(5_000, Scenes.SEED);
         long[] held = new long[2];

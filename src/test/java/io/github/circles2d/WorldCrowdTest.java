@@ -39,6 +39,7 @@ class WorldCrowdTest {
     }
 
     @Test
+    @Tag("long")
     void tenThousandCirclesAtOnePointHaveFarFewerContactsThanPairs() {
         Scene scene = Scenes.onePoint(10_000, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {

@@ -268,6 +268,7 @@ class WorldErrorsTest {
     }
 
     @Test
+    @Tag("long")
     void whereverTheStackEndsInACallTheWorldGoesOnOrHasFailedAndCloses() {
         ForkedJvm.Result result =
                 new ForkedJvm().option("-XX:TieredStopAtLevel=1").run(StackEnds.class);
@@ -276,6 +277,7 @@ class WorldErrorsTest {
     }
 
     @Test
+    @Tag("long")
     void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
         ForkedJvm.Result result = new ForkedJvm()
                 .option("-Xmx24m")

@@ -38,6 +38,7 @@ class SignalsTest {
     }
 
     @Test
+    @Tag("long")
     void discoveryBuildAndFirstEnqueueOfEveryEngineLeaveTheHandlersByteForByteAsTheyWere() {
         ForkedJvm.Result result = cold().run(SignalsProgram.class);
         assertThat(result.output())

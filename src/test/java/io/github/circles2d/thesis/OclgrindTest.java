@@ -17,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.opentest4j.TestAbortedException;
 
@@ -110,6 +111,7 @@ class OclgrindTest {
     }
 
     @Test
+    @Tag("long")
     void slotsThatStrategyZeroMapsWronglyTouchNoMemory() throws Exception {
         ForkedJvm.Result result = resultOf("wrong slots");
         assertThat(result.output()).containsPattern("wrong slots [1-9]");

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Timeout(120) // a barrier that is wrong may as well hang
 @Tag("each-jdk")
 class JvmPipelineTest {
-    private static final int STEPS = TestScale.of(15, 40);
+    private static final int STEPS = TestScale.of(6, 15, 40);
 
     static Stream<Scene> scenes() {
         return Stream.of(
@@ -29,7 +29,7 @@ class JvmPipelineTest {
                 Scenes.mixed(2000, 100, Scenes.SEED),
                 Scenes.noCollide(),
                 Scenes.billiards(40),
-                Scenes.onePoint(TestScale.of(500, 1000), Scenes.SEED));
+                Scenes.onePoint(TestScale.of(250, 500, 1000), Scenes.SEED));
     }
 
     @ParameterizedTest
