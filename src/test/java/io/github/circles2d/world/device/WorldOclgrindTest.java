@@ -54,7 +54,12 @@ class WorldOclgrindTest {
     @Test
     void circlesThatTurnDoNotRaceLeaveTheirBuffersOrReadWhatNobodyWrote() throws Exception {
         assertThat(run(TestScale.EXHAUSTIVE ? "small" : "smallest", "turning"))
-                .contains("grid_gather", "contacts_countByLevelAndSheet", "solver_solve", "events_write", "readback_turns");
+                .contains(
+                        "grid_gather",
+                        "contacts_countByLevelAndSheet",
+                        "solver_solve",
+                        "events_write",
+                        "readback_turns");
     }
 
     /** The stages by colours, of circles that turn, too, and the queries. */
