@@ -496,6 +496,7 @@ class CalibrationTest {
     }
 
     @Test
+    @Tag("long")
     void aRealCalibrationTimesEveryDeviceAndIsFollowed() throws IOException {
         List<Device> devices = TestDevices.all();
         Calibration.run(devices, new EvenMeter(), List.of(400), List.of(300));

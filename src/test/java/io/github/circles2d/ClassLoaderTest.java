@@ -97,6 +97,7 @@ class ClassLoaderTest {
 
     /** Such a loader is never collected: BridJ's native library holds on to its classes. */
     @Test
+    @Tag("long")
     void everyLoaderCanUseOpenClWhateverTheContextClassLoader() {
         TestDevices.all();
         ForkedJvm.Result result = new ForkedJvm().run(Host.class, "openCl");

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class GoldenHashesTest {
     /** Circles times steps that one run may take. */
-    private static final int SHORTEST = 150_000;
+    private static final int SHORTEST = TestScale.of(60_000, 150_000, 150_000);
 
     /** As no long run has these numbers of threads. */
     private static final int SHORT = TestScale.of(SHORTEST, 1_000_000);

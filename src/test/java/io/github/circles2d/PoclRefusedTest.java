@@ -152,6 +152,7 @@ class PoclRefusedTest {
     }
 
     @Test
+    @Tag("long")
     void otherDriversStay() throws IOException {
         assumeTrue(Files.exists(OCLGRIND), "there is no Oclgrind");
         ForkedJvm jvm = cold().environment("PATH", "/nowhere");

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SoakTest {
     @ParameterizedTest
     @ValueSource(strings = {"world-jvm", "world-cpu", "circles2d"})
+    @Tag("long")
     void aRoundAgreesWithItsControl(String name) throws Exception {
         if (!name.equals("world-jvm")) {
             TestDevices.all();

@@ -155,6 +155,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void terrainAllocatesNothingOnTheJvm() throws IOException {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         float width = scene.maxX() - scene.minX();
@@ -286,6 +287,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void rollingBackAllocatesNothingOnTheJvm() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         long[] handles = new long[scene.size()];

@@ -132,6 +132,7 @@ class WorldConservationTest {
 
     @ParameterizedTest
     @ValueSource(floats = {0, 0.3f, 1})
+    @Tag("long")
     void withoutGravityEnergyNeverGrows(float restitution) {
         assertEnergyNeverGrows(restitution);
     }

@@ -22,6 +22,7 @@ class WorldCrowdTest {
     }
 
     @Test
+    @Tag("long")
     void allCirclesInOneCellComeApart() {
         assertComesApart(Scenes.oneCell(2_000, Scenes.SEED), 400);
     }

@@ -48,7 +48,7 @@ class WorldEventsGrowTest {
     @MethodSource("openClBackends")
     @Tag("long")
     void soHaveWorldsInWhichAnythingHappens(Backend backend) {
-        for (int seed = 0; seed < TestScale.of(3, SEEDS); seed++) {
+        for (int seed = 0; seed < TestScale.of(1, 3, SEEDS); seed++) {
             compare(backend, seed, false);
         }
     }

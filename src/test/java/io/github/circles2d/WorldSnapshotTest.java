@@ -36,6 +36,7 @@ class WorldSnapshotTest {
 
     @ParameterizedTest
     @MethodSource("settlingScenes")
+    @Tag("long")
     void takesAtMost72BytesACircleOnceSettledWithFriction(Scene scene) {
         World.Builder builder = WorldScenes.builder(scene).friction(0.6f).rollingResistance(0.1f);
         try (World world = WorldScenes.world(scene, builder)) {

@@ -42,6 +42,7 @@ class WindowTest {
     }
 
     @Test
+    @Tag("long")
     void afterTheFramesThatWereAskedForTheProgramEndsByItself() {
         TestDevices.all();
         ForkedJvm.Result result = jvm().run(CirclesTest.class, "-n", "20", "--frames", "15");

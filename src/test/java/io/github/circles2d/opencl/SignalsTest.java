@@ -58,6 +58,7 @@ class SignalsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"forever", "once"})
+    @Tag("long")
     void aThreadDumpAndShutdownHooksComeDuringAndAfterCompilation(String mode) throws Exception {
         // A shell that starts the tests in the background makes them, and all that they start, ignore Ctrl-C.
         Process process = cold().startedBy("env", "--default-signal=INT").start(CompileForever.class, mode);

@@ -10,6 +10,7 @@ import java.nio.file.attribute.FileTime;
 import java.time.Instant;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -145,6 +146,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
+    @Tag("long")
     void theSecondOfTwoLaunchersWaitsForTheBuildOfTheFirst(boolean flock) throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         assumeTrue(!flock || machine.addTool("flock"));

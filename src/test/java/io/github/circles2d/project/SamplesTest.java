@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,6 +48,7 @@ class SamplesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"swarm", "hook"})
+    @Tag("long")
     void gamesWithSwingPlayAndSayWhyAPictureCannotBeWritten(String game) throws IOException {
         compile(game, List.of());
         String main = "com.example." + game + ".Main";

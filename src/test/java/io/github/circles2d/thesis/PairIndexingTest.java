@@ -63,6 +63,7 @@ class PairIndexingTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void theRowSearchAndTheExactFormMapEverySlotOfASmallNRight(Device device) {
         assertEverySlotIsRight(device, SMALL);
     }

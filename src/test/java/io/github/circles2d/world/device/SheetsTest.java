@@ -177,6 +177,7 @@ class SheetsTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void devicesTestTheSamePairsAsJava(Device device) {
         double ofSquare = ofSquare(UNIT, 1000, PipelinesAgreeTest.pipelines(device));
         for (double degrees : new double[] {0, 33, 45, 90, 151.7}) {

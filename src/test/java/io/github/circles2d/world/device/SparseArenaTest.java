@@ -78,6 +78,7 @@ class SparseArenaTest {
     /** From the smallest torus to one of several tiles; an arena with many times as many columns. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void neighboursAcrossTheEdgesOfTheTorusHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int groups : new int[] {40, 150, 600, 2000}) {
             try (Twins twins = Twins.empty(UNIT, PipelinesAgreeTest.pipelines(device))) {
