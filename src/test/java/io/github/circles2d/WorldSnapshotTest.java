@@ -26,6 +26,7 @@ class WorldSnapshotTest {
 
     @ParameterizedTest
     @MethodSource("settlingScenes")
+    @Tag("long")
     void takesAtMost64BytesACircleOnceSettled(Scene scene) {
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
             world.step(scene.timeStep(), 600);

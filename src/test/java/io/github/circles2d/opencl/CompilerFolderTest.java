@@ -102,6 +102,7 @@ class CompilerFolderTest {
     }
 
     @Test
+    @Tag("long")
     void poclFindsAProgramAgainInItsOwnCacheAndJavaClKeepsNone() throws IOException {
         assumeTrue(TestDevices.all().get(0).platform().equals(PoclGate.PLATFORM), "POCL is not the first platform");
         Path cache = Files.createDirectory(folder.resolve("cache"));

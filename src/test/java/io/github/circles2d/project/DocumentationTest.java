@@ -28,6 +28,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -47,6 +48,7 @@ class DocumentationTest {
     /** Each block is the inside of a method of a game that has a world, a player and a few things of its own. */
     @ParameterizedTest
     @CsvSource({"docs/guide.md, 23", "docs/thesis.md, 1", "docs/coming-from.md, 1"})
+    @Tag("long")
     void allCodeOfAPageCompilesWithoutAWarning(String page, int blocks, @TempDir Path folder) throws IOException {
         String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.*; import java.nio.file.*;\n";
         String game =

@@ -65,6 +65,7 @@ class SamplesTest {
     }
 
     @Test
+    @Tag("long")
     void billiardsPlaysPaintsAPictureAndRefusesAWrongCommandLine() throws IOException {
         compile("billiards", List.of());
         String main = "com.example.billiards.Main";
@@ -94,6 +95,7 @@ class SamplesTest {
     /** Where the launcher has built the game, so that libGDX is there. */
     @ParameterizedTest
     @ValueSource(strings = {"merge", "pinball"})
+    @Tag("long")
     void gamesWithLibgdxDoTheSame(String game) throws IOException {
         Path libgdx = Path.of("samples", game, "target/lib");
         assumeTrue(

@@ -99,6 +99,7 @@ class OclgrindTest {
 
     /** The thesis resolves all pairs at once, so two work-items may read and write one circle: a race by design. */
     @Test
+    @Tag("long")
     void inACrowdTheResolveKernelsRaceAndNothingElseIsReported() throws Exception {
         ForkedJvm.Result result = resultOf("crowd");
         assertThat(reportedKernels(result))

@@ -139,6 +139,7 @@ class EventsAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     @Tag("each-jdk")
+    @Tag("long")
     void piecesOfTerrainHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4), Scenes.gas(300, 4)}) {
             try (Twins twins = Twins.load(scene, Pipelines.ready(pipelines(device)))) {
@@ -201,7 +202,6 @@ class EventsAgreeTest {
     /** Requested events are those of the steps before, whatever has been made since. */
     @ParameterizedTest
     @MethodSource("devices")
-    @Tag("long")
     void requestedEventsAreTheSame(Device device) {
         Scene scene = Scenes.gas(300, 2);
         try (Twins twins = Twins.load(scene, pipelines(device))) {

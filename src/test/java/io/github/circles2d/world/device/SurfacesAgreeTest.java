@@ -71,6 +71,7 @@ class SurfacesAgreeTest {
     /** Circles come, go, change radii and masses; walls move; states are exchanged. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void changesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 3), Scenes.mixed(300, 3), HardScenes.blend(200, 10, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -212,7 +213,6 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
-    @Tag("long")
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long still = pipeline.bytesHeld();
