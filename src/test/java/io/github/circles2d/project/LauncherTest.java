@@ -381,7 +381,7 @@ class LauncherTest {
     }
 
     @Test
-    void testRunsTheSuiteThenTheBenchmarksBesideTheConsumerThePlaygroundAndTheGamesOnTheInstalledArtifact()
+    void testRunsTheSuiteThenTheBenchmarksAndTheGamesBesideTheConsumerAndThePlaygroundOnTheInstalledArtifact()
             throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
@@ -391,7 +391,14 @@ class LauncherTest {
         String suite = "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dcircles2d.oclgrind="
                 + machine.oclgrind() + " -Plong -Dtest=Some install\n";
         assertThat(machine.calls())
-                .containsSubsequence(suite, "-f bench/pom.xml", "-Plong package", "benchmarks.jar smoke\n")
+                .containsSubsequence(
+                        suite,
+                        "-f bench/pom.xml",
+                        "-Plong package",
+                        "benchmarks.jar smoke\n",
+                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
+                        "com.example.swarm.Main --frames 300 --backend JVM\n",
+                        "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
                 .containsSubsequence(
                         suite,
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
@@ -402,10 +409,7 @@ class LauncherTest {
                         "-P without-opencl compile",
                         "WithoutOpenCl\n",
                         "-f playground/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
-                        "-Plong -Dcircles2d.device.required=true test ",
-                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
-                        "com.example.swarm.Main --frames 300 --backend JVM\n",
-                        "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
+                        "-Plong -Dcircles2d.device.required=true test ")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
@@ -418,7 +422,7 @@ class LauncherTest {
         machine.set("BENCH_STATUS", "3");
         FakeMachine.Result benchmarks = machine.launch("test", "-Plong");
         assertThat(benchmarks.status).as(benchmarks.output).isEqualTo(3);
-        assertThat(benchmarks.output).contains("building the benchmarks", "playing 300 frames of each");
+        assertThat(benchmarks.output).contains("building the benchmarks", "testing the playground");
         machine.set("BENCH_STATUS", "0");
         machine.set("PLAYGROUND_STATUS", "4");
         FakeMachine.Result programs = machine.launch("test", "-Plong");
