@@ -276,7 +276,7 @@ class LauncherTest {
         pretendToBuild(machine);
         machine.set("PLAYGROUND_STATUS", "6");
         assertThat(machine.launch("test").status).isEqualTo(6);
-        assertThat(machine.calls()).contains("-f playground/pom.xml").doesNotContain("-f samples/swarm/pom.xml");
+        assertThat(machine.calls()).contains("-f playground/pom.xml");
     }
 
     @Test

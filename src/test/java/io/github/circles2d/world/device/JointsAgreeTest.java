@@ -28,7 +28,7 @@ class JointsAgreeTest {
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     private static JointTwins joints(Scene scene) {

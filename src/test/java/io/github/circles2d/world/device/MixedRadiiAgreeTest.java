@@ -30,6 +30,7 @@ class MixedRadiiAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void blendsHaveTheSameBitsWithAllEdges(Device device) {
         Scene[] scenes = {HardScenes.blend(500, 10, 1), HardScenes.blend(1200, 100, 2), HardScenes.blend(200, 3, 3)};
         try (Twins twins = Twins.load(Scenes.thesis(10, 1), Pipelines.ready(PipelinesAgreeTest.pipelines(device)))) {
@@ -111,7 +112,6 @@ class MixedRadiiAgreeTest {
     /** A level comes and goes with the one circle that is in it: the smallest, the largest, and one between. */
     @ParameterizedTest
     @MethodSource("devices")
-    @Tag("long")
     void levelsComeAndGo(Device device) {
         Scene scene = Scenes.thesis(1250, 9);
         float[] factors = {1, 0.05f, 1, 6, 2.5f, 1};

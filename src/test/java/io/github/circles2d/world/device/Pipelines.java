@@ -6,6 +6,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
@@ -30,6 +31,15 @@ final class Pipelines {
             }
         }
         return pipelines;
+    }
+
+    /** The pipeline in Java, and one for each plan that a device can follow; in a quick run by colours alone, whose program is shorter. */
+    static Pipeline[] ready(Device device) {
+        if (!TestScale.LONG) {
+            return ready(
+                    new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), of(device, Plans.COLOURS.of(device), false));
+        }
+        return ready(PipelinesAgreeTest.pipelines(device));
     }
 
     static DevicePipeline of(Device device, Plans plans) {

@@ -27,7 +27,7 @@ class SurfacesAgreeTest {
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     /** From the first surface in mid-life on, in steps of several lengths, also with fast circles. */

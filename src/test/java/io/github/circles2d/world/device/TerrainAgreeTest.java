@@ -27,7 +27,7 @@ class TerrainAgreeTest {
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     private static TerrainTwins terrain(Scene scene) {
