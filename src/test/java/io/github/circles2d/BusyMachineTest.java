@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** Steps on a machine with as many other busy threads as processors, in a JVM that has all of these. */
 @Timeout(120)
+@Tag("each-jdk")
 class BusyMachineTest {
     private static final double FACTOR = 20;
 

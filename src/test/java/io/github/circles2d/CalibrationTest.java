@@ -29,10 +29,12 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What AUTO takes, given times; and that a calibration takes them. */
+@Tag("each-jdk")
 class CalibrationTest {
     private static final String PROPERTY = "circles2d.calibration";
     private static final float[] NO_GRAVITY = {0, 0};
@@ -494,6 +496,7 @@ class CalibrationTest {
     }
 
     @Test
+    @Tag("long")
     void aRealCalibrationTimesEveryDeviceAndIsFollowed() throws IOException {
         List<Device> devices = TestDevices.all();
         Calibration.run(devices, new EvenMeter(), List.of(400), List.of(300));

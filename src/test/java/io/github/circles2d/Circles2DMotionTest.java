@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -94,6 +95,7 @@ class Circles2DMotionTest {
 
     @ParameterizedTest
     @MethodSource("everyIndexingOnEveryDevice")
+    @Tag("long")
     void aCornerReflectsBothAxes(Device device, PairIndexing indexing, float e) throws IOException {
         float r = 0.05f;
         try (Circles2D engine = new Circles2D(device)) {
@@ -114,6 +116,7 @@ class Circles2DMotionTest {
 
     @ParameterizedTest
     @MethodSource("everyIndexingOnEveryDevice")
+    @Tag("long")
     void aHeadOnImpactObeysMomentumAndRestitution(Device device, PairIndexing indexing, float e) throws IOException {
         for (double[] m : new double[][] {{1, 1}, {1, 3}, {8, 0.5}}) {
             try (Circles2D engine = new Circles2D(device)) {
@@ -135,6 +138,7 @@ class Circles2DMotionTest {
     /** The normal lies at 3-4-5: only the velocity along it changes. */
     @ParameterizedTest
     @MethodSource("everyIndexingOnEveryDevice")
+    @Tag("long")
     void anObliqueImpactChangesTheNormalVelocityAlone(Device device, PairIndexing indexing, float e)
             throws IOException {
         double m1 = 2;

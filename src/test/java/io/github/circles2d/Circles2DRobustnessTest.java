@@ -27,6 +27,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The traps of JavaCL and of the drivers below it, seen from the public class. */
+@Tag("each-jdk")
 class Circles2DRobustnessTest {
     private static final float STEP = 1 / 60f;
     private static final float[] GRAVITY = {0, -0.01f};
@@ -70,6 +71,7 @@ class Circles2DRobustnessTest {
     /** Buffers that only a running kernel knows must not go: a collected one ends the process or changes the result. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void collectionsUnderRunningKernelsChangeNothing(Device device) throws Exception {
         for (PairIndexing indexing : PairIndexing.values()) {
             float[][] undisturbed;
@@ -187,6 +189,7 @@ class Circles2DRobustnessTest {
     @ParameterizedTest
     @MethodSource("devices")
     @EnabledOnOs(OS.LINUX)
+    @Tag("long")
     void aHundredEnginesCreatedSteppedAndClosedLeaveResidentMemoryWhereItWas(Device device) {
         assertThat(growthOf(device, 100)).isLessThan(64L << 20);
     }

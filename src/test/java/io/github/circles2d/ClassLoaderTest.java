@@ -11,9 +11,11 @@ import java.net.URLClassLoader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The library in class loaders of their own, as application servers and hosts of plug-ins have them. */
+@Tag("each-jdk")
 class ClassLoaderTest {
     /** Loads the library twice, each time in a new loader, uses it there, and lets go of the loader. */
     static final class Host {
@@ -95,6 +97,7 @@ class ClassLoaderTest {
 
     /** Such a loader is never collected: BridJ's native library holds on to its classes. */
     @Test
+    @Tag("long")
     void everyLoaderCanUseOpenClWhateverTheContextClassLoader() {
         TestDevices.all();
         ForkedJvm.Result result = new ForkedJvm().run(Host.class, "openCl");

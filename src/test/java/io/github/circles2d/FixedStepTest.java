@@ -14,6 +14,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -892,6 +893,7 @@ class FixedStepTest {
 
     @ParameterizedTest
     @MethodSource(BACKENDS)
+    @Tag("long")
     void jointsEndWhereCirclesAndBodiesAreDrawn(Backend backend) {
         try (World world = world(backend)) {
             Joints joints = world.joints();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.calibration.Crowd;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 class FrameMeterTest {
@@ -40,6 +41,7 @@ class FrameMeterTest {
     }
 
     @Test
+    @Tag("long")
     void aWorldTakesTheFewestAndTheMostUnlikeCirclesThatAreMeasured() {
         FrameMeter meter = new FrameMeter();
         for (double ratio : Calibration.RATIOS) {

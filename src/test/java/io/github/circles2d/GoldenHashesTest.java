@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class GoldenHashesTest {
     /** Circles times steps that one run may take. */
-    private static final int SHORTEST = 150_000;
+    private static final int SHORTEST = TestScale.of(60_000, 150_000, 150_000);
 
     /** As no long run has these numbers of threads. */
     private static final int SHORT = TestScale.of(SHORTEST, 1_000_000);
@@ -47,11 +47,21 @@ class GoldenHashesTest {
         return runs;
     }
 
-    static List<Arguments> scenesAndDevices() throws IOException {
+    static List<Arguments> plainScenesAndDevices() throws IOException {
+        return scenesAndDevices(true);
+    }
+
+    static List<Arguments> otherScenesAndDevices() throws IOException {
+        return scenesAndDevices(false);
+    }
+
+    private static List<Arguments> scenesAndDevices(boolean plain) throws IOException {
         List<Arguments> runs = new ArrayList<>();
         for (Device device : TestDevices.all()) {
             for (GoldenScene scene : GoldenHashes.scenes()) {
-                runs.add(Arguments.of(scene, device));
+                if (scene.isPlain() == plain) {
+                    runs.add(Arguments.of(scene, device));
+                }
             }
         }
         return runs;
@@ -59,14 +69,26 @@ class GoldenHashesTest {
 
     @ParameterizedTest
     @MethodSource("scenesAndTwoNumbersOfThreads")
+    @Tag("each-jdk")
     void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), SHORT);
     }
 
     @ParameterizedTest
-    @MethodSource("scenesAndDevices")
-    @Tag("one-jdk")
-    void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
+    @MethodSource("plainScenesAndDevices")
+    void everyOpenClDeviceGivesTheHashesOfPlainScenes(GoldenScene scene, Device device) throws IOException {
+        checkOn(device, scene);
+    }
+
+    /** Those with edges, surfaces, terrain and joints, each of which has kernels of its own. */
+    @ParameterizedTest
+    @MethodSource("otherScenesAndDevices")
+    @Tag("long")
+    void everyOpenClDeviceGivesTheHashesOfAllOtherScenes(GoldenScene scene, Device device) throws IOException {
+        checkOn(device, scene);
+    }
+
+    private static void checkOn(Device device, GoldenScene scene) throws IOException {
         check(scene, scene.builder().device(device).build(), TestScale.EXHAUSTIVE ? LONG : SHORTEST);
     }
 

@@ -228,6 +228,11 @@ record GoldenScene(
                         GoldenJoints::net));
     }
 
+    /** Whether there are walls all around, and nothing but circles, none of which grips: such a scene needs no kernels of its own. */
+    boolean isPlain() {
+        return edgeX == Edge.WALL && edgeY == Edge.WALL && surfaces == Surfaces.NONE && terrain == GoldenTerrain.NONE;
+    }
+
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
     Run start(World empty) {
         World world = WorldScenes.load(scene, empty);

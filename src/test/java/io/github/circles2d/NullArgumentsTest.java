@@ -21,9 +21,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** An argument that is null and must not be is refused by the name of its public parameter, and nothing has changed. */
+@Tag("each-jdk")
 class NullArgumentsTest {
     private static final Rollback.Game NO_GAME = new Rollback.Game() {
         @Override

@@ -19,10 +19,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** If POCL lacks what it needs, it is refused with the reason, and the process lives. All kernels are compiled anew. */
+@Tag("each-jdk")
 class PoclRefusedTest {
     private static final Path OCLGRIND = Path.of("/usr/lib/oclgrind/liboclgrind-rt-icd.so");
 
@@ -150,6 +152,7 @@ class PoclRefusedTest {
     }
 
     @Test
+    @Tag("long")
     void otherDriversStay() throws IOException {
         assumeTrue(Files.exists(OCLGRIND), "there is no Oclgrind");
         ForkedJvm jvm = cold().environment("PATH", "/nowhere");

@@ -15,11 +15,13 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** A log knows every call that changes a world: a new public method fails here until it is listed below. */
+@Tag("each-jdk")
 class RecordedCallsTest {
     /** A call that changes a world with two circles. */
     interface Change {

@@ -18,12 +18,14 @@ import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
  * Random programs of calls with allowed values: World has the same bits as its description in the plainest form, after every
  * call. The system property circles2d.fuzz.reference sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
+@Tag("each-jdk")
 class ReferenceFuzzTest {
     private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.reference", 100);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);

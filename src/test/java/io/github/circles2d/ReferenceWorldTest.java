@@ -6,25 +6,49 @@ import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.scenes.Scene;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** World has the same bits as its description in the plainest form, after every step. */
 class ReferenceWorldTest {
+    /** More would take each build long. */
+    private static final int FEW_CIRCLES = 1_500;
+
     private static final int CIRCLES = 5_000;
     private static final int STEPS = TestScale.of(10, 100);
     private static final int SUB_STEPS = 4;
 
-    static List<GoldenScene> scenes() {
+    static List<GoldenScene> smallScenes() {
+        return scenes(0, FEW_CIRCLES);
+    }
+
+    static List<GoldenScene> largerScenes() {
+        return scenes(FEW_CIRCLES, CIRCLES);
+    }
+
+    /** Those of more circles than one number, and no more than the other. */
+    private static List<GoldenScene> scenes(int more, int most) {
         return GoldenScene.all().stream()
-                .filter(golden -> golden.scene().size() <= CIRCLES)
+                .filter(golden -> golden.scene().size() > more && golden.scene().size() <= most)
                 .toList();
     }
 
     @ParameterizedTest
-    @MethodSource("scenes")
+    @MethodSource("smallScenes")
     void everyStepOfTheScenesOnRecordIsTheReferences(GoldenScene golden) {
+        compare(golden);
+    }
+
+    @ParameterizedTest
+    @MethodSource("largerScenes")
+    @Tag("long")
+    void soIsEveryStepOfThoseWithThousandsOfCircles(GoldenScene golden) {
+        compare(golden);
+    }
+
+    private static void compare(GoldenScene golden) {
         Scene scene = golden.scene();
         ReferenceWorld reference =
                 new ReferenceWorld(scene.restitution(), World.builder().build().subSteps());

@@ -9,11 +9,13 @@ import io.github.circles2d.scenes.Scenes;
 import java.nio.ByteBuffer;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Frames that come back, those that do not, and what they cost. */
+@Tag("each-jdk")
 class RewindTest {
     private static final int FRAMES = 90;
     private static final int BACK = 10;

@@ -11,12 +11,14 @@ import java.util.List;
 import java.util.Random;
 import java.util.SplittableRandom;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Frames that are made with predictions and again come out as those of a game that knew all inputs. */
+@Tag("each-jdk")
 class RollbackTest {
     private static final int FRAMES = 150;
     private static final int WINDOW = 8;

@@ -3,14 +3,17 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestDevices;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A soak takes hours, and is run by hand; that it can be run, and tells what grows, holds always. */
+@Tag("each-jdk")
 class SoakTest {
     @ParameterizedTest
     @ValueSource(strings = {"world-jvm", "world-cpu", "circles2d"})
+    @Tag("long")
     void aRoundAgreesWithItsControl(String name) throws Exception {
         if (!name.equals("world-jvm")) {
             TestDevices.all();

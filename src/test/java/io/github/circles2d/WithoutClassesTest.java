@@ -8,11 +8,13 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Where a system lacks classes, as Android lacks System.Logger, AUTO takes the JVM and nothing fails. */
+@Tag("each-jdk")
 class WithoutClassesTest {
     /** Loads the library's classes once more, but for some that it says are missing. JavaCL and BridJ are missing, too. */
     private static final class Lacking extends URLClassLoader {

@@ -11,12 +11,14 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A program may leave the jars of JavaCL and BridJ out: it has World on the JVM then, and is told so. */
+@Tag("each-jdk")
 class WithoutJarsTest {
     private static final String CONSUMER = "src/test/resources/consumer/src/main/java/WithoutOpenCl.java";
 

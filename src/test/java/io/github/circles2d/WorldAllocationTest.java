@@ -13,11 +13,13 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A game that runs leaves no garbage. */
+@Tag("each-jdk")
 class WorldAllocationTest {
     private static final float STEP = 1 / 60f;
     private static final int SENSOR = 9;
@@ -153,6 +155,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void terrainAllocatesNothingOnTheJvm() throws IOException {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         float width = scene.maxX() - scene.minX();
@@ -284,6 +287,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void rollingBackAllocatesNothingOnTheJvm() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         long[] handles = new long[scene.size()];
@@ -363,6 +367,7 @@ class WorldAllocationTest {
     }
 
     @Test
+    @Tag("long")
     void queriesAllocateNothing() {
         Scene scene = Scenes.packed(1250, Scenes.SEED);
         int batch = 100;
@@ -445,6 +450,7 @@ class WorldAllocationTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 3})
+    @Tag("long")
     void jointsAllocateNothing(int threads) {
         World.Builder builder = WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10);
         try (World world = WorldScenes.onThreads(threads, builder)) {

@@ -14,12 +14,14 @@ import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a world runs on: the choice, and that nothing but speed depends on it. */
+@Tag("each-jdk")
 class WorldBackendTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -60,6 +62,7 @@ class WorldBackendTest {
 
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void aWorldThatReportsSensorsAloneTakesNoMemoryForContacts(Backend backend) {
         Scene scene = Scenes.packed(5_000, Scenes.SEED);
         long[] held = new long[2];

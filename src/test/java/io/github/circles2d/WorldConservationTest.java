@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What must stay, and what must not grow. */
 class WorldConservationTest {
     @Test
+    @Tag("long")
     void anElasticGasKeepsItsEnergyFor10000Steps() {
         Scene scene = Scenes.gas(500, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
@@ -131,6 +132,7 @@ class WorldConservationTest {
 
     @ParameterizedTest
     @ValueSource(floats = {0, 0.3f, 1})
+    @Tag("long")
     void withoutGravityEnergyNeverGrows(float restitution) {
         assertEnergyNeverGrows(restitution);
     }

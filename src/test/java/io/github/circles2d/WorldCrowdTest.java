@@ -22,6 +22,7 @@ class WorldCrowdTest {
     }
 
     @Test
+    @Tag("long")
     void allCirclesInOneCellComeApart() {
         assertComesApart(Scenes.oneCell(2_000, Scenes.SEED), 400);
     }
@@ -39,6 +40,7 @@ class WorldCrowdTest {
     }
 
     @Test
+    @Tag("long")
     void tenThousandCirclesAtOnePointHaveFarFewerContactsThanPairs() {
         Scene scene = Scenes.onePoint(10_000, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {

@@ -23,11 +23,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Errors of the virtual machine and of devices: which of them lose the state of a world, and which do not. */
+@Tag("each-jdk")
 class WorldErrorsTest {
     private static final float STEP = 1 / 60f;
 
@@ -266,6 +268,7 @@ class WorldErrorsTest {
     }
 
     @Test
+    @Tag("long")
     void whereverTheStackEndsInACallTheWorldGoesOnOrHasFailedAndCloses() {
         ForkedJvm.Result result =
                 new ForkedJvm().option("-XX:TieredStopAtLevel=1").run(StackEnds.class);
@@ -274,6 +277,7 @@ class WorldErrorsTest {
     }
 
     @Test
+    @Tag("long")
     void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
         ForkedJvm.Result result = new ForkedJvm()
                 .option("-Xmx24m")

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -45,8 +46,9 @@ class WorldEventsGrowTest {
     /** Circles come and go, kinds and what is reported change, states are restored, and events are read seldom or by request. */
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void soHaveWorldsInWhichAnythingHappens(Backend backend) {
-        for (int seed = 0; seed < TestScale.of(3, SEEDS); seed++) {
+        for (int seed = 0; seed < TestScale.of(1, 3, SEEDS); seed++) {
             compare(backend, seed, false);
         }
     }
@@ -54,6 +56,7 @@ class WorldEventsGrowTest {
     /** The same with terrain, which grows, too, moves, and goes. */
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void soHaveWorldsWithTerrain(Backend backend) {
         for (int seed = 0; seed < TestScale.of(2, SEEDS); seed++) {
             compare(backend, 100 + seed, true);

@@ -82,6 +82,7 @@ class WorldFuzzTest {
 
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
         try (World player = World.builder().backend(backend).build()) {
             makeReady(player);
@@ -94,6 +95,7 @@ class WorldFuzzTest {
     /** Worlds grow from the default capacity and report at random: events and snapshots are the same behind every step. */
     @ParameterizedTest
     @MethodSource("openClBackends")
+    @Tag("long")
     void aProgramHasTheSameEventsAndSnapshotsOnEveryBackEnd(Backend backend) {
         compare(backend, SEED, 25);
     }

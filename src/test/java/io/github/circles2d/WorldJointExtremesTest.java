@@ -4,6 +4,7 @@ import static io.github.circles2d.TerrainBall.G;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -95,6 +96,7 @@ class WorldJointExtremesTest {
 
     @ParameterizedTest
     @CsvSource({"20, 0", "20, 0.7", "30, 0", "100, 0", "100, 0.7", "1e4, 0", "1e4, 0.7"})
+    @Tag("long")
     void latticesOfSpringsDoNotBurst(float hertz, float ratio) {
         for (float mass : new float[] {1, 10, 1000}) {
             try (JointScene scene = new JointScene(0)) {

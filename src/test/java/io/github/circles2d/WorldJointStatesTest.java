@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -168,6 +169,7 @@ class WorldJointStatesTest {
     /** It goes there and back, and is rolled back there. */
     @ParameterizedTest
     @MethodSource("backends")
+    @Tag("long")
     void aSnapshotGoesOnTheSameOnEveryBackEnd(Backend backend) {
         try (World world = world(Edge.WRAP);
                 World other = builder(Edge.WRAP, backend).build();

@@ -13,6 +13,7 @@ import java.util.stream.LongStream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The calls on joints: what they do, and what they refuse. */
@@ -335,6 +336,7 @@ class WorldJointsApiTest {
     }
 
     @Test
+    @Tag("long")
     void aWorldHasAMillionJointsAndNotOneMore() {
         int most = 1 << 20;
         long[] firsts = new long[most - 1];

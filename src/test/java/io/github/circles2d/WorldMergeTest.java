@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Circles that grow in a crowd as {@link World#grow} recommends hardly overlap others, and throw none. */
@@ -55,6 +56,7 @@ class WorldMergeTest {
     }
 
     @Test
+    @Tag("long")
     void aCircleThatGrowsInACrowdAtRestThrowsNone() {
         Crowd byGrowth = new Crowd((world, handle, radius) -> world.grow(handle, radius, 45));
         Crowd atOnce = new Crowd(World::setRadius);

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Piles that are built at rest stay at rest. */
@@ -10,6 +11,7 @@ class WorldRestTest {
     private static final int ROWS = 40;
 
     @Test
+    @Tag("long")
     void aHexagonalPileOf40RowsStaysAtRest() {
         float r = 0.0125f;
         Random random = new Random(1);

@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Another thread writes into what a world reads from. */
+@Tag("each-jdk")
 class WorldSharedArraysTest {
     private static final int CALLS = 60;
     private static final int CIRCLES = 10_000;

@@ -10,11 +10,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a snapshot keeps, what it costs, and what it refuses. */
+@Tag("each-jdk")
 class WorldSnapshotTest {
     private static final int AHEAD = 8;
 
@@ -24,6 +26,7 @@ class WorldSnapshotTest {
 
     @ParameterizedTest
     @MethodSource("settlingScenes")
+    @Tag("long")
     void takesAtMost64BytesACircleOnceSettled(Scene scene) {
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
             world.step(scene.timeStep(), 600);
@@ -34,6 +37,7 @@ class WorldSnapshotTest {
 
     @ParameterizedTest
     @MethodSource("settlingScenes")
+    @Tag("long")
     void takesAtMost72BytesACircleOnceSettledWithFriction(Scene scene) {
         World.Builder builder = WorldScenes.builder(scene).friction(0.6f).rollingResistance(0.1f);
         try (World world = WorldScenes.world(scene, builder)) {

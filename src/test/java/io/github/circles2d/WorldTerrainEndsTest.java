@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -64,6 +65,7 @@ class WorldTerrainEndsTest {
     /** Circles that pass a segment, a line, an arc or a tip at a distance keep their velocity to the bit. */
     @ParameterizedTest
     @CsvSource({"0.1, 100", "0.02, 390", "0.1, 5", "0.5, 2"})
+    @Tag("long")
     void whoMissesTerrainKeepsItsVelocity(float r, float speed) {
         SplittableRandom random = new SplittableRandom(3);
         for (int form = 0; form < 5; form++) {

@@ -16,6 +16,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -659,6 +660,7 @@ class WorldTurningTest {
 
     @ParameterizedTest
     @MethodSource(BACKENDS)
+    @Tag("long")
     void aGameThatRollsBackComesToTheSameBits(Backend backend) {
         try (World straight = rolling(1);
                 World game = rolling(backend)) {

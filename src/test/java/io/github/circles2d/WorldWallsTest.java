@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +36,7 @@ class WorldWallsTest {
 
     /** A thousand circles at a fill of 0.4 relax; then the left and the right wall close at 6 radii a second. */
     @Test
+    @Tag("long")
     void wallsThatCloseDoNotPressCirclesDeepIntoEachOther() {
         float area = (float) (1000 * Math.PI * R * R);
         float height = (float) Math.sqrt(area / 0.75);

@@ -9,9 +9,11 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What a calibration takes for clean, what it measures again, and how it refuses. */
+@Tag("each-jdk")
 class MeasuredRowTest {
     private final Map<Integer, Deque<FrameTimes>> given = new HashMap<>();
     private final List<Integer> measured = new ArrayList<>();

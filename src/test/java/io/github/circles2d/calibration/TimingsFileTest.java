@@ -12,9 +12,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Tag("each-jdk")
 class TimingsFileTest {
     private static final Runner DEVICE = new Runner("a device\twith\na strange name ", "driver 1, kernels 0123");
     private static final Timings SOME = new Timings(List.of(

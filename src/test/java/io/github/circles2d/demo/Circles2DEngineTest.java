@@ -11,8 +11,10 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.EnumSet;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+@Tag("each-jdk")
 class Circles2DEngineTest {
 
     @BeforeAll

@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+@Tag("each-jdk")
 class DemoRunTest {
     private final AtomicLong clock = new AtomicLong();
     private final List<Double> times = new ArrayList<>();

@@ -7,11 +7,13 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The demo's text is whole and in its place, at any size of the window. */
+@Tag("each-jdk")
 class OverlayTest {
     private static final String DEVICE =
             "pthread-skylake-avx512-AMD EPYC (CPU, 2 compute units, 4.4 GiB, Portable Computing Language, driver 3.1+debian)";

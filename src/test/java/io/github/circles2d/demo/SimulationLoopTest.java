@@ -14,10 +14,12 @@ import java.util.function.BooleanSupplier;
 import javax.swing.Action;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(60)
+@Tag("each-jdk")
 class SimulationLoopTest {
     private volatile TestEngine engine;
     private SimulationLoop loop;

@@ -6,11 +6,13 @@ import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The real window, in a JVM of its own so that its end can be seen; on an Xvfb where there is no display. */
 @Timeout(120)
+@Tag("each-jdk")
 class WindowTest {
     private static VirtualDisplay display;
 
@@ -40,6 +42,7 @@ class WindowTest {
     }
 
     @Test
+    @Tag("long")
     void afterTheFramesThatWereAskedForTheProgramEndsByItself() {
         TestDevices.all();
         ForkedJvm.Result result = jvm().run(CirclesTest.class, "-n", "20", "--frames", "15");

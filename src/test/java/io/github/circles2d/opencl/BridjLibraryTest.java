@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** BridJ's native library cannot be loaded: AUTO says so in one line, and the doctor names the cure. */
 @EnabledOnOs(OS.LINUX)
+@Tag("each-jdk")
 class BridjLibraryTest {
     private static final String[] MOUNT_WITHOUT_EXECUTION = {
         "unshare",

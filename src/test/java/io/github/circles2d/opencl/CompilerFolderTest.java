@@ -9,12 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 @DisabledOnOs(OS.WINDOWS) // no folder there may have a name with quotes or backslashes
+@Tag("each-jdk")
 class CompilerFolderTest {
     @TempDir
     Path folder;
@@ -100,6 +102,7 @@ class CompilerFolderTest {
     }
 
     @Test
+    @Tag("long")
     void poclFindsAProgramAgainInItsOwnCacheAndJavaClKeepsNone() throws IOException {
         assumeTrue(TestDevices.all().get(0).platform().equals(PoclGate.PLATFORM), "POCL is not the first platform");
         Path cache = Files.createDirectory(folder.resolve("cache"));

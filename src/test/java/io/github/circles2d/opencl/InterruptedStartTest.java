@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.circles2d.Backend;
 import io.github.circles2d.World;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The first use of OpenCL may come from a thread that has been interrupted. */
+@Tag("each-jdk")
 class InterruptedStartTest {
     /** Starts a world on an interrupted thread, and divides by zero. */
     static final class Program {

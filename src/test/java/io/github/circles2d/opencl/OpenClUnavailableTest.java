@@ -3,9 +3,11 @@ package io.github.circles2d.opencl;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Tag("each-jdk")
 class OpenClUnavailableTest {
     /** Asks for a device twice and prints what came. */
     static final class AskTwice {

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+@Tag("each-jdk")
 class ReachableNamesTest {
     private static Set<String> reached(String text, String kernel, String... hidden) {
         return ReachableNames.of(KernelSource.ofText("test", text), Set.of(hidden))

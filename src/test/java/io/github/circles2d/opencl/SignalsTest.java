@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Drivers leave the signal handlers of Java alone. Each test has a JVM of its own with cold caches: a driver compiles. */
 @EnabledOnOs(OS.LINUX)
 @Timeout(value = 20, unit = TimeUnit.MINUTES)
+@Tag("each-jdk")
 class SignalsTest {
     @TempDir
     Path cache;
@@ -36,6 +38,7 @@ class SignalsTest {
     }
 
     @Test
+    @Tag("long")
     void discoveryBuildAndFirstEnqueueOfEveryEngineLeaveTheHandlersByteForByteAsTheyWere() {
         ForkedJvm.Result result = cold().run(SignalsProgram.class);
         assertThat(result.output())
@@ -55,6 +58,7 @@ class SignalsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"forever", "once"})
+    @Tag("long")
     void aThreadDumpAndShutdownHooksComeDuringAndAfterCompilation(String mode) throws Exception {
         // A shell that starts the tests in the background makes them, and all that they start, ignore Ctrl-C.
         Process process = cold().startedBy("env", "--default-signal=INT").start(CompileForever.class, mode);

@@ -6,11 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-@Tag("one-jdk")
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final Path PLAYGROUND = Path.of("playground/src/main/java");

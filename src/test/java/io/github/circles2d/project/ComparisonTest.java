@@ -9,13 +9,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The page that compares this library with others has the figures of the files that it names. */
-@Tag("one-jdk")
 class ComparisonTest {
     /** What a row begins with; the file, the engine and the threads of its figures; how many sizes have one. */
     @ParameterizedTest

@@ -37,7 +37,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the documents say must hold on this commit. */
-@Tag("one-jdk")
 class DocumentationTest {
     private static final Path CONSUMER = Path.of("src/test/resources/consumer");
 
@@ -49,6 +48,7 @@ class DocumentationTest {
     /** Each block is the inside of a method of a game that has a world, a player and a few things of its own. */
     @ParameterizedTest
     @CsvSource({"docs/guide.md, 23", "docs/thesis.md, 1", "docs/coming-from.md, 1"})
+    @Tag("long")
     void allCodeOfAPageCompilesWithoutAWarning(String page, int blocks, @TempDir Path folder) throws IOException {
         String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.*; import java.nio.file.*;\n";
         String game =
@@ -384,24 +384,24 @@ class DocumentationTest {
         assertThat(count).isGreaterThan(30);
     }
 
-    /** So that a run without the tests that take minutes proves something of each class. */
+    /** So that a run without the tests that take long proves something of each class. */
     @Test
-    void everyClassWithAnExhaustiveTestHasAQuickOneToo() throws IOException {
+    void everyClassWithATestThatTakesLongHasAQuickOneToo() throws IOException {
         try (Stream<Path> files = Files.walk(Path.of("src/test/java"))) {
             for (Path file :
                     files.filter(file -> file.toString().endsWith("Test.java")).toList()) {
                 String source = read(file.toString());
-                long exhaustive = source.lines()
-                        .filter(line -> line.equals("    @Tag(\"exhaustive\")"))
+                long left = source.lines()
+                        .filter(line -> line.matches("    @Tag\\(\"(long|exhaustive)\"\\)"))
                         .count();
                 long all = source.lines()
                         .filter(line -> line.matches("    @(Test|ParameterizedTest)"))
                         .count();
                 assertThat(source.lines())
                         .as("%s has the tag on methods", file)
-                        .noneMatch(line -> line.equals("@Tag(\"exhaustive\")"));
-                if (exhaustive > 0) {
-                    assertThat(all).as("tests in %s", file).isGreaterThan(exhaustive);
+                        .noneMatch(line -> line.matches("@Tag\\(\"(long|exhaustive)\"\\)"));
+                if (left > 0) {
+                    assertThat(all).as("tests in %s", file).isGreaterThan(left);
                 }
             }
         }

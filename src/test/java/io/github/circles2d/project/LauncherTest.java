@@ -19,7 +19,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @EnabledOnOs(OS.LINUX)
-@Tag("one-jdk")
 class LauncherTest {
     @TempDir
     Path folder;
@@ -147,6 +146,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
+    @Tag("long")
     void theSecondOfTwoLaunchersWaitsForTheBuildOfTheFirst(boolean flock) throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         assumeTrue(!flock || machine.addTool("flock"));
@@ -276,7 +276,7 @@ class LauncherTest {
         pretendToBuild(machine);
         machine.set("PLAYGROUND_STATUS", "6");
         assertThat(machine.launch("test").status).isEqualTo(6);
-        assertThat(machine.calls()).contains("-f playground/pom.xml").doesNotContain("-f samples/swarm/pom.xml");
+        assertThat(machine.calls()).contains("-f playground/pom.xml");
     }
 
     @Test
@@ -370,17 +370,35 @@ class LauncherTest {
     }
 
     @Test
-    void testRunsTheSuiteThenTheBenchmarksBesideTheConsumerThePlaygroundAndTheGamesOnTheInstalledArtifact()
+    void testWithoutAProfileLeavesOutWhatTakesLong() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.status).as(test.output).isZero();
+        assertThat(machine.calls())
+                .contains("-f bench/pom.xml", "-f playground/pom.xml", "swarm.Main --frames 300 --backend JVM\n")
+                .doesNotContain("-Plong", "smoke", "OPENCL_CPU");
+    }
+
+    @Test
+    void testRunsTheSuiteThenTheBenchmarksAndTheGamesBesideTheConsumerAndThePlaygroundOnTheInstalledArtifact()
             throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
-        FakeMachine.Result test = machine.launch("test", "-Dtest=Some");
+        FakeMachine.Result test = machine.launch("test", "-Plong", "-Dtest=Some");
         assertThat(test.status).as(test.output).isZero();
         String repository = machine.clone + "/target/consumer/repository";
         String suite = "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dcircles2d.oclgrind="
-                + machine.oclgrind() + " -Dtest=Some install\n";
+                + machine.oclgrind() + " -Plong -Dtest=Some install\n";
         assertThat(machine.calls())
-                .containsSubsequence(suite, "-f bench/pom.xml", "benchmarks.jar smoke\n")
+                .containsSubsequence(
+                        suite,
+                        "-f bench/pom.xml",
+                        "-Plong package",
+                        "benchmarks.jar smoke\n",
+                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
+                        "com.example.swarm.Main --frames 300 --backend JVM\n",
+                        "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
                 .containsSubsequence(
                         suite,
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
@@ -391,10 +409,7 @@ class LauncherTest {
                         "-P without-opencl compile",
                         "WithoutOpenCl\n",
                         "-f playground/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
-                        "-Dcircles2d.device.required=true test ",
-                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
-                        "com.example.swarm.Main --frames 300 --backend JVM\n",
-                        "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
+                        "-Plong -Dcircles2d.device.required=true test ")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
@@ -405,12 +420,12 @@ class LauncherTest {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
         machine.set("BENCH_STATUS", "3");
-        FakeMachine.Result benchmarks = machine.launch("test");
+        FakeMachine.Result benchmarks = machine.launch("test", "-Plong");
         assertThat(benchmarks.status).as(benchmarks.output).isEqualTo(3);
-        assertThat(benchmarks.output).contains("building the benchmarks", "playing 300 frames of each");
+        assertThat(benchmarks.output).contains("building the benchmarks", "testing the playground");
         machine.set("BENCH_STATUS", "0");
         machine.set("PLAYGROUND_STATUS", "4");
-        FakeMachine.Result programs = machine.launch("test");
+        FakeMachine.Result programs = machine.launch("test", "-Plong");
         assertThat(programs.status).as(programs.output).isEqualTo(4);
         assertThat(programs.output).contains("executing every benchmark once", "testing the playground");
     }
@@ -434,11 +449,14 @@ class LauncherTest {
         Path job = Files.createDirectories(machine.clone.resolve("web")).resolve("run");
         Files.writeString(job, "#!/bin/sh\necho web/run \"$*\"\nexit 6\n");
         assertThat(job.toFile().setExecutable(true)).isTrue();
-        FakeMachine.Result test = machine.launch("test");
+        FakeMachine.Result test = machine.launch("test", "-Plong");
         assertThat(test.status).as(test.output).isEqualTo(6);
         assertThat(test.output).contains("web/run check");
+        FakeMachine.Result quick = machine.launch("test");
+        assertThat(quick.status).as(quick.output).isZero();
+        assertThat(quick.output).doesNotContain("web/run check", "npm");
         Files.delete(machine.bin().resolve("npm"));
-        FakeMachine.Result without = machine.launch("test");
+        FakeMachine.Result without = machine.launch("test", "-Plong");
         assertThat(without.status).as(without.output).isZero();
         assertThat(without.output).contains("going on without npm", "WARNING: there is no npm");
     }

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +19,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The check of a release finds each fault in a bundle that is right otherwise. */
-@Tag("one-jdk")
 class ReleaseBundleTest {
     private static final String POM = "<project><groupId>io.github.circles2d</groupId><artifactId>game</artifactId>"
             + "<version>1.2.3</version><name>n</name><description>d</description><url>u</url>"

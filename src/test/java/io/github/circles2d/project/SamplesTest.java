@@ -20,7 +20,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command lines of the sample games, which are those of the playground: their messages and exit codes. */
-@Tag("one-jdk")
 class SamplesTest {
     @TempDir
     Path classes;
@@ -49,6 +48,7 @@ class SamplesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"swarm", "hook"})
+    @Tag("long")
     void gamesWithSwingPlayAndSayWhyAPictureCannotBeWritten(String game) throws IOException {
         compile(game, List.of());
         String main = "com.example." + game + ".Main";
@@ -65,6 +65,7 @@ class SamplesTest {
     }
 
     @Test
+    @Tag("long")
     void billiardsPlaysPaintsAPictureAndRefusesAWrongCommandLine() throws IOException {
         compile("billiards", List.of());
         String main = "com.example.billiards.Main";
@@ -94,6 +95,7 @@ class SamplesTest {
     /** Where the launcher has built the game, so that libGDX is there. */
     @ParameterizedTest
     @ValueSource(strings = {"merge", "pinball"})
+    @Tag("long")
     void gamesWithLibgdxDoTheSame(String game) throws IOException {
         Path libgdx = Path.of("samples", game, "target/lib");
         assumeTrue(

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -114,6 +115,7 @@ class QualityTest {
     }
 
     @Test
+    @Tag("long")
     void aMillionCirclesAgreeWithTheSameCrowdTiledFromSmallOnes() {
         // 400 tiles of 2,500 circles, far apart: every count is 400 times that of one tile.
         Scene tile = Scenes.packed(2500, 12);

@@ -21,7 +21,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * most 2, where a float's steps are 1.2e-7 wide, so single stages are compared within 5e-7, and twenty steps within 1e-5;
  * the tests make sure that no decision in the oracle is nearer than that to falling the other way.
  */
-@Tag("one-jdk")
 class KernelsAgainstOracleTest {
     private static final float STEP = 1 / 60f;
     private static final float GX = 0.02f;

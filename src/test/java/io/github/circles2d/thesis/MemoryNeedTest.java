@@ -10,9 +10,11 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.TestDevices;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
+@Tag("each-jdk")
 class MemoryNeedTest {
     private static final Pattern FITTING = Pattern.compile("(\\d+) circles would fit");
 

@@ -26,7 +26,6 @@ import org.opentest4j.TestAbortedException;
  * installed these tests fail if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says that it is known to be
  * absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.
  */
-@Tag("one-jdk")
 class OclgrindTest {
     private static final String PROPERTY = "circles2d.oclgrind";
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
@@ -100,6 +99,7 @@ class OclgrindTest {
 
     /** The thesis resolves all pairs at once, so two work-items may read and write one circle: a race by design. */
     @Test
+    @Tag("long")
     void inACrowdTheResolveKernelsRaceAndNothingElseIsReported() throws Exception {
         ForkedJvm.Result result = resultOf("crowd");
         assertThat(reportedKernels(result))
@@ -112,6 +112,7 @@ class OclgrindTest {
     }
 
     @Test
+    @Tag("long")
     void slotsThatStrategyZeroMapsWronglyTouchNoMemory() throws Exception {
         ForkedJvm.Result result = resultOf("wrong slots");
         assertThat(result.output()).containsPattern("wrong slots [1-9]");

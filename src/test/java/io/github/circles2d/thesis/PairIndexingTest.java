@@ -13,7 +13,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Slot to pair and back, on the device, for every strategy. */
-@Tag("one-jdk")
 class PairIndexingTest {
     /** Each number of rounds of the row search is a program of its own, which a driver compiles for about a second. */
     private static final int[] SMALL = IntStream.concat(IntStream.rangeClosed(2, 16), IntStream.of(2_048, 2_049))
@@ -64,6 +63,7 @@ class PairIndexingTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void theRowSearchAndTheExactFormMapEverySlotOfASmallNRight(Device device) {
         assertEverySlotIsRight(device, SMALL);
     }

@@ -11,11 +11,9 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The names that the thesis gives: other hosts may be written against them. */
-@Tag("one-jdk")
 class ThesisKernelsTest {
     private static String source() throws IOException {
         try (InputStream in =

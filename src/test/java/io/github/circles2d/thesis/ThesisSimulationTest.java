@@ -10,9 +10,11 @@ import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
+@Tag("each-jdk")
 class ThesisSimulationTest {
     private static final Parameters PARAMETERS = Parameters.of(1 / 60f, 0.5f, new float[] {0, -0.01f});
 

@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Films are what they show, and small. */
@@ -81,6 +82,7 @@ class ApngWriterTest {
     }
 
     @Test
+    @Tag("long")
     void theFilmOfTheReadmeRunsSixSecondsAndIsSmall() throws Exception {
         byte[] bytes = Files.readAllBytes(Path.of("../docs/playground.png"));
         Apng film = new Apng(bytes);

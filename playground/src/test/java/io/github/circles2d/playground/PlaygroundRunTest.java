@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -125,6 +126,7 @@ class PlaygroundRunTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"--film", "--picture", "--save"})
+    @Tag("long")
     void aFileThatCannotBeWrittenIsOneLineAndStatus1(String option, @TempDir Path folder) {
         Path nowhere = folder.resolve("no-such-folder/file.png");
         ForkedJvm.Result result = new ForkedJvm().run(Playground.class, "--frames", "1", option, nowhere.toString());

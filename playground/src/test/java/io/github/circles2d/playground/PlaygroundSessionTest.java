@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -302,6 +303,7 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    @Tag("long")
     void anHourglassThatIsTurnedOverRunsEmptyAgainAndLosesNoGrain() {
         session.load(Stages.named("hourglass"));
         frames(400);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -26,6 +27,7 @@ class PlaygroundWindowTest {
 
     /** {@code -Dcircles2d.screenshots=FOLDER} has it save the screen at each turn. */
     @Test
+    @Tag("long")
     void whatAPersonDoesHasItsEffectAndNothingIsLeftWhenTheWindowIsClosed() {
         String folder = System.getProperty("circles2d.screenshots", "");
         ForkedJvm jvm = new ForkedJvm();

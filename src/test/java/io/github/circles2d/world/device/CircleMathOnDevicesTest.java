@@ -41,7 +41,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * found by reflection, so one without a twin of the same name in kernels/world/shared fails, unless {@link #TWINS} says what
  * does its work there.
  */
-@Tag("one-jdk")
 class CircleMathOnDevicesTest {
     private static final List<Class<?>> FORMULAS = List.of(
             CircleMath.class,

@@ -16,13 +16,11 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The functions of {@link CrossRule} on a device and in Java, and the sums that work-items add to at the same time. */
-@Tag("one-jdk")
 class CrossRuleOnDevicesTest {
     private static final int COUNT = 1 << 14;
     private static final int INPUTS = 4;

@@ -28,6 +28,7 @@ import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -90,6 +91,7 @@ class DeviceQueriesTest {
 
     @ParameterizedTest
     @MethodSource("settings")
+    @Tag("long")
     void theyFindWhatTheHostAndALookAtEveryCircleFind(Setting setting) {
         open(setting.device, setting.radii);
         for (int k = 0; k < setting.circles; k++) {

@@ -23,6 +23,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -45,6 +46,10 @@ class EdgesAgreeTest {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
         pipelines.add(new JvmPipeline(TestScale.of(2, 3), 1, 0, false));
+        if (!TestScale.LONG) {
+            pipelines.add(Pipelines.of(device, Plans.COLOURS.of(device), false));
+            return Pipelines.ready(pipelines.toArray(Pipeline[]::new));
+        }
         pipelines.add(Pipelines.of(device, Plans.COLOURS));
         if (Tiles.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.TILES));
@@ -68,6 +73,7 @@ class EdgesAgreeTest {
     /** From crowds at one point to fast circles, of one size and of many. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
             Scenes.thesis(1250, 1),
@@ -94,6 +100,7 @@ class EdgesAgreeTest {
     /** Circles come, go and are moved, static ones travel, states are exchanged, and events are the same. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void changesHaveTheSameBitsAndEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 2), Scenes.mixed(300, 2)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -145,6 +152,7 @@ class EdgesAgreeTest {
     /** Around an axis that wraps there may be so few cells that a tile with its border goes round further than once. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void axesOfFewCellsHaveTheSameBits(Device device) {
         float cell = 2 * (1 + Tuning.MARGIN + Tuning.CAP);
         for (int cells :

@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -39,6 +40,7 @@ class EventsAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void scenesHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {
             Scenes.thesis(600, 1),
@@ -65,6 +67,7 @@ class EventsAgreeTest {
     /** Circles come, go and are moved, states are exchanged, reporting is switched, and nobody looks in between. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void changesHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 2), Scenes.mixed(300, 2)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -95,6 +98,7 @@ class EventsAgreeTest {
     /** What a sensor notices is the same by any plan, since no plan solves it. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void sensedPairsAreTheSameByAnyPlan(Device device) {
         for (Scene scene : new Scene[] {
             Scenes.thesis(600, 1),
@@ -134,6 +138,8 @@ class EventsAgreeTest {
     /** Pieces of terrain come, go, move and get other kinds, some of which only sense. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("each-jdk")
+    @Tag("long")
     void piecesOfTerrainHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4), Scenes.gas(300, 4)}) {
             try (Twins twins = Twins.load(scene, Pipelines.ready(pipelines(device)))) {
@@ -171,6 +177,7 @@ class EventsAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void piecesAcrossSeamsHaveTheSameEvents(Device device) {
         Scene scene = Scenes.gas(300, 5);
         try (Twins twins = Twins.load(scene, Pipelines.ready(pipelines(device)))) {
@@ -222,6 +229,7 @@ class EventsAgreeTest {
     /** Walls move, kinds and forces are changed, and in an exhaustive run contacts get other settings. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void wallsThatMoveAndContactsOfAnySettingsHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.gas(300, 3), Scenes.mixed(300, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -246,6 +254,7 @@ class EventsAgreeTest {
     /** Many circles, so that several work-groups share a step; most pairs press each other step after step. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void pilesHaveTheSameEvents(Device device) {
         Scene scene = Scenes.packed(3000, 1);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -263,6 +272,7 @@ class EventsAgreeTest {
     /** Two plans make steps of one world in turn: what one leaves of the pairs in touch, the other goes on from. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void plansThatTakeTurnsHaveTheSameEvents(Device device) {
         Scene scene = Scenes.packed(1200, 5);
         try (Twins twins = Twins.load(scene, pipelines(device))) {

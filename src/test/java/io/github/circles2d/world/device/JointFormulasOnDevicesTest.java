@@ -18,12 +18,10 @@ import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The formulas of joints have the same bits on a device as in Java, also for numbers of any magnitude, infinite ones and angles that overflow. */
-@Tag("one-jdk")
 class JointFormulasOnDevicesTest {
     /** Floats of an input, and then four angles. */
     private static final int FLOATS = 8;

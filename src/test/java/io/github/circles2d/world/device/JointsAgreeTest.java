@@ -22,14 +22,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles and joints have the same bits on every device as in Java, by every plan. */
-@Tag("one-jdk")
 class JointsAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     private static JointTwins joints(Scene scene) {
@@ -40,6 +39,7 @@ class JointsAgreeTest {
     /** Joints of every form, few and many: alone, in batches, in large components, and more of a circle than there are colours. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void jointsHaveTheSameBits(Device device) {
         Scene[] scenes = {Scenes.thesis(400, 1), Scenes.mixed(400, 1), Scenes.gas(300, 1), HardScenes.blend(300, 10, 1)
         };
@@ -113,6 +113,7 @@ class JointsAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
@@ -138,6 +139,7 @@ class JointsAgreeTest {
     /** Masses, speeds, radii, frictions and torques of any magnitude, also in crowds. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.onePoint(200, 6)}) {
             JointTwins joints = joints(scene);
@@ -167,6 +169,7 @@ class JointsAgreeTest {
     /** Worlds that report have kernels of their own. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void eventsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
             JointTwins joints = joints(scene);
@@ -195,6 +198,7 @@ class JointsAgreeTest {
     /** Joints are made by calls, in mid-life, also on bodies that move; states are exchanged, and restored into worlds without joints. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void callsHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(200, 5), Scenes.mixed(200, 5)}) {
             SplittableRandom random = new SplittableRandom(11);
@@ -233,6 +237,7 @@ class JointsAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void onlyAWorldWithJointsHasMemoryForThem(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long none = pipeline.bytesHeld();

@@ -19,7 +19,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
-@Tag("one-jdk")
 class MixedRadiiAgreeTest {
     private static final AxisEdge[][] EDGES = {
         {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}
@@ -31,6 +30,7 @@ class MixedRadiiAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void blendsHaveTheSameBitsWithAllEdges(Device device) {
         Scene[] scenes = {HardScenes.blend(500, 10, 1), HardScenes.blend(1200, 100, 2), HardScenes.blend(200, 3, 3)};
         try (Twins twins = Twins.load(Scenes.thesis(10, 1), Pipelines.ready(PipelinesAgreeTest.pipelines(device)))) {
@@ -55,6 +55,7 @@ class MixedRadiiAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void blendsHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {HardScenes.blend(500, 10, 4), HardScenes.blend(900, 100, 5)}) {
             try (Twins twins = Twins.load(scene, PipelinesAgreeTest.pipelines(device))) {
@@ -75,6 +76,7 @@ class MixedRadiiAgreeTest {
     /** The step finds out about it late: other circles have no contacts that could tell. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aCrowdOfCrossContactsAloneHasTheSameBits(Device device) {
         Bounds bounds = new Bounds(0, 0, 1, 1);
         try (Twins twins = Twins.empty(bounds, PipelinesAgreeTest.pipelines(device))) {
@@ -90,6 +92,7 @@ class MixedRadiiAgreeTest {
     /** Groups have more like contacts than a tile takes, and circles more candidates than are kept, in more than one level. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void crowdsOfSeveralLevelsHaveTheSameBits(Device device) {
         for (int circles : new int[] {40, 300}) {
             Scene scene = Scenes.onePoint(circles, 3);

@@ -18,12 +18,10 @@ import io.github.circles2d.world.model.PieceSweep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The formulas of pieces of terrain have the same bits on a device as in Java, for circles near them and far away, also in odd places. */
-@Tag("one-jdk")
 class PieceFormulasOnDevicesTest {
     private static final int PIECES = 500;
 

@@ -6,6 +6,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
@@ -14,8 +15,8 @@ import java.util.List;
 
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
 final class Pipelines {
-    /** What a world has memory and kernels for only once it needs them, except edges. */
-    static final Features INSIDE = Features.of(false, true, true, true);
+    /** What a world has memory and kernels for only once it needs them. In a quick run edges, too, so that worlds with edges share programs. */
+    static final Features INSIDE = Features.of(!TestScale.LONG, true, true, true);
 
     private Pipelines() {}
 
@@ -30,6 +31,15 @@ final class Pipelines {
             }
         }
         return pipelines;
+    }
+
+    /** The pipeline in Java, and one for each plan that a device can follow; in a quick run by colours alone, whose program is shorter. */
+    static Pipeline[] ready(Device device) {
+        if (!TestScale.LONG) {
+            return ready(
+                    new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), of(device, Plans.COLOURS.of(device), false));
+        }
+        return ready(PipelinesAgreeTest.pipelines(device));
     }
 
     static DevicePipeline of(Device device, Plans plans) {

@@ -21,7 +21,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every plan of the OpenCL pipeline has the same bits as the pipeline in Java, on every device. */
-@Tag("one-jdk")
 class PipelinesAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -52,6 +51,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("each-jdk")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         int rounds = TestScale.of(4, 20);
         int roundsOfLarge = TestScale.of(1, 3);
@@ -66,6 +66,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void staticCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.thesis(300, 4);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -82,6 +83,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void theSizeOfWorkGroupsDoesNotShow(Device device) {
         compareSizesOfWorkGroups(device, 3);
     }
@@ -109,6 +111,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void fastCirclesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(
                 device,
@@ -123,6 +126,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void circlesOfSeveralKindsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene[] scenes = {
             Scenes.thesis(1250, 2),
@@ -149,6 +153,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void crowdsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
         compare(device, Scenes.onePoint(2000, 1), 3, 1, 1 / 60f);
@@ -158,6 +163,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int subSteps : TestScale.EXHAUSTIVE ? new int[] {1, 4, 5} : new int[] {1, 5}) {
             Scene scene = Scenes.thesis(1250, 6);
@@ -223,6 +229,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -244,6 +251,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void wallsThatMovePushTheSameOnTheDeviceAsInJava(Device device) {
         // By up to about the largest radius: some circles are pushed, others brought inside.
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
@@ -263,6 +271,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void contactsOfAnySettingsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         ContactSettings[] settings = {
             new ContactSettings(0f, 30f, 5f, 3f), new ContactSettings(0.05f, 67f, 20f, 0.1f), ContactSettings.DEFAULT
@@ -284,6 +293,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
         // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
         for (Scene scene : new Scene[] {Scenes.thesis(600, 8), Scenes.mixed(600, 8), Scenes.onePoint(200, 8)}) {
@@ -315,6 +325,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aStateSavedOnOneGoesOnTheSameOnAnother(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -331,6 +342,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void figuresOfTheLastStepAreTheSameOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.mixed(1250, 4);
         try (Twins twins = Twins.load(scene, pipelines(device))) {

@@ -24,7 +24,6 @@ import org.junit.jupiter.params.provider.ValueSource;
  * However circles lie in an arena of far more cells than buckets, they test about as many pairs as those of a square; and two static
  * circles none.
  */
-@Tag("one-jdk")
 class SheetsTest {
     private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
     private static final float STATIC = Float.POSITIVE_INFINITY;
@@ -65,6 +64,7 @@ class SheetsTest {
 
     @ParameterizedTest
     @CsvSource({"1000, WALL", "4000, WALL", "1000, OPEN", "4000, OPEN", "1000, WRAP", "4000, WRAP"})
+    @Tag("long")
     void linesOfAnyAngleHaveFewCandidatePairs(int circles, AxisEdge edge) {
         Bounds bounds = UNIT.with(edge, edge);
         double ofSquare = ofSquare(bounds, circles, java());
@@ -108,6 +108,7 @@ class SheetsTest {
 
     @ParameterizedTest
     @ValueSource(ints = {10, 31, 63})
+    @Tag("long")
     void latticesOfAnySpacingHaveFewCandidatePairs(int side) {
         double ofSquare = ofSquare(UNIT, side * side, java());
         for (int spacing = 1; spacing < 400; spacing += spacing < 150 ? 1 : 17) {
@@ -176,6 +177,7 @@ class SheetsTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void devicesTestTheSamePairsAsJava(Device device) {
         double ofSquare = ofSquare(UNIT, 1000, PipelinesAgreeTest.pipelines(device));
         for (double degrees : new double[] {0, 33, 45, 90, 151.7}) {
@@ -194,6 +196,7 @@ class SheetsTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void linesHaveTheSameBitsAndEventsOnTheDeviceAsInJava(Device device) {
         for (AxisEdge edge : AxisEdge.values()) {
             for (int large : new int[] {1, 6}) {

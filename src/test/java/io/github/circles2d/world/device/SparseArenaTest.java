@@ -16,7 +16,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Few circles in a vast arena, where far cells share buckets: the work stays in proportion, and the bits are the same. */
-@Tag("one-jdk")
 class SparseArenaTest {
     /** Candidate pairs of a circle: of the same level, and of a coarser one. */
     private static final int MOST_PAIRS = 8;
@@ -42,6 +41,7 @@ class SparseArenaTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void latticesHaveFewCandidatePairsOnDevices(Device device) {
         for (int spacing : new int[] {32, 64, 100, 128, 256}) {
             assertFewCandidatePairs(50, spacing, PipelinesAgreeTest.pipelines(device));
@@ -78,6 +78,7 @@ class SparseArenaTest {
     /** From the smallest torus to one of several tiles; an arena with many times as many columns. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void neighboursAcrossTheEdgesOfTheTorusHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int groups : new int[] {40, 150, 600, 2000}) {
             try (Twins twins = Twins.empty(UNIT, PipelinesAgreeTest.pipelines(device))) {

@@ -21,19 +21,19 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles that grip and turn have the same bits on every device as in Java. */
-@Tag("one-jdk")
 class SurfacesAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     /** From the first surface in mid-life on, in steps of several lengths, also with fast circles. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
             Scenes.thesis(600, 1),
@@ -71,6 +71,7 @@ class SurfacesAgreeTest {
     /** Circles come, go, change radii and masses; walls move; states are exchanged. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void changesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 3), Scenes.mixed(300, 3), HardScenes.blend(200, 10, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -102,6 +103,7 @@ class SurfacesAgreeTest {
     /** A world that is empty at first grows, step by step, from the room that there is at first. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aWorldThatGrowsHasTheSameBits(Device device) {
         Scene scene = Scenes.mixed(40, 9);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -124,6 +126,7 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void eventsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), HardScenes.blend(300, 10, 4), Scenes.bouncy(2)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -146,6 +149,7 @@ class SurfacesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
@@ -165,6 +169,7 @@ class SurfacesAgreeTest {
     /** Static circles turn, and belts run, under circles that lie on them. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void staticRollersHaveTheSameBits(Device device) {
         Scene scene = HardScenes.pile(12, 12, 1);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -185,6 +190,7 @@ class SurfacesAgreeTest {
     /** Masses, speeds, frictions and torques of any magnitude, now and then one of a few. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
@@ -223,6 +229,7 @@ class SurfacesAgreeTest {
     /** That a world turns shows in nothing: not in bits, not in snapshots. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aWorldThatTurnsWithoutGripHasTheBitsOfOneThatDoesNot(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.mixed(300, 6)}) {
             try (Twins still = Twins.load(scene, PipelinesAgreeTest.pipelines(device));

@@ -21,14 +21,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Circles and pieces of terrain have the same bits on every device as in Java, by every plan. */
-@Tag("one-jdk")
 class TerrainAgreeTest {
     static Iterable<Device> devices() {
         return TestDevices.all();
     }
 
     private static Pipeline[] pipelines(Device device) {
-        return Pipelines.ready(PipelinesAgreeTest.pipelines(device));
+        return Pipelines.ready(device);
     }
 
     private static TerrainTwins terrain(Scene scene) {
@@ -39,12 +38,14 @@ class TerrainAgreeTest {
     /** Random pieces at rest, in scenes of every sort. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void piecesAtRestHaveTheSameBits(Device device) {
         compare(device, false, Scenes.thesis(600, 1), Scenes.mixed(600, 1), Scenes.gas(600, 1), Scenes.bouncy(1));
     }
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void piecesThatMoveHaveTheSameBits(Device device) {
         compare(device, true, Scenes.thesis(600, 2), HardScenes.blend(500, 10, 1), Scenes.gas(600, 2));
     }
@@ -108,6 +109,7 @@ class TerrainAgreeTest {
     /** Terrain is made by calls, in mid-life; states are exchanged, and restored into worlds without terrain. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void callsHaveTheSameBits(Device device) {
         Scene[] scenes = {Scenes.thesis(300, 5), Scenes.mixed(300, 5), HardScenes.blend(200, 10, 3)};
         for (Scene scene : scenes) {
@@ -140,6 +142,7 @@ class TerrainAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void edgesHaveTheSameBits(Device device) {
         Scene scene = Scenes.mixed(300, 5);
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
@@ -162,6 +165,7 @@ class TerrainAgreeTest {
     /** Masses, speeds, radii, frictions and torques of any magnitude, also in crowds, beside pieces at rest and such as move. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void extremeCirclesHaveTheSameBits(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 6), Scenes.onePoint(200, 6)}) {
             TerrainTwins terrain = terrain(scene);
@@ -188,6 +192,7 @@ class TerrainAgreeTest {
     /** Worlds that report have kernels of their own. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void eventsOfCirclesAndWallsAreTheSame(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
             TerrainTwins terrain = terrain(scene);
@@ -211,6 +216,7 @@ class TerrainAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void onlyAWorldWithTerrainHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long none = pipeline.bytesHeld();

@@ -25,7 +25,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Which way a step takes where tiles are the plan; that all ways have the same bits is for {@link PipelinesAgreeTest}. */
-@Tag("one-jdk")
 class TilesTest {
     private static final Bounds UNIT = new Bounds(0, 0, 1, 1);
 
@@ -35,6 +34,7 @@ class TilesTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void crowdsThatAreThinnedOutAreSolvedByTilesWhereTheseFit(Device device) {
         DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
@@ -70,6 +70,7 @@ class TilesTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void tilesThatHoldTooMuchAreCut(Device device) {
         DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
@@ -92,6 +93,7 @@ class TilesTest {
     /** A region of the smallest tile, eight cells wide, has 1,377 of the circles, so tiles have layers. */
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void aRowOfManyCirclesInAsWideAnArenaIsSolvedByTiles(Device device) {
         DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
@@ -105,6 +107,7 @@ class TilesTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    @Tag("long")
     void manyTurnsOfTheTorusAreSolvedByTilesWithTheSameBitsAndEvents(Device device) {
         AxisEdge[] edges = {AxisEdge.WALL, AxisEdge.OPEN};
         for (AxisEdge edge : Arrays.copyOf(edges, TestScale.of(1, 2))) {

@@ -37,7 +37,6 @@ import org.opentest4j.TestAbortedException;
  * <p>Where Oclgrind is not installed the test fails if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says
  * that it is known to be absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.
  */
-@Tag("one-jdk")
 class WorldOclgrindTest {
     private static final String PROPERTY = "circles2d.oclgrind";
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
@@ -51,8 +50,21 @@ class WorldOclgrindTest {
     /** In the lines of each report. They are read from the output, since a log begins anew with each context. */
     private static final String[] REPORTS = {"Kernel: ", "Oclgrind - ", "OCLGRIND"};
 
+    /** The stages by colours, of circles of several sizes that turn and touch. */
+    @Test
+    void circlesThatTurnDoNotRaceLeaveTheirBuffersOrReadWhatNobodyWrote() throws Exception {
+        assertThat(run(TestScale.EXHAUSTIVE ? "small" : "smallest", "turning"))
+                .contains(
+                        "grid_gather",
+                        "contacts_countByLevelAndSheet",
+                        "solver_solve",
+                        "events_write",
+                        "readback_turns");
+    }
+
     /** The stages by colours, of circles that turn, too, and the queries. */
     @Test
+    @Tag("long")
     void noStageRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
         assertThat(run(
                         TestScale.EXHAUSTIVE ? "small" : "smallest",

@@ -37,7 +37,7 @@ class BroadPhaseTest {
     void findsThePairsThatATestOfAllPairsFinds(Scene scene) {
         for (int threads = 1; threads <= 3; threads += 2) {
             try (JvmWorld world = new JvmWorld(scene, threads)) {
-                for (int k = 0; k < TestScale.of(4, 6); k++) {
+                for (int k = 0; k < TestScale.of(2, 4, 6); k++) {
                     compareOneStep(world);
                     world.step(1 + k * k);
                 }
@@ -98,7 +98,7 @@ class BroadPhaseTest {
     @ParameterizedTest
     @MethodSource("edges")
     void findsThePairsOfLinesThatGoRoundTheTorusManyTimes(AxisEdge x, AxisEdge y) {
-        for (int round = 0; round < TestScale.of(4, 6); round++) {
+        for (int round = 0; round < TestScale.of(2, 4, 6); round++) {
             compareLines(new Bounds(0, 0, 1, 1, x, y), round);
         }
     }

@@ -8,14 +8,16 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.KindField;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What must not show in the state: threads and slots. */
 @Timeout(120) // a barrier that is wrong may as well hang
+@Tag("each-jdk")
 class JvmPipelineTest {
-    private static final int STEPS = TestScale.of(15, 40);
+    private static final int STEPS = TestScale.of(6, 15, 40);
 
     static Stream<Scene> scenes() {
         return Stream.of(
@@ -27,7 +29,7 @@ class JvmPipelineTest {
                 Scenes.mixed(2000, 100, Scenes.SEED),
                 Scenes.noCollide(),
                 Scenes.billiards(40),
-                Scenes.onePoint(TestScale.of(500, 1000), Scenes.SEED));
+                Scenes.onePoint(TestScale.of(250, 500, 1000), Scenes.SEED));
     }
 
     @ParameterizedTest

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +22,7 @@ class BroadPhaseBenchTest {
     Path folder;
 
     @Test
+    @Tag("long")
     void figuresArePrintedAndKept() throws IOException {
         String out = run("--sizes", "200", "--scenes", "gas", "--seconds", "0.001", "--out", folder.toString());
         assertThat(out).contains("uniform-grid").contains("world-step");

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.github.circles2d.bench.Devices;
 import java.util.Random;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -88,6 +89,7 @@ class BroadPhasesTest {
     }
 
     @Test
+    @Tag("long")
     void theDeviceFindsThePairsOfTheJvm() {
         if (Devices.all().isEmpty() && !Boolean.getBoolean("circles2d.device.required")) {
             Assumptions.abort("no OpenCL device");

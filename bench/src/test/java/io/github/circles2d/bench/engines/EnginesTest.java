@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -55,6 +56,7 @@ class EnginesTest {
 
     @ParameterizedTest
     @MethodSource("all")
+    @Tag("long")
     void aCrowdEndsInTheArenaAndHardlyOverlaps(String name) {
         Scene scene = Scenes.packed(300, 4);
         try (Engine engine = Engines.create(name)) {
@@ -67,6 +69,7 @@ class EnginesTest {
 
     @ParameterizedTest
     @MethodSource("all")
+    @Tag("long")
     void loadingASceneAgainStartsItAnew(String name) {
         Scene scene = Scenes.packed(200, 5);
         try (Engine engine = Engines.create(name)) {
@@ -85,6 +88,7 @@ class EnginesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", "java-grid", "world-jvm"})
+    @Tag("long")
     void enginesThatSaySoEndTheSameRunInTheSameStateToTheBit(String name) {
         Scene scene = Scenes.packed(300, 7);
         try (Engine engine = Engines.create(name)) {
@@ -154,6 +158,7 @@ class EnginesTest {
 
     /** Otherwise a comparison of their speeds would say nothing. */
     @Test
+    @Tag("long")
     void thePlainGridSolvesAsWellAsWorld() {
         Scene scene = Scenes.packed(1250, Scenes.SEED);
         try (Engine grid = Engines.create("java-grid");

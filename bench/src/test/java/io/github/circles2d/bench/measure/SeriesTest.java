@@ -25,6 +25,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -95,6 +96,7 @@ class SeriesTest {
     }
 
     @Test
+    @Tag("long")
     void everyEngineOfMavenRunsInAJvmOfItsOwnAndItsRowsAreKept() throws IOException {
         String said = run("--sizes", "40", "--patience", "60s", "--series", "mixed-100", folder().toString());
         ResultsFolder results = ResultsFolder.open(folder());
@@ -155,6 +157,7 @@ class SeriesTest {
     }
 
     @Test
+    @Tag("long")
     void aRunThatWouldTakeTooLongIsGivenUpSoonAndSaysWhatAStepTakes() {
         Sleeper engine = new Sleeper(500, false);
         Map<String, String> row = Stopwatch.measure(Series.PACKED_SIMILAR, 10, engine, 4);
@@ -166,6 +169,7 @@ class SeriesTest {
     }
 
     @Test
+    @Tag("long")
     void slowFirstStepsDoNotMakeARunHopeless() {
         assertThat(Stopwatch.measure(Series.PACKED_SIMILAR, 10, new Sleeper(5, false, 850), 10))
                 .containsEntry("status", "ok");

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -19,6 +20,7 @@ class RowsTest {
 
     @ParameterizedTest(name = "row {0}: {1}")
     @MethodSource("held")
+    @Tag("long")
     void whatIsHeldMeetsItsBounds(int number, String name, Row row, Case scene) {
         for (Figure figure : Figure.of(row, scene, WORLD, Effort.TEST)) {
             assertThat(figure.met())
