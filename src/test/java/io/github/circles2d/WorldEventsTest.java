@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** When events come, and what they say. */
+@Tag("each-jdk")
 class WorldEventsTest {
     private static final int ALL = Events.BEGIN | Events.HIT | Events.END;
     private static final float DT = 1 / 60f;

@@ -29,6 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * several threads. The system property
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
+@Tag("each-jdk")
 class WorldFuzzTest {
     private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 1_500);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);

@@ -396,8 +396,7 @@ class WorldJointsApiTest {
         }
         for (long circle : new long[] {a, b, still, alsoStill}) {
             assertThat(joints.contains(circle)).isFalse();
-            String message =
-                    "no joint has the handle " + circle + ": it is of a circle or a piece of terrain, or none at all";
+            String message = "no joint has the handle " + circle + ": it is of a circle, or of nothing";
             for (ThrowingCallable call : callsOf(circle)) {
                 refused(call, message);
             }
@@ -499,7 +498,7 @@ class WorldJointsApiTest {
                 "handle 2: the joint with the handle " + some[0] + " occurs twice");
         changesNothing(
                 () -> joints.removeAll(new long[] {some[0], 9}),
-                "handle 1: no joint has the handle 9: it is of a circle or a piece of terrain, or none at all");
+                "handle 1: no joint has the handle 9: it is of a circle, or of nothing");
         joints.removeAll(new long[] {some[4], some[0]});
         assertThat(joints.size()).isEqualTo(3);
         assertThat(joints.contains(some[1])).isTrue();

@@ -9,9 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** When events of circles and pieces of terrain come, and what they say. */
+@Tag("each-jdk")
 class WorldTerrainEventsTest {
     private static final int ALL = Events.BEGIN | Events.HIT | Events.END;
     private static final float DT = 1 / 60f;

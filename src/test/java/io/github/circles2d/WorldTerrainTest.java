@@ -54,13 +54,13 @@ class WorldTerrainTest {
             long joint = world.joints().add(circle, Joint.friction(1, 1));
             refused(() -> world.remove(piece), "no circle has the handle " + piece + ": it is of a piece of terrain");
             refused(() -> world.x(body), "no circle has the handle " + body + ": it is of a body of terrain");
-            String gone = ": it was removed, or is none of this world's";
-            refused(() -> terrain.remove(circle), "no piece of terrain has the handle " + circle + gone);
+            String ofCircle = ": it is of a circle, or of nothing";
+            refused(() -> terrain.remove(circle), "no piece of terrain has the handle " + circle + ofCircle);
             refused(
                     () -> terrain.remove(body),
                     "no piece of terrain has the handle " + body + ": it is of a body of terrain");
             refused(() -> terrain.kindOf(joint), "no piece of terrain has the handle " + joint + ": it is of a joint");
-            refused(() -> terrain.body(circle), "no body of terrain has the handle " + circle + gone);
+            refused(() -> terrain.body(circle), "no body of terrain has the handle " + circle + ofCircle);
             refused(
                     () -> terrain.body(piece),
                     "no body of terrain has the handle " + piece + ": it is of a piece of terrain");

@@ -126,6 +126,14 @@ class CiRunTest {
     }
 
     @Test
+    void aJdkOnWhichNoTestOfTheLibraryRunsIsAFailure() throws Exception {
+        run("[ \"$1\" = web ] || exit 0");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).contains("no test of the library was run");
+        assertThat(lastLine()).matches("0 passed, [12] failed");
+    }
+
+    @Test
     void onWishAllTestsRunOnceOnNoOlderJdkThanTheDefaultOne() throws Exception {
         String newest =
                 "\"${JAVA_HOME:+$JAVA_HOME/bin/}java\" -version 2>&1 | sed -n 's/.* version \"\\([0-9]*\\).*/java \\1/p'";

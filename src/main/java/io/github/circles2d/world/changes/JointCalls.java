@@ -292,9 +292,10 @@ public final class JointCalls {
     }
 
     private static String gone(long handle) {
-        return Handle.has(handle, Handle.JOINT)
-                ? "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's"
-                : "no joint has the handle " + handle + ": it is of a circle or a piece of terrain, or none at all";
+        return "no joint has the handle " + handle
+                + (Handle.has(handle, Handle.JOINT)
+                        ? ": it was removed or has broken, or is none of this world's"
+                        : Handle.reason(handle, Handle.JOINT));
     }
 
     // ---- joints go

@@ -23,7 +23,7 @@ public final class Handle {
 
     /** The id in a handle that a world has given. */
     public static int id(long handle) {
-        return (int) handle & ~(JOINT | PIECE | BODY);
+        return (int) handle & BODY - 1;
     }
 
     /** Whether a handle is of the form that handles of something have. */
@@ -33,11 +33,14 @@ public final class Handle {
 
     /** Why a handle names none of what a caller asks for: it is of something else, or of nothing. Ends a sentence. */
     public static String reason(long handle, int mark) {
-        int other = (int) handle & (JOINT | PIECE | BODY) & ~mark;
-        String of = other == JOINT ? "a joint" : other == PIECE ? "a piece of terrain" : "a body of terrain";
-        return Integer.bitCount(other) == 1 && (mark == 0 || (handle & mark) == 0)
-                ? ": it is of " + of
-                : ": it was removed, or is none of this world's";
+        int found = (int) handle & (JOINT | PIECE | BODY);
+        return switch (found == mark ? -1 : found) {
+            case 0 -> ": it is of a circle, or of nothing";
+            case JOINT -> ": it is of a joint";
+            case PIECE -> ": it is of a piece of terrain";
+            case BODY -> ": it is of a body of terrain";
+            default -> ": it was removed, or is none of this world's";
+        };
     }
 
     /** The id and its mark, if it has one. Not negative. */

@@ -279,8 +279,8 @@ public final class SnapshotCodec {
     private static ByteBuffer copy(ByteBuffer from) {
         require(
                 from.limit() >= HEADER,
-                "the buffer has " + from.limit()
-                        + " bytes from its position on, which hold no header; flip it after a snapshot has been written");
+                "it has no room for the header: " + from.limit()
+                        + " bytes; a buffer must be flipped when a snapshot has been written into it");
         require(from.getInt() == MAGIC, "it does not begin as one");
         int version = from.getInt();
         if (version != VERSION) {

@@ -11,8 +11,10 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.TreeSet;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+@Tag("each-jdk")
 class SparseGridTest {
     private static final int MANY = 3000;
     private static final float RADIUS = 1e-4f;
