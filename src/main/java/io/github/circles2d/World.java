@@ -1769,9 +1769,9 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, kinds, terrain, joints, bounds, gravity,
-     * restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal states give
-     * equal bytes, on every back end.
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, kinds, terrain, joints,
+     * bounds, gravity, restitution, sub-steps, contact settings and surfaces; and, if the world reports events, the pairs that touch. Equal
+     * states give equal bytes, on every back end.
      *
      * <pre>{@code
      * ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());

@@ -134,6 +134,14 @@ class CiRunTest {
     }
 
     @Test
+    void aBuildThatFailsBeforeItsTestsIsOneFailureAJdk() throws Exception {
+        run("[ \"$1\" = web ] || exit 1");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).contains("circles2d test ended with exit status 1");
+        assertThat(lastLine()).matches("0 passed, [12] failed");
+    }
+
+    @Test
     void onWishAllTestsRunOnceOnNoOlderJdkThanTheDefaultOne() throws Exception {
         String newest =
                 "\"${JAVA_HOME:+$JAVA_HOME/bin/}java\" -version 2>&1 | sed -n 's/.* version \"\\([0-9]*\\).*/java \\1/p'";
