@@ -9,7 +9,7 @@ const STATIC = '#5a6878';
 const BELT = '#8a6a3a';
 const WARM = '#ffb454';
 const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
-const PIECE_STRIDE = 8; // numbers a piece: form, shade, and then ends and thickness, or centre, radius, angles and side
+const PIECE_STRIDE = 13; // numbers a piece: form, shade, ends and thickness of lines, then centre, radius, angles and side of arcs
 const [SEGMENT, ARC] = [1, 3]; // forms
 const JOINT_STRIDE = 5; // numbers a joint: ends and shade
 const TENSION = ['#6f8aa3', '#b9c7d3', '#ffd166', '#ff7a45', '#e8505b'];
@@ -157,13 +157,13 @@ export class Drawing {
     const band = BAND * ratio;
     context.lineCap = 'round';
     for (let k = 0; k < pieces.length; k += PIECE_STRIDE) {
-      const [form, shade, x, y, x2, y2, , inside] = pieces.subarray(k, k + PIECE_STRIDE);
+      const [form, shade, x, y, x2, y2, thickness, centreX, centreY, r, from, to, inside] = pieces.subarray(k, k + PIECE_STRIDE);
       context.strokeStyle = shade === -2 ? BELT : STATIC;
-      context.lineWidth = form === SEGMENT ? Math.max(2 * pieces[k + 6] * scale, band) : band;
+      context.lineWidth = form === SEGMENT ? Math.max(2 * thickness * scale, band) : band;
       if (form === ARC) { // y points down, so angles do, too
-        const radius = x2 * scale + (inside ? band / 2 : -band / 2);
+        const radius = r * scale + (inside ? band / 2 : -band / 2);
         context.beginPath();
-        context.arc(this.x(x), this.y(y), Math.max(radius, 0), -y2, -pieces[k + 6], true);
+        context.arc(this.x(centreX), this.y(centreY), Math.max(radius, 0), -from, -to, true);
         context.stroke();
       } else { // a line of a chain is solid on its left
         const factor = form === SEGMENT ? 0 : band / 2 / scale / Math.hypot(x2 - x, y2 - y);

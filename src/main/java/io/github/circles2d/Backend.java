@@ -7,7 +7,7 @@ public enum Backend {
      * World.Builder#radii} given: the JVM or a GPU, never OpenCL on a CPU. If a {@link Calibration} has measured both, AUTO takes the
      * one with the shorter frame (a step and a read of all circles). Without a calibration it takes a GPU, if there is one, from a
      * capacity of 1,250 circles on, else the JVM. It never takes a device that does not round correctly.
-     * {@link World#stats()} says which back end was taken, and why; the log says it the first time.
+     * {@link World#stats()} says which back end was taken, and why. The log says it once if the capacity asks for a GPU and none can be used.
      */
     AUTO,
     /** Plain Java threads, the fast way on processors: runs everywhere, needs no driver. */

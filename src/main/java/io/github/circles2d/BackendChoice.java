@@ -9,21 +9,21 @@ import io.github.circles2d.world.shared.Pipeline;
  * @param backend the back end, never {@link Backend#AUTO}
  * @param pipeline the engine
  * @param reason why it was taken
+ * @param lacksGpu whether the builder's capacity asks for a GPU, and none can be used
  */
-record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
+record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean lacksGpu) {
     static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
     static BackendChoice of(BackendWish wish) {
-        boolean auto = wish.device == null && wish.backend == Backend.AUTO;
-        BackendChoice choice = auto
+        BackendChoice choice = wish.device == null && wish.backend == Backend.AUTO
                 ? fastest(wish)
                 : wish.device == null && wish.backend == Backend.JVM
                         ? jvm(wish, ASKED_FOR)
                         : OpenClChoice.askedFor(wish);
         String device = choice.pipeline.device();
         String text = "World on " + choice.backend + ", " + device + ": " + choice.reason;
-        if (auto) {
+        if (choice.lacksGpu) {
             Notice.once(choice.backend + device, text);
         } else {
             Notice.debug(text);
@@ -39,8 +39,16 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         }
     }
 
+    BackendChoice(Backend backend, Pipeline pipeline, String reason) {
+        this(backend, pipeline, reason, false);
+    }
+
     static BackendChoice jvm(BackendWish wish, String reason) {
+        return jvm(wish, reason, false);
+    }
+
+    static BackendChoice jvm(BackendWish wish, String reason, boolean lacksGpu) {
         Pipeline pipeline = new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
-        return new BackendChoice(Backend.JVM, pipeline, reason);
+        return new BackendChoice(Backend.JVM, pipeline, reason, lacksGpu);
     }
 }

@@ -302,7 +302,7 @@ public final class Circles2D implements AutoCloseable {
                 device, circles.size(), indexing -> MemoryNeed.of(strategyOf(indexing), circles.size())
                         .fits(device, freeBytes));
         LOG.log(
-                Notice.level(Level.INFO, choice.indexing() + device.toString()),
+                Level.DEBUG,
                 "Circles2D with pair indexing {0} on {1}: {2}",
                 choice.indexing(),
                 device.name(),

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Limits;
 
 /**
@@ -254,25 +255,30 @@ public final class Kind {
     }
 
     /**
-     * Sets the speed of the surface of circles of the kind, as that of a belt which runs around the circle: it carries what grips it, as
-     * the surface of a circle that turns does, but the circle does not turn. A row of static circles with a belt is a conveyor: what lies
-     * on it goes to the left at a positive speed, and to the right at a negative one. It carries nothing without friction.
+     * Sets the speed of the surface of circles and pieces of the kind, as that of a belt which runs around what is solid: it carries what
+     * grips it, as the surface of a circle that turns does, but the circle does not turn. It carries nothing without friction.
      *
-     * @param speed lengths per second to the left, anticlockwise where y points up, up to 1e9 in magnitude
+     * <p>A positive speed carries to the right of the normal, which leads out of the surface: what lies on a floor goes to greater x, where
+     * y points up. So a belt runs clockwise around a circle, and anticlockwise along the walls of a room and the inside of a drum. This
+     * holds for circles, for all {@link Terrain} and for {@linkplain World#setWallSurface walls}.
+     *
+     * <p><img src="doc-files/belts.svg" alt="A positive belt carries to the right on a floor, up on the right wall, to the left on a ceiling, down on the left wall, and clockwise around a circle">
+     *
+     * @param speed lengths per second, up to 1e9 in magnitude
      * @return this
      * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setBeltSpeed(float speed) {
-        return set(KindField.BELT_SPEED, speed + 0f);
+        return set(KindField.BELT_SPEED, BeltSpeed.ofKind(speed));
     }
 
     /**
-     * The speed of the surface of circles of the kind.
+     * The speed of the surface of circles and pieces of the kind.
      *
-     * @return lengths per second to the left; 0 at first
+     * @return lengths per second, with the sign of {@link #setBeltSpeed}; 0 at first
      */
     public float beltSpeed() {
-        return kinds.getFloat(KindField.BELT_SPEED, number);
+        return BeltSpeed.ofKind(kinds.getFloat(KindField.BELT_SPEED, number));
     }
 
     /**

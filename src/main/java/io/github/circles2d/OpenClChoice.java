@@ -67,14 +67,15 @@ final class OpenClChoice {
         Pick<Optional<Device>> pick =
                 Pick.among(known, crowd, device -> device.map(Device::name).orElse("JVM"));
         String why = pick.reason() + (jvmIsFastest ? "; nothing that was measured is faster" : "");
-        try {
-            if (pick.taken().isPresent()) {
-                return openCl(pick.taken().get(), wish, why);
-            }
-        } catch (OpenClException e) {
-            why = pick.taken().get().name() + " cannot be used: " + e.getMessage();
+        if (pick.taken().isEmpty()) {
+            return BackendChoice.jvm(wish, why);
         }
-        return BackendChoice.jvm(wish, why);
+        Device device = pick.taken().get();
+        try {
+            return openCl(device, wish, why);
+        } catch (OpenClException e) {
+            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage(), true);
+        }
     }
 
     private static boolean isTheGpuOfTheRule(Device device) {
@@ -127,7 +128,7 @@ final class OpenClChoice {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return BackendChoice.jvm(wish, reason + hint);
+        return BackendChoice.jvm(wish, reason + hint, wish.capacity >= LEAST_FOR_GPU);
     }
 
     private static Device gpu() {

@@ -138,8 +138,8 @@ public final class Ropes {
      * @param mass the mass of each
      * @param slack by which share it is longer than the ends are apart, 0 to 1
      * @return the circles from the first end to the last; the joints likewise, and the one that limits the length behind them
-     * @throws IllegalArgumentException if a value is out of range, an end has gone, both ends are places or the same circle, or the circles
-     *     would overlap
+     * @throws IllegalArgumentException if a value is out of range, an end has gone, both ends are places or the same circle, or links
+     *     would be shorter than the radius
      */
     public static JointedCircles rope(World world, End from, End to, int count, float radius, float mass, float slack) {
         return rope(world, from, to, count, radius, mass, slack, 0);
@@ -212,7 +212,7 @@ public final class Ropes {
     /**
      * Adds a bridge: circles between two places, which rigid joints hold. Its circles stop others, its joints stop nobody: fast circles can
      * slip through between two planks that are apart, or much lighter. So take enough planks that neighbours overlap, each about as heavy
-     * as what falls on it.
+     * as what falls on it. A link must be at least as long as the radius: neighbours may overlap by half, others do not.
      *
      * @param world the world
      * @param from where it begins
@@ -222,7 +222,8 @@ public final class Ropes {
      * @param mass the mass of each
      * @param slack by which share it is longer than the ends are apart, 0 to 1
      * @return the circles from the first end to the last, and the joints likewise
-     * @throws IllegalArgumentException if a value is out of range, an end has gone, or the circles would overlap
+     * @throws IllegalArgumentException if a value is out of range, an end has gone, both ends are the same circle, or links would be
+     *     shorter than the radius
      */
     public static JointedCircles bridge(
             World world, End from, End to, int count, float radius, float mass, float slack) {

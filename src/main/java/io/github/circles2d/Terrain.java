@@ -25,8 +25,8 @@ import io.github.circles2d.world.terrain.PieceRead;
  * <p><img src="doc-files/terrain-sides.svg" alt="Circles touch a chain from its right, a segment from both sides, an arc from the side that it says, a one-way piece from the front">
  *
  * <p><b>Kinds:</b> each piece is of a {@link Kind}. Its friction, rolling resistance, belt, restitution, categories and matrix mean for a piece
- * what they mean for circles; groups do not count. A belt carries to the left as seen along the surface's normal, as a wall's does.
- * {@link Kind#setOneWay} lets circles pass from behind.
+ * what they mean for circles; groups do not count. A segment's belt runs around it, and a chain's against the direction in which it is
+ * drawn ({@link Kind#setBeltSpeed}). {@link Kind#setOneWay} lets circles pass from behind.
  *
  * <p><b>Bodies:</b> pieces belong to the ground, which never moves, or to a {@link TerrainBody}, which does.
  *
@@ -41,7 +41,10 @@ import io.github.circles2d.world.terrain.PieceRead;
  * is. The rules of {@link World} for threads, failures and closed worlds hold here, too.
  */
 public final class Terrain {
-    /** Elements of a piece, as {@link #readPieces} and {@link FixedStep#pieces} give it: from {@link #FORM} to {@link #INSIDE}. */
+    /**
+     * Elements of a piece, as {@link #readPieces} and {@link FixedStep#pieces} give it: from {@link #FORM} to {@link #INSIDE}. Each has its
+     * place. Those of arcs are 0 in segments and lines, those of segments and lines 0 in arcs.
+     */
     public static final int PIECE_STRIDE = PieceRead.STRIDE;
 
     /** In a piece: its form, which is {@link #SEGMENT}, {@link #LINE} or {@link #ARC}. */
@@ -62,7 +65,7 @@ public final class Terrain {
     /** In a segment or a line: y of its end. */
     public static final int Y2 = PieceRead.Y2;
 
-    /** In a segment: the radius around it; in a line: 0. */
+    /** In a segment: the radius around it; in a line or an arc: 0. */
     public static final int THICKNESS = PieceRead.THICKNESS;
 
     /** In an arc: x of the centre. */

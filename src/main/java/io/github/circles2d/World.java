@@ -9,6 +9,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
@@ -987,12 +988,14 @@ public final class World implements AutoCloseable {
      * @param wall which wall
      * @param friction 0 to 1,000
      * @param rollingResistance 0 to 1,000
-     * @param beltSpeed speed of the surface along the wall, as that of a conveyor belt: lengths per second towards greater coordinates, up
-     *     to 1e9 in magnitude
+     * @param beltSpeed speed of the surface along the wall, as that of a conveyor belt: lengths per second, up to 1e9 in magnitude, with
+     *     the sign of {@link Kind#setBeltSpeed}. A positive one carries to the right on the lower wall, up on the right one, to the left on
+     *     the upper one, and down on the left one
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
-        simulation.setWallSurface(Limits.notNull("wall", wall).ordinal(), friction, rollingResistance, beltSpeed);
+        int number = Limits.notNull("wall", wall).ordinal();
+        simulation.setWallSurface(number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
     }
 
     /**
@@ -1021,10 +1024,11 @@ public final class World implements AutoCloseable {
      * The speed of the surface of a wall.
      *
      * @param wall which wall
-     * @return lengths per second towards greater coordinates
+     * @return lengths per second, with the sign of {@link #setWallSurface}
      */
     public float wallBeltSpeed(Wall wall) {
-        return simulation.surfaces().wallBelt(Limits.notNull("wall", wall).ordinal());
+        int number = Limits.notNull("wall", wall).ordinal();
+        return BeltSpeed.ofWall(number, simulation.surfaces().wallBelt(number));
     }
 
     /**
@@ -1224,12 +1228,12 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Reads by id how hard every circle is pressed: by how many circles and walls, and the sum of the forces, without their directions,
-     * by which these do so. The forces are those at the end of the last step, from which the next one starts. They hold piles up. A
+     * Reads by id how hard every circle is pressed: by how many circles, walls and pieces of terrain, and the sum of the forces, without
+     * their directions, by which these do so. Joints do not count. The forces are those at the end of the last step, from which the next one starts. They hold piles up. A
      * bounce is over at once, and does not count. The numbers are the same to the bit on every back end. The call copies the state, as
      * {@link #snapshot} does.
      *
-     * @param loads takes two elements an id: the number of circles and walls that press the circle, and the sum of their forces, mass
+     * @param loads takes two elements an id: the number of circles, walls and pieces that press the circle, and the sum of their forces, mass
      *     times length per second squared. All of it is written: elements without a circle become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
      * @throws IllegalArgumentException if an array is too short
@@ -1841,7 +1845,7 @@ public final class World implements AutoCloseable {
                 int at = 3 * wall;
                 settings = Float.isNaN(walls[at])
                         ? settings.withWall(wall, friction, rollingResistance, 0)
-                        : settings.withWall(wall, walls[at], walls[at + 1], walls[at + 2]);
+                        : settings.withWall(wall, walls[at], walls[at + 1], BeltSpeed.ofWall(wall, walls[at + 2]));
             }
             return settings.any() ? settings : SurfaceSettings.NONE;
         }
@@ -1960,7 +1964,8 @@ public final class World implements AutoCloseable {
          * @param wall which wall
          * @param friction 0 to 1,000
          * @param rollingResistance 0 to 1,000
-         * @param beltSpeed speed of the surface along the wall, lengths per second towards greater coordinates, up to 1e9 in magnitude
+         * @param beltSpeed speed of the surface along the wall, lengths per second, up to 1e9 in magnitude, with the sign of {@link
+         *     World#setWallSurface}
          * @return this
          * @throws IllegalArgumentException if a value is out of range
          */

@@ -195,8 +195,13 @@ interface GoldenChange {
         }
         float speed = 0.4f * (unit(random) - 0.5f);
         switch (random.nextInt(3)) {
-            case 0 -> world.setWallSurface(Wall.values()[random.nextInt(4)], unit(random), 0.1f * unit(random), speed);
-            case 1 -> world.setSurface(1 + random.nextInt(3), unit(random), 0.1f * unit(random), speed);
+            case 0 -> {
+                Wall wall = Wall.values()[random.nextInt(4)];
+                boolean towardsLesser =
+                        wall == Wall.MIN_X || wall == Wall.MAX_Y; // the recorded hashes are of belts towards greater
+                world.setWallSurface(wall, unit(random), 0.1f * unit(random), towardsLesser ? -speed : speed);
+            }
+            case 1 -> world.setSurface(1 + random.nextInt(3), unit(random), 0.1f * unit(random), -speed);
             default -> world.setTurning(1 + random.nextInt(3), Inertia.values()[random.nextInt(3)], unit(random));
         }
     }

@@ -180,7 +180,7 @@ interface GoldenTerrain {
 
     /** Slopes one above the other, of which some run. */
     static void slopes(WorldCalls world) {
-        world.setSurface(BELT, 0.8f, 0.02f, 0.2f);
+        world.setSurface(BELT, 0.8f, 0.02f, -0.2f);
         for (int k = 0; k < 6; k++) {
             float y = 0.15f + 0.13f * k;
             float lean = 0.02f + 0.012f * k;

@@ -187,6 +187,27 @@ class RopesTest {
         }
     }
 
+    /** Joined circles do not push each other, so neighbours may overlap until the next but one would touch. */
+    @Test
+    void planksMayOverlapByHalfOfThemselves() {
+        float radius = 0.25f;
+        int most = 79; // 80 links as long as the radius
+        try (World world = world()) {
+            refused(
+                    world,
+                    "links must be at least as long",
+                    () -> Ropes.bridge(world, Ropes.at(-10, 0), Ropes.at(10, 0), most + 1, radius, 1, 0));
+            long[] planks = Ropes.bridge(world, Ropes.at(-10, 0), Ropes.at(10, 0), most, radius, 1, 0)
+                    .circles();
+            assertThat(planks).hasSize(most);
+            world.setGravity(0, 0);
+            world.step(STEP, 60);
+            for (int k = 1; k < most; k++) {
+                assertThat(distance(world, planks[k - 1], planks[k])).isCloseTo(radius, offset(1e-3));
+            }
+        }
+    }
+
     @Test
     void whatCannotBeIsRefusedAndNothingIsAdded() {
         try (World world = world()) {

@@ -197,6 +197,28 @@ class WorldBackendTest {
                 .environment("OCL_ICD_VENDORS", noDrivers.toString())
                 .run(WithoutDriver.class);
         assertThat(result.output()).contains("took JVM: no GPU can be used: ", "done");
+        assertThat(result.output()).as("one line in the log").containsOnlyOnce("INFO");
         assertThat(result.exitStatus()).isZero();
+    }
+
+    /** Starts all that needs no GPU. */
+    static final class Quiet {
+        public static void main(String[] args) {
+            for (Backend backend : new Backend[] {Backend.AUTO, Backend.JVM, Backend.OPENCL_CPU}) {
+                try (World world = World.builder().backend(backend).build()) {
+                    world.add(0.5f, 0.5f, 0.1f, 1);
+                    world.step(1 / 60f);
+                }
+            }
+            new Circles2D(false).close();
+            System.out.println("done");
+        }
+    }
+
+    @Test
+    void aStartIsSilent() {
+        TestDevices.all();
+        ForkedJvm.Result result = new ForkedJvm().run(Quiet.class);
+        assertThat(result.output().lines()).containsExactly("done");
     }
 }

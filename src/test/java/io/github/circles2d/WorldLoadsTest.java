@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** By how many circles and walls a circle is pressed, and how hard. */
+/** By how many circles, walls and pieces a circle is pressed, and how hard. */
 class WorldLoadsTest {
     private static final float GRAVITY = 10;
 
@@ -58,6 +58,19 @@ class WorldLoadsTest {
             world.terrain().remove(world.terrain().handle(0));
             world.readLoadsById(loads, null);
             assertThat(loads[4]).as("one is gone").isEqualTo(1);
+        }
+    }
+
+    @Test
+    void jointsDoNotCount() {
+        try (World world = column()) {
+            float[] loads = new float[8];
+            long hung = world.add(2, 15, 0.5f, 1);
+            world.joints().add(hung, 2, 18, Joint.distance(3));
+            world.step(1 / 60f, 60);
+            world.readLoadsById(loads, null);
+            assertThat(loads[2 * World.id(hung)]).isZero();
+            assertThat(loads[2 * World.id(hung) + 1]).isZero();
         }
     }
 

@@ -26,7 +26,7 @@ public final class WorldScenes {
     static World.Builder with(Surfaces surfaces, World.Builder builder) {
         for (Wall wall : Wall.values()) {
             float[] its = surfaces.walls()[wall.ordinal()];
-            builder.wallSurface(wall, its[0], its[1], its[2]);
+            builder.wallSurface(wall, its[0], its[1], surfaces.beltAsCalled(wall.ordinal()));
         }
         return builder.friction(surfaces.friction()).rollingResistance(surfaces.rollingResistance());
     }

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
@@ -112,6 +115,32 @@ class WorldTerrainTest {
             assertThat(pieces[row + Terrain.TO]).isCloseTo(2.5f, within(1e-6f));
             assertThat(pieces[row + Terrain.INSIDE]).isEqualTo(1);
             assertThat(pieces[row + Terrain.PIECE_STRIDE + Terrain.INSIDE]).isZero();
+        }
+    }
+
+    @Test
+    void aColumnOfAPieceThatHasNoSuchThingIsZero() {
+        int[] ofAll = {Terrain.FORM, Terrain.KIND};
+        int[] ofLines = {Terrain.X1, Terrain.Y1, Terrain.X2, Terrain.Y2, Terrain.THICKNESS};
+        int[] ofArcs = {Terrain.CENTRE_X, Terrain.CENTRE_Y, Terrain.RADIUS, Terrain.FROM, Terrain.TO, Terrain.INSIDE};
+        assertThat(Stream.of(ofAll, ofLines, ofArcs).flatMapToInt(IntStream::of))
+                .as("a column each")
+                .containsExactlyElementsOf(
+                        IntStream.range(0, Terrain.PIECE_STRIDE).boxed().toList());
+        try (World world = world()) {
+            world.terrain().addSegment(1, 2, 3, 5, 0.5f, 7);
+            world.terrain().addArc(40, 30, 6, 1, 2.5f, ArcSide.INNER, 7);
+            float[] pieces = new float[2 * Terrain.PIECE_STRIDE];
+            Arrays.fill(pieces, Float.NaN);
+            world.terrain().readPieces(pieces, null);
+            for (int column : ofLines) {
+                assertThat(pieces[column]).isNotZero();
+                assertThat(pieces[Terrain.PIECE_STRIDE + column]).isZero();
+            }
+            for (int column : ofArcs) {
+                assertThat(pieces[column]).isZero();
+                assertThat(pieces[Terrain.PIECE_STRIDE + column]).isNotZero();
+            }
         }
     }
 

@@ -317,7 +317,7 @@ class DocumentationTest {
                 assertThat(Files.size(file)).as("%s", file).isLessThan(10_000);
             }
         }
-        assertThat(shown).isEqualTo(there).hasSizeGreaterThanOrEqualTo(6);
+        assertThat(shown).isEqualTo(there).hasSizeGreaterThanOrEqualTo(7);
     }
 
     /** Whoever wants to know more finds a link. */

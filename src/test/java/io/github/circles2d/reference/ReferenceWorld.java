@@ -370,7 +370,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
         kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
         kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
-        kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(beltSpeed));
+        kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
     }
 
     @Override
@@ -604,7 +604,8 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
-        surfaces = surfaces.withWall(wall.ordinal(), friction, rollingResistance, beltSpeed);
+        int number = wall.ordinal();
+        surfaces = surfaces.withWall(number, friction, rollingResistance, Surfaces.turned(number, beltSpeed));
     }
 
     @Override

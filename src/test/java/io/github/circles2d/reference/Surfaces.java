@@ -48,4 +48,14 @@ public record Surfaces(float friction, float rollingResistance, float[][] walls)
     float belt(int wall) {
         return walls[wall][2];
     }
+
+    /** As calls take it: to the right of the wall's normal. */
+    public float beltAsCalled(int wall) {
+        return turned(wall, walls[wall][2]);
+    }
+
+    /** From the sign of calls to that of the state, or back: the left and the upper wall have their right towards lesser coordinates. */
+    static float turned(int wall, float belt) {
+        return wall == 0 || wall == 3 ? 0f - belt : belt;
+    }
 }

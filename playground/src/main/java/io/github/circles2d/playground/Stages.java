@@ -133,7 +133,7 @@ final class Stages {
 
     /** Balls roll down a slope, and a belt takes them up to rollers; behind these they slide down ice onto the floor, which runs back. */
     private static void slopesAndBelts(World world) {
-        world.kind(BELT).setFriction(1).setBeltSpeed(-24);
+        world.kind(BELT).setFriction(1).setBeltSpeed(24);
         world.kind(ROLLER).setFriction(1);
         world.kind(ICE).setFriction(0);
         world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);

@@ -39,7 +39,7 @@ public final class Main extends JLabel {
     private final BufferedImage image = new BufferedImage(1280, 720, BufferedImage.TYPE_INT_RGB);
     private final Hook game;
     private final FixedStep loop;
-    private final float[] circles = new float[400], angles = new float[100], numbers = new float[1000];
+    private final float[] circles = new float[400], angles = new float[100], numbers = new float[2000];
     private final int[] kinds = new int[100];
     private long lastFrame = System.nanoTime();
 

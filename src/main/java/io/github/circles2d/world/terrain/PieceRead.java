@@ -2,30 +2,31 @@ package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Rotation;
+import java.util.Arrays;
 
 /** What pieces look like now, for callers that draw them. */
 public final class PieceRead {
-    public static final int STRIDE = 8;
+    public static final int STRIDE = 13;
 
     public static final int SHAPE = 0;
     public static final int KIND = 1;
 
-    // of a line
+    // of a line; 0 in an arc
     public static final int X1 = 2;
     public static final int Y1 = 3;
     public static final int X2 = 4;
     public static final int Y2 = 5;
     public static final int THICKNESS = 6;
 
-    // of an arc
-    public static final int CENTRE_X = 2;
-    public static final int CENTRE_Y = 3;
-    public static final int RADIUS = 4;
-    public static final int FROM = 5;
-    public static final int TO = 6;
+    // of an arc; 0 in a line
+    public static final int CENTRE_X = 7;
+    public static final int CENTRE_Y = 8;
+    public static final int RADIUS = 9;
+    public static final int FROM = 10;
+    public static final int TO = 11;
 
     /** Of an arc: 1 if circles are inside it, else 0. */
-    public static final int INSIDE = 7;
+    public static final int INSIDE = 12;
 
     private final TerrainTables terrain;
     private final PieceRows writer;
@@ -66,6 +67,7 @@ public final class PieceRead {
 
     private void write(PieceTable pieces, int piece, float[] to, int at) {
         writer.write(piece, rows, 0);
+        Arrays.fill(to, at, at + STRIDE, 0f);
         to[at + SHAPE] = PieceRow.form(pieces.shape(piece));
         to[at + KIND] = pieces.kindOf(piece);
         float x = rows[PieceRow.X];
@@ -85,7 +87,6 @@ public final class PieceRead {
             to[at + X2] = x + rows[PieceRow.END_X];
             to[at + Y2] = y + rows[PieceRow.END_Y];
             to[at + THICKNESS] = rows[PieceRow.THICKNESS];
-            to[at + INSIDE] = 0f;
         }
     }
 }

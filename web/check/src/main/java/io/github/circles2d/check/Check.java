@@ -192,7 +192,7 @@ final class Check {
         try (World world = builder.build()) {
             world.kind(1).setInertia(Inertia.RING).setAngularDamping(0.5f);
             world.kind(2).setInertia(Inertia.NONE).setFriction(0.9f);
-            world.kind(3).setBeltSpeed(-7);
+            world.kind(3).setBeltSpeed(7);
             Random random = new Random(13);
             for (int i = 0; i < 300; i++) {
                 float u = random.nextFloat();

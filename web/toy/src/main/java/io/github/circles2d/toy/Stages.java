@@ -60,7 +60,7 @@ final class Stages {
     /** Balls roll down a slope, and a belt takes them up to rollers; behind these they slide down ice onto the floor, which runs back. */
     private static void slopesAndBelts(World world) {
         world.kind(0).setFriction(0.6f).setRollingResistance(0.01f);
-        world.kind(BELT).setFriction(1).setBeltSpeed(-24);
+        world.kind(BELT).setFriction(1).setBeltSpeed(24);
         world.kind(ROLLER).setFriction(1);
         world.setWallSurface(Wall.MIN_Y, 0.6f, 0.01f, 16);
         wall(world, 2, 82, 52, 66, 0);
