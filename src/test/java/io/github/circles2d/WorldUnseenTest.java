@@ -65,7 +65,7 @@ class WorldUnseenTest {
                     world.joints().add(world.handle(k - 1), world.handle(k), link);
                 }
                 world.joints().add(world.handle(7), Joint.servo(0.5f, 3, 0.5f, 100));
-                world.joints().add(world.handle(0), world.handle(20), Joint.pin(2, 0.5f));
+                world.joints().add(world.handle(0), 5, 30, Joint.pin(2, 0.5f));
                 world.terrain().addSegment(2, 3, 50, 1);
             }
 
@@ -253,9 +253,12 @@ class WorldUnseenTest {
                 World jvm = world(Scene.PINNED, Backend.JVM)) {
             for (World each : List.of(world, jvm)) {
                 each.report(ALL);
+                for (int k = 0; k < 8; k++) {
+                    each.add(30 + 1.5f * k, 5, 0.9f, 1);
+                }
                 each.step(STEP, 30);
                 int before = each.idLimit();
-                for (int k = 0; k < 100_000; k++) {
+                for (int k = 0; k < 70_000; k++) {
                     each.add(30 + 0.0001f * k, 39, 0.5f, 1);
                 }
                 for (int k = before - 5; k < each.idLimit(); k++) {
