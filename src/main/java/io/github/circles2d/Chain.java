@@ -95,6 +95,7 @@ public final class Chain {
      * Joins the last point to the first: by a line, or by nothing if the last piece has come back there, but for rounding.
      *
      * @return this
+     * @throws IllegalArgumentException if a line is needed, and the chain has as many pieces as it may have, 2^20
      * @throws IllegalStateException if the chain has been closed, or has no pieces
      */
     public Chain close() {

@@ -114,6 +114,97 @@ class RecordingTest {
         return world;
     }
 
+    /** The calls make a log, whatever makes the steps, and whether somebody reads between them. */
+    @Test
+    void aLogHasTheSameBytesWithAnyThreadsAndReads() throws IOException {
+        byte[] expected = recordUnread(WorldScenes.jvm().threads(1), false);
+        assertThat(recordUnread(WorldScenes.jvm().threads(1), true)).isEqualTo(expected);
+        assertThat(recordUnread(WorldScenes.jvm().threads(2), true)).isEqualTo(expected);
+        assertThat(recordUnread(WorldScenes.jvm().threads(3), false)).isEqualTo(expected);
+    }
+
+    @ParameterizedTest
+    @MethodSource("backends")
+    @Tag("long")
+    void aLogHasTheSameBytesOnAnyBackEnd(Backend backend) throws IOException {
+        byte[] expected = recordUnread(WorldScenes.jvm().threads(1), false);
+        for (boolean read : new boolean[] {false, true}) {
+            assertThat(recordUnread(World.builder().bounds(0, 0, 1, 1).backend(backend), read))
+                    .isEqualTo(expected);
+        }
+    }
+
+    /** Changes that wait when a state is restored, or all circles go, with or without a read between. */
+    private static byte[] recordUnread(World.Builder builder, boolean read) throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (World world = builder.build();
+                World player = world()) {
+            long circle = world.add(0.5f, 0.5f, 0.1f, 1);
+            world.add(0.5f, 0.8f, 0.1f, 1);
+            Rewind rewind = new Rewind(world, 2);
+            try (Recording recording = new Recording(world, log, 3)) {
+                for (int frame = 0; frame < 12; frame++) {
+                    rewind.save(frame);
+                    world.setRestitution(circle, 0.01f * frame);
+                    world.setVelocity(circle, 0.1f, 0);
+                    world.add(0.2f, 0.2f, 0.05f, 1);
+                    if (read) {
+                        world.hash();
+                    }
+                    if (frame % 3 == 0) {
+                        rewind.restore(frame);
+                    } else if (frame == 10) {
+                        world.clear();
+                        circle = world.add(0.5f, 0.5f, 0.1f, 1);
+                    }
+                    world.step(1 / 60f);
+                }
+                assertThat(recording.hasFailed()).isFalse();
+            }
+            assertThat(replay(log.toByteArray(), player).run().differs()).isFalse();
+        }
+        return log.toByteArray();
+    }
+
+    @Test
+    @Tag("long")
+    void aClosedChainOfAsManyPiecesAsThereMayBeIsRepeated() throws IOException {
+        Chain chain = Chain.from(0, 0);
+        int most = 1 << 20;
+        while (chain.pieces() < most - 1) {
+            chain.lineTo(0.1f + 0.1f * (chain.pieces() % 2), 0.1f);
+        }
+        chain.close();
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (World world = world()) {
+            try (Recording recording = new Recording(world, log, 1)) {
+                assertThat(world.terrain().addChain(chain)).isEqualTo(most);
+                assertThat(recording.hasFailed()).isFalse();
+            }
+        }
+        try (World player = world()) {
+            assertThat(replay(log.toByteArray(), player).run().differs()).isFalse();
+            assertThat(player.terrain().size()).isEqualTo(most);
+        }
+    }
+
+    /** It says that the log is wrong, and not only which value of which call is. */
+    @Test
+    void aCallThatIsRefusedIsTheLogs() throws IOException {
+        try (World world = world();
+                World player = world()) {
+            byte[] log = recordFalls(world, 1);
+            ByteBuffer bytes = ByteBuffer.wrap(log).order(ByteOrder.LITTLE_ENDIAN);
+            int block = HEADER + BLOCK_HEAD + bytes.getInt(HEADER + 1);
+            bytes.putFloat(block + BLOCK_HEAD + 9 + 1, -1);
+            fitChecks(bytes);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> replay(log, player).run())
+                    .withMessageStartingWith("this is no log of a world: the time step is -1.0")
+                    .withMessageEndingWith(", after step 0");
+        }
+    }
+
     @Test
     void theFirstStepThatDiffersIsNamed() throws IOException {
         try (World world = world();
@@ -244,7 +335,7 @@ class RecordingTest {
                     }
                 } catch (IllegalArgumentException e) {
                     refused++;
-                    assertThat(e.getMessage()).isNotBlank();
+                    assertThat(e.getMessage()).matches("this (is no log of a world|log is damaged|log is cut): .*");
                 }
                 float[] circles = new float[4 * player.size()];
                 player.read(circles);

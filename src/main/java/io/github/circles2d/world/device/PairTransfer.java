@@ -120,6 +120,11 @@ final class PairTransfer implements RemotePairs, AutoCloseable {
     }
 
     @Override
+    public boolean mayKnow(int id) {
+        return id < deciding.ids();
+    }
+
+    @Override
     public void fetchOf(int[] circles, int count) {
         ids = GrownBuffer.of(
                 session,

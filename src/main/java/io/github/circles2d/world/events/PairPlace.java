@@ -15,7 +15,7 @@ final class PairPlace {
     /** Whether all pairs are on the device, as they are here or as its last step left them. */
     private boolean there;
 
-    /** The circles that the commands remove for which there is room. */
+    /** The circles that the commands remove for which there is room, and whose pairs may be elsewhere. */
     private int[] removed = new int[0];
 
     private int removedCount;
@@ -74,13 +74,15 @@ final class PairPlace {
             removed = new int[commands.count() + (commands.count() >> 1)];
         }
         for (int c = 0; c < commands.count(); c++) {
-            if (commands.operation(c) == Commands.REMOVE) {
+            if (commands.operation(c) == Commands.REMOVE && remote != null && remote.mayKnow(commands.id(c))) {
                 removed[removedCount++] = commands.id(c);
             }
         }
         if (!here) {
             tracker.clear();
-            remote.fetchOf(removed, removedCount);
+            if (removedCount > 0) {
+                remote.fetchOf(removed, removedCount);
+            }
         }
     }
 

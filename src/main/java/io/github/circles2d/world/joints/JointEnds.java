@@ -93,10 +93,10 @@ public class JointEnds {
         return (float) Math.sqrt((double) dx * dx + (double) dy * dy);
     }
 
-    /** The component of a vector from the first end to the second one; 0 if both are at one place. */
+    /** The component of a vector from the first end to the second one; 0 if both are at one place. There is one zero. */
     public float along(float vx, float vy) {
         float d = length();
-        return d > 0f ? (vx * dx + vy * dy) / d : 0f;
+        return d > 0f ? (vx * dx + vy * dy) / d + 0f : 0f;
     }
 
     /** From a point to the line between both. */

@@ -83,6 +83,15 @@ final class JointRows {
         setTrait(joint, JointRow.REFERENCE_B, angleB);
     }
 
+    /** Saved joints, so many, take the place of all: what has changed of others is of nobody's any more. */
+    void load(int joints) {
+        for (int joint = 0; joint < joints; joint++) {
+            setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
+        }
+        changedFrom = 0;
+        changedTo = joints;
+    }
+
     private void changed(int joint) {
         changedFrom = Math.min(changedFrom, joint);
         changedTo = Math.max(changedTo, joint + 1);

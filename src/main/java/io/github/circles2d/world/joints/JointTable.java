@@ -316,9 +316,7 @@ public final class JointTable {
         orderChanged = true;
         partnersChanged = true;
         ids.load(generations, joints);
-        for (int joint = 0; joint < joints; joint++) {
-            rows.setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
-        }
+        rows.load(joints);
     }
 
     /** A saved joint lives; its colour, its anchor and {@link #link} follow. */

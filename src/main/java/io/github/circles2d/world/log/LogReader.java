@@ -77,7 +77,7 @@ public final class LogReader {
                 "a block is too long");
         content = read(length);
         if (Crc32c.of(content.array(), length) != head.getInt()) {
-            throw new IllegalArgumentException(
+            throw new OfLog(
                     "this log is damaged: a check does not fit, in the " + length + " bytes before byte " + position);
         }
     }
@@ -112,7 +112,7 @@ public final class LogReader {
         byte[] bytes = readUpTo(length);
         position += bytes.length;
         if (bytes.length < length) {
-            throw new IllegalArgumentException("this log is cut: it ends after " + position + " bytes");
+            throw new OfLog("this log is cut: it ends after " + position + " bytes");
         }
         return littleEndian(bytes);
     }
@@ -146,6 +146,19 @@ public final class LogReader {
 
     /** What is thrown for bytes that are no log. */
     public static IllegalArgumentException refused(String message) {
-        return new IllegalArgumentException("this is no log of a world: " + message);
+        return new OfLog("this is no log of a world: " + message);
+    }
+
+    /** Whether an exception has been made here, so its message says that a log is wrong. */
+    public static boolean isOfLog(IllegalArgumentException e) {
+        return e instanceof OfLog;
+    }
+
+    private static final class OfLog extends IllegalArgumentException {
+        private static final long serialVersionUID = 1;
+
+        OfLog(String message) {
+            super(message);
+        }
     }
 }

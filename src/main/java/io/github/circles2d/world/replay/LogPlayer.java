@@ -46,9 +46,12 @@ public final class LogPlayer {
         }
     }
 
-    /** What is thrown for a log, with the step up to which it was played. */
+    /** What is thrown for a log, also if a call or a snapshot in it is refused, with the step up to which it was played. */
     private IllegalArgumentException placed(IllegalArgumentException e) {
-        return new IllegalArgumentException(e.getMessage() + ", after step " + steps, e);
+        String message = LogReader.isOfLog(e)
+                ? e.getMessage()
+                : LogReader.refused(e.getMessage()).getMessage();
+        return new IllegalArgumentException(message + ", after step " + steps, e);
     }
 
     /** The number of ints of a call; negative if there is no such call. */

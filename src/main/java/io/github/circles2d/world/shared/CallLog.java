@@ -235,9 +235,13 @@ public final class CallLog {
                 Float.floatToRawIntBits(d));
     }
 
-    /** A saved state is to take the place of all that is, and of the commands that wait. */
+    /**
+     * A saved state is to take the place of all that is, and of the commands that wait. These are written, too: if a read had come before,
+     * they would not wait any more, and no byte of a log depends on reads.
+     */
     public void restore(SavedState state) {
         if (log != null) {
+            writeCommands();
             write(state, log);
         }
     }

@@ -82,10 +82,15 @@ public final class ChainPath {
         }
     }
 
-    private void checkOpen() {
+    private void checkNotClosed() {
         if (closed) {
             throw new IllegalStateException("the chain has been closed");
         }
+    }
+
+    /** Refuses one more piece of a chain that is closed, or has as many as it may have. */
+    private void checkOpen() {
+        checkNotClosed();
         if (pieces >= TerrainLimits.PIECES) {
             throw new IllegalArgumentException("a chain has at most " + TerrainLimits.PIECES + " pieces");
         }
@@ -163,11 +168,12 @@ public final class ChainPath {
 
     /** Joins the last point to the first, by a line unless they are one point but for rounding. */
     public void close() {
-        checkOpen();
+        checkNotClosed();
         if (pieces < 1) {
             throw new IllegalStateException("the chain has 1 point, but must have 2 to be closed");
         }
         if (!TerrainLimits.isTooShort(x(pieces), y(pieces), x(0), y(0))) {
+            checkOpen();
             append(x(0), y(0), 0f, 0f, 0);
         } else if (pieces == 1 && Math.abs(turns[0]) < Rotation.TURN) {
             throw new IllegalStateException("the chain has but one point");

@@ -362,6 +362,8 @@ public final class PieceTable {
             setShape(piece, PieceRow.NO_PIECE);
             renew(piece);
         }
+        changedFrom = 0; // what has changed behind the last piece is no step's any more
+        changedTo = n;
         for (int piece = 0; piece < n; piece++) {
             if (from.lives(piece) && from.after[piece] >= 0) {
                 join(piece, from.after[piece]);

@@ -2,7 +2,10 @@ package io.github.circles2d.world.events;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** That events stay what they are after more steps than an int counts. */
@@ -74,5 +77,47 @@ class ContactEventsTest {
         events.emptySteps(10);
         step(events, true);
         assertThat(types(events.queue().take())).isEqualTo("1@" + Integer.MAX_VALUE + " ");
+    }
+
+    /** A device that has made steps with circles whose ids are below a limit. */
+    private static final class Known implements RemotePairs {
+        final List<Integer> asked = new ArrayList<>();
+
+        @Override
+        public boolean mayKnow(int id) {
+            return id < 2;
+        }
+
+        @Override
+        public void fetchAll() {}
+
+        @Override
+        public void fetchOf(int[] ids, int count) {
+            for (int k = 0; k < count; k++) {
+                asked.add(ids[k]);
+            }
+        }
+
+        @Override
+        public void forgetOf(int[] ids, int count) {
+            fetchOf(ids, count);
+        }
+    }
+
+    @Test
+    void aDeviceIsAskedForThePairsOfCirclesThatItMayKnow() {
+        ContactEvents events = ofTwoCircles(1);
+        Known device = new Known();
+        events.setRemote(device);
+        events.sent();
+        events.leave();
+        Commands commands = new Commands();
+        for (int id : new int[] {1, 2, 900}) {
+            commands.set(Commands.REMOVE, id, 0, 0);
+        }
+        events.makeRoom(commands);
+        assertThat(device.asked).containsExactly(1);
+        events.apply(commands, handles);
+        assertThat(device.asked).containsExactly(1, 1);
     }
 }

@@ -273,6 +273,23 @@ class JointScheduleTest {
     }
 
     @Test
+    void aRangeIsOfTheJointsOfARestoredState() {
+        for (int joints : new int[] {3, 1, 0}) {
+            make();
+            int version = step.version;
+            fill(100, 1); // no step sees them
+            table.load(new int[joints], joints);
+            table.publish(step);
+            assertThat(step.joints).isEqualTo(joints);
+            assertThat(step.version).isEqualTo(version + (joints > 0 ? 1 : 0));
+            if (joints > 0) {
+                assertThat(step.changedFrom).isZero();
+                assertThat(step.changedTo).isEqualTo(joints);
+            }
+        }
+    }
+
+    @Test
     void aJointWhoseLimitsComeOrGoBeginsAnew() {
         int joint = add(0, 1);
         table.remove(joint);

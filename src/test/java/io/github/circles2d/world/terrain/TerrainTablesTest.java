@@ -1,10 +1,13 @@
 package io.github.circles2d.world.terrain;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.circles.SavedPieceContacts;
+import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
@@ -527,5 +530,38 @@ class TerrainTablesTest {
             }
         }
         assertThat(looked / 100).isLessThan(300); // of 8207
+    }
+
+    @Test
+    void aRangeIsOfThePiecesOfARestoredState() {
+        segment(BodyTable.GROUND, 0, 0, 1, 1);
+        begin();
+        SavedState saved = new SavedState();
+        tables.save(saved.terrain);
+        int version = step.version;
+        for (int k = 0; k < 100; k++) {
+            segment(BodyTable.GROUND, 0, k, 1, k); // no step sees them
+        }
+        tables.load(saved.terrain, BOUNDS, new SavedPieceContacts());
+        begin();
+        assertThat(step.pieces).isEqualTo(1);
+        assertThat(step.version).isEqualTo(version + 1);
+        assertThat(step.changedFrom).isZero();
+        assertThat(step.changedTo).isEqualTo(1);
+    }
+
+    @Test
+    void aChainMayHaveAllPiecesBeforeItIsClosed() {
+        ChainPath path = new ChainPath(0, 0);
+        while (path.pieces() < TerrainLimits.PIECES - 1) {
+            path.lineTo(1 + path.pieces() % 2, 1);
+        }
+        path.lineTo(0, 0);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> path.lineTo(1, 1))
+                .withMessage("a chain has at most 1048576 pieces");
+        path.close();
+        assertThat(path.isClosed()).isTrue();
+        assertThat(path.pieces()).isEqualTo(TerrainLimits.PIECES);
     }
 }

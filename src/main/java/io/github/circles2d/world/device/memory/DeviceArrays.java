@@ -382,6 +382,20 @@ public final class DeviceArrays {
         writeTable(DeviceArray.SURFACES_AT, rows);
     }
 
+    /** Words before a part of a table of joints in the buffer of tables. */
+    int at(JointArray table, int from, int to) {
+        return terrainRoom.floats() + jointRoom.at(table, from, to);
+    }
+
+    /** Refuses a part of a table that is not within it, which would be written over another one. Returns where the part begins. */
+    static int requireRange(String of, int table, int from, int to, int room) {
+        if (from < 0 || to < from || to > room) {
+            throw new IllegalStateException("words " + from + " to " + to + " of table " + table + " of " + of
+                    + ", which has room for " + room);
+        }
+        return from;
+    }
+
     /** Writes to the buffer of tables; at: floats before them. */
     void writeTable(int at, IntBuffer words) {
         get(DeviceArray.KIND_MOTION).write((long) Float.BYTES * at, words);

@@ -25,6 +25,7 @@ public final class DeviceJointStates {
     /** Reads serials and {@link JointState}s of the first joints. */
     public void read(int[] serial, float[] rows, int joints) {
         if (joints > 0) {
+            requireRoom(joints);
             tables().read(at(JointArray.SERIAL), IntBuffer.wrap(serial, 0, joints));
             tables().read(at(JointArray.STATE), FloatBuffer.wrap(rows, 0, JointState.of(joints)));
         }
@@ -33,6 +34,7 @@ public final class DeviceJointStates {
     /** Writes those of the first joints, for which there is room, and lets the others have none. */
     public void write(int[] serial, float[] rows, int joints) {
         if (count() > 0) {
+            requireRoom(joints);
             for (int from = joints; from < count(); from += none.length) {
                 int some = Math.min(none.length, count() - from);
                 tables().write(at(JointArray.SERIAL) + (long) Integer.BYTES * from, IntBuffer.wrap(none, 0, some));
@@ -45,8 +47,13 @@ public final class DeviceJointStates {
     /** Reads the first entries of the list of joints that have broken: steps made before, joint. */
     public void readBroken(int[] list, int count) {
         if (count > 0) {
+            requireRoom(count);
             tables().read(at(JointArray.BROKEN), IntBuffer.wrap(list, 0, JointArray.BROKEN.words() * count));
         }
+    }
+
+    private void requireRoom(int joints) {
+        DeviceArrays.requireRange("joints", JointArray.STATE.ordinal(), 0, joints, count());
     }
 
     private DeviceBuffer tables() {

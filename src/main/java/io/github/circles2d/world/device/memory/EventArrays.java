@@ -61,6 +61,7 @@ public final class EventArrays implements AutoCloseable {
     private DeviceBuffer blockSums;
     private DeviceBuffer reported;
     private int reportedVersion = -1;
+    private int reportedAxes;
     private boolean reportedByKind;
 
     /** Places of the table: a power of two. */
@@ -245,16 +246,17 @@ public final class EventArrays implements AutoCloseable {
 
     /** Sends what is reported, if it is not there yet. */
     public void send(ContactEvents events) {
-        if (reportedVersion == events.version()) {
+        Bounds arena = events.arena();
+        int axes = (arena.edgeX() == AxisEdge.WALL ? 1 : 0) | (arena.edgeY() == AxisEdge.WALL ? 2 : 0);
+        if (reportedVersion == events.version() && reportedAxes == axes) {
             return;
         }
         reportedByKind = events.dependsOnKinds();
         int[] words = new int[REPORTED_HEAD + (reportedByKind ? (KINDS * KINDS + KINDS) / Integer.BYTES : 0)];
-        Bounds arena = events.arena();
         words[0] = reportedByKind ? 1 : 0;
         words[1] = events.typesOfKinds(0, 0);
         words[2] = events.typesOfWalls(0);
-        words[3] = (arena.edgeX() == AxisEdge.WALL ? 1 : 0) | (arena.edgeY() == AxisEdge.WALL ? 2 : 0);
+        words[3] = axes;
         for (int a = 0; a < KINDS && reportedByKind; a++) {
             for (int b = 0; b < KINDS; b++) {
                 put(words, KINDS * a + b, events.typesOfKinds(a, b));
@@ -264,6 +266,7 @@ public final class EventArrays implements AutoCloseable {
         reported = replace("events: reported", reported, (long) Integer.BYTES * words.length);
         reported.write(0, IntBuffer.wrap(words));
         reportedVersion = events.version();
+        reportedAxes = axes;
     }
 
     /** A hit that is not complete after a step, as the table has it. */

@@ -49,6 +49,12 @@ final class JointRoom {
         return at(table.ordinal());
     }
 
+    /** Words from the first table to a part of another one, which has room for it: others lie behind it. */
+    int at(JointArray table, int from, int to) {
+        int room = table.words() * capacity(table.count());
+        return at(table) + DeviceArrays.requireRange("joints", table.ordinal(), from, to, room);
+    }
+
     private int at(int tables) {
         long sum = 0;
         for (int k = 0; k < tables; k++) {

@@ -202,11 +202,27 @@ public final class JointUpload {
 
     private void sendOrder(DeviceArrays arrays) {
         if (sentOrder != orderVersion) {
+            checkOrder(arrays.idCapacity());
             write(arrays, JointArray.ORDER, tables.order, 0, head.count);
             write(arrays, JointArray.STARTS, tables.starts, 0, JointStep.BATCH_STRIDE * (head.batches + 1));
             write(arrays, JointArray.SPLIT_IDS, tables.splitIds, 0, head.splitCircles);
             write(arrays, JointArray.SPLIT_ENDS, tables.splitEnds, 0, JointArray.SPLIT_ENDS.words() * split());
             sentOrder = orderVersion;
+        }
+    }
+
+    /** A kernel does not look whether there are the joints of the order, and their circles. */
+    private void checkOrder(int circleIds) {
+        for (int k = 0; k < head.count; k++) {
+            int joint = tables.order[k];
+            boolean is = joint >= 0 && joint < tables.joints;
+            int at = JointRow.traits(joint);
+            int a = is ? tables.traits[at + JointRow.A] : JointRow.NONE;
+            int b = is ? tables.traits[at + JointRow.B] : JointRow.NONE;
+            if (a < 0 || a >= circleIds || b < JointRow.NONE || b >= circleIds) {
+                throw new IllegalStateException("joint " + joint + " of " + tables.joints + " holds the circles " + a
+                        + " and " + b + " of " + circleIds);
+            }
         }
     }
 
@@ -232,13 +248,13 @@ public final class JointUpload {
     /** Writes a part of a table. */
     private static void write(DeviceArrays arrays, JointArray table, float[] values, int from, int to) {
         if (from < to) {
-            arrays.writeTable(arrays.at(table) + from, FloatBuffer.wrap(values, from, to - from));
+            arrays.writeTable(arrays.at(table, from, to), FloatBuffer.wrap(values, from, to - from));
         }
     }
 
     private static void write(DeviceArrays arrays, JointArray table, int[] values, int from, int to) {
         if (from < to) {
-            arrays.writeTable(arrays.at(table) + from, IntBuffer.wrap(values, from, to - from));
+            arrays.writeTable(arrays.at(table, from, to), IntBuffer.wrap(values, from, to - from));
         }
     }
 }

@@ -64,6 +64,19 @@ final class TerrainRoom {
         return DeviceArray.TERRAIN_AT + at(MOTION) + motionFloats + 3 & ~3;
     }
 
+    /** Floats from {@link DeviceArray#TERRAIN} to a part of one of these tables, which has room for it: others lie behind it. */
+    int at(int table, int from, int to) {
+        int room =
+                switch (table) {
+                    case ROWS -> PieceRow.of(pieces);
+                    case TRAITS -> PieceRow.traits(pieces);
+                    case BOXES -> BOX * nodes;
+                    case LINKS -> LINK * nodes;
+                    default -> motionFloats;
+                };
+        return at(table) + DeviceArrays.requireRange("terrain", table, from, to, room);
+    }
+
     /** Floats from {@link DeviceArray#TERRAIN} to one of these. */
     int at(int table) {
         int rows = HEAD;

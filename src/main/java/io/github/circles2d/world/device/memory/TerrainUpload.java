@@ -88,9 +88,9 @@ final class TerrainUpload {
             sentRoom = room.version();
         }
         if (any) {
-            sendPieces(arrays, room);
-            sendTree(arrays, room);
-            sendMotion(arrays, room);
+            sendPieces(arrays);
+            sendTree(arrays);
+            sendMotion(arrays);
         }
         sendHead(arrays, room);
         sent = true;
@@ -108,39 +108,34 @@ final class TerrainUpload {
         }
     }
 
-    private void sendPieces(DeviceArrays arrays, TerrainRoom room) {
+    private void sendPieces(DeviceArrays arrays) {
         if (sentPieces != piecesVersion) {
             boolean some = sentPieces != NEVER && sentPieces == piecesVersion - 1;
             int from = some ? tables.changedFrom : 0;
             int to = some ? tables.changedTo : tables.pieces;
-            write(arrays, room.at(TerrainRoom.ROWS), tables.rows, PieceRow.of(from), PieceRow.of(to));
-            write(arrays, room.at(TerrainRoom.TRAITS), tables.traits, PieceRow.traits(from), PieceRow.traits(to));
+            write(arrays, TerrainRoom.ROWS, tables.rows, PieceRow.of(from), PieceRow.of(to));
+            write(arrays, TerrainRoom.TRAITS, tables.traits, PieceRow.traits(from), PieceRow.traits(to));
             sentPieces = piecesVersion;
         }
     }
 
-    private void sendTree(DeviceArrays arrays, TerrainRoom room) {
+    private void sendTree(DeviceArrays arrays) {
         if (sentTree != treeVersion) {
             boolean some = sentTree != NEVER && sentTree == treeVersion - 1 && sentLinks == tables.linksVersion;
             int from = some ? tables.boxesFrom : 0;
-            write(
-                    arrays,
-                    room.at(TerrainRoom.BOXES),
-                    tables.boxes,
-                    TerrainRoom.BOX * from,
-                    TerrainRoom.BOX * tables.nodes);
+            write(arrays, TerrainRoom.BOXES, tables.boxes, TerrainRoom.BOX * from, TerrainRoom.BOX * tables.nodes);
             if (!some) {
-                write(arrays, room.at(TerrainRoom.LINKS), tables.links, 0, TerrainRoom.LINK * tables.nodes);
+                write(arrays, TerrainRoom.LINKS, tables.links, 0, TerrainRoom.LINK * tables.nodes);
             }
             sentTree = treeVersion;
             sentLinks = tables.linksVersion;
         }
     }
 
-    private void sendMotion(DeviceArrays arrays, TerrainRoom room) {
+    private void sendMotion(DeviceArrays arrays) {
         if (sentMotion != motionVersion) {
             int floats = BodyRow.of(tables.bodies, subSteps);
-            write(arrays, room.at(TerrainRoom.MOTION), tables.motion, BodyRow.of(1, subSteps), floats);
+            write(arrays, TerrainRoom.MOTION, tables.motion, BodyRow.of(1, subSteps), floats);
             sentMotion = motionVersion;
         }
         if (sentKinds != kindsVersion) {
@@ -153,13 +148,17 @@ final class TerrainUpload {
     /** Writes a part of a table. */
     private static void write(DeviceArrays arrays, int table, float[] values, int from, int to) {
         if (from < to) {
-            arrays.writeTable(DeviceArray.TERRAIN_AT + table + from, FloatBuffer.wrap(values, from, to - from));
+            arrays.writeTable(
+                    DeviceArray.TERRAIN_AT + arrays.terrainRoom().at(table, from, to),
+                    FloatBuffer.wrap(values, from, to - from));
         }
     }
 
     private static void write(DeviceArrays arrays, int table, int[] values, int from, int to) {
         if (from < to) {
-            arrays.writeTable(DeviceArray.TERRAIN_AT + table + from, IntBuffer.wrap(values, from, to - from));
+            arrays.writeTable(
+                    DeviceArray.TERRAIN_AT + arrays.terrainRoom().at(table, from, to),
+                    IntBuffer.wrap(values, from, to - from));
         }
     }
 }
