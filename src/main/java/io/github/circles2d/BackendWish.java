@@ -15,6 +15,9 @@ final class BackendWish {
     int capacity = 1024;
     boolean profiling;
 
+    /** Whether the first step on a device waits for the kernels of its fastest plan. Measurements do. */
+    boolean waits = Boolean.getBoolean("circles2d.plans.wait");
+
     /** Greatest radius over least. */
     private double ratio = 1;
 

@@ -50,8 +50,11 @@ final class FrameMeter implements Meter {
 
     @Override
     public FrameTimes world(Optional<Device> device, Crowd crowd) {
-        World.Builder builder =
-                World.builder().gravity(0, GRAVITY).restitution(RESTITUTION).capacity(crowd.circles());
+        World.Builder builder = World.builder()
+                .gravity(0, GRAVITY)
+                .restitution(RESTITUTION)
+                .capacity(crowd.circles())
+                .waitForPlans();
         device.ifPresentOrElse(builder::device, () -> builder.backend(Backend.JVM));
         try (World world = builder.build()) {
             float[] circles = crowd.isMixed() ? mixed(crowd) : like(crowd.circles());

@@ -147,6 +147,7 @@ final class OpenClChoice {
                     device.name());
         }
         Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
-        return new BackendChoice(backend, new DevicePipeline(device, wish.capacity, wish.profiling), reason);
+        return new BackendChoice(
+                backend, new DevicePipeline(device, wish.capacity, wish.profiling, wish.waits), reason);
     }
 }

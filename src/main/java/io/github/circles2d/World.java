@@ -2126,6 +2126,12 @@ public final class World implements AutoCloseable {
             return this;
         }
 
+        /** Lets the first step on a device wait for the kernels of its fastest plan: for measurements. */
+        Builder waitForPlans() {
+            wish.waits = true;
+            return this;
+        }
+
         /**
          * Builds the world.
          *

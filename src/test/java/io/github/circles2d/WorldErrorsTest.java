@@ -143,7 +143,7 @@ class WorldErrorsTest {
     void aReadThatADeviceFailsLosesTheState(String method) {
         OpenClException cause = new OpenClException("the device is gone");
         Device device = TestDevices.all().get(0);
-        try (World world = world(new DevicePipeline(device, 0, false))) {
+        try (World world = world(new DevicePipeline(device, 0, false, true))) {
             failing.put(method, cause);
             assertThatThrownBy(() -> callRead(world, method)).isSameAs(cause);
             failing.clear();

@@ -27,8 +27,13 @@ final class HandleRegistry implements Runnable {
         queues.add(queue);
     }
 
+    /** Adds a handle; one that was made while the session closed is released at once. */
     synchronized void add(Handle handle) {
-        handles.add(handle);
+        if (contextHandle.isReleased()) {
+            handle.release();
+        } else {
+            handles.add(handle);
+        }
     }
 
     /** Releases one handle before its time. */

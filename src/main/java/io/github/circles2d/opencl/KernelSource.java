@@ -138,6 +138,11 @@ public final class KernelSource {
         return new KernelSource(allFiles, List.copyOf(allOptions));
     }
 
+    /** A source of another text, with the same definitions. */
+    KernelSource withText(String text) {
+        return new KernelSource(Map.of(toString(), text), buildOptions);
+    }
+
     private static String literal(Object value) {
         if (value instanceof Float) {
             return Float.toHexString((Float) value) + "f";

@@ -1,9 +1,11 @@
 package io.github.circles2d.opencl;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -14,17 +16,23 @@ import java.util.Set;
  */
 public final class ReachableNames {
     /** The worlds of a program mostly have the same kernels. */
-    private static volatile ReachableNames latest = new ReachableNames("", Set.of());
+    private static volatile ReachableNames latest = new ReachableNames(KernelSource.ofText("none", ""), Set.of());
 
     /** By what is defined: the names in its text, of all its texts if there are several. */
     private final Map<String, Set<String>> definitions = new HashMap<>();
 
+    /** A function that is defined, and the place of its text. */
+    private record Function(String name, int from, int to) {}
+
+    private final List<Function> functions = new ArrayList<>();
+    private final KernelSource source;
     private final String text;
     private final Set<String> hidden;
     private int at;
 
-    private ReachableNames(String text, Set<String> hidden) {
-        this.text = text;
+    private ReachableNames(KernelSource source, Set<String> hidden) {
+        this.source = source;
+        text = source.text();
         this.hidden = hidden;
         while (skipSpace()) {
             if (text.charAt(at) == '#') {
@@ -45,9 +53,11 @@ public final class ReachableNames {
      */
     public static ReachableNames of(KernelSource source, Set<String> hidden) {
         ReachableNames names = latest;
-        String text = source.text();
-        if (!text.equals(names.text) || !hidden.equals(names.hidden)) {
-            names = new ReachableNames(text, hidden);
+        boolean isLatest = source.text().equals(names.text)
+                && source.buildOptions().equals(names.source.buildOptions())
+                && hidden.equals(names.hidden);
+        if (!isLatest) {
+            names = new ReachableNames(source, hidden);
             latest = names;
         }
         return names;
@@ -76,6 +86,52 @@ public final class ReachableNames {
         return reached;
     }
 
+    /**
+     * Returns the names of all kernels, whether or not the preprocessor leaves them in.
+     *
+     * @return names
+     */
+    public Set<String> kernels() {
+        Set<String> kernels = new HashSet<>();
+        for (Function function : functions) {
+            for (String name : definitions.get(function.name)) {
+                // A macro may begin the definition.
+                if (name.equals("kernel")
+                        || definitions.getOrDefault(name, Set.of()).contains("kernel")) {
+                    kernels.add(function.name);
+                }
+            }
+        }
+        return kernels;
+    }
+
+    /**
+     * A program of some of the kernels: the source without the functions that none of them reaches. Lines keep their numbers.
+     *
+     * @param kernels names of kernels
+     * @return the source, with the same definitions
+     * @throws IllegalArgumentException if the source has no such function
+     */
+    public KernelSource sourceOf(Set<String> kernels) {
+        Set<String> reached = new HashSet<>();
+        kernels.forEach(kernel -> reached.addAll(from(kernel)));
+        StringBuilder kept = new StringBuilder(text);
+        for (Function function : functions) {
+            if (!reached.contains(function.name)) {
+                blank(kept, function.from, function.to);
+            }
+        }
+        return source.withText(kept.toString());
+    }
+
+    private static void blank(StringBuilder text, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (text.charAt(i) != '\n') {
+                text.setCharAt(i, ' ');
+            }
+        }
+    }
+
     private void readDirective() {
         int end = at;
         do {
@@ -99,6 +155,8 @@ public final class ReachableNames {
      */
     private void readDeclaration() {
         Set<String> names = new HashSet<>();
+        int from = at;
+        boolean isFunction = false;
         String declared = "";
         String last = "";
         int braces = 0;
@@ -118,6 +176,7 @@ public final class ReachableNames {
             boolean outside = braces == 0 && parentheses == 0;
             if (outside && declared.isEmpty() && "(=[;".indexOf(c) >= 0 && !last.equals("__attribute__")) {
                 declared = last;
+                isFunction = c == '(';
             }
             parentheses += c == '(' ? 1 : c == ')' ? -1 : 0;
             braces += c == '{' ? 1 : c == '}' ? -1 : 0;
@@ -131,6 +190,9 @@ public final class ReachableNames {
         }
         if (!names.contains("typedef")) {
             namesOf(declared).addAll(names);
+            if (isFunction && text.charAt(at - 1) == '}') {
+                functions.add(new Function(declared, from, at));
+            }
         }
     }
 

@@ -404,8 +404,11 @@ public final class Simulation implements AutoCloseable {
         pending.prepareNeeds();
         terrain.makeRoom(settings.subSteps());
         joints.makeRoom(settings.subSteps());
-        guard.changing = true;
         boolean hasCircles = handles.size() > 0;
+        if (hasCircles) {
+            pipeline.prepareSteps();
+        }
+        guard.changing = true;
         state.figures().stepped(hasCircles);
         if (hasCircles) {
             copies.forget();

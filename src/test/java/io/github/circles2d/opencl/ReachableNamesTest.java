@@ -83,4 +83,31 @@ class ReachableNamesTest {
     void anEndlessCommentEnds() {
         assertThat(reached("kernel void run() { f(); } /* on and on", "run")).contains("f");
     }
+
+    @Test
+    void aProgramOfSomeKernelsHasWhatTheyReachAndTheSameLines() {
+        String text = """
+                #define GROUP_KERNEL kernel __attribute__((reqd_work_group_size(8, 1, 1))) void
+                constant int TABLE[2] = {1, 2};
+                int shared(int n) { return TABLE[n]; }
+                int alone(int n) {
+                    return n;
+                }
+                kernel void first(global int *p) { p[0] = shared(1); }
+                GROUP_KERNEL second(global int *p) { p[0] = alone(shared(1)); }
+                """;
+        ReachableNames names =
+                ReachableNames.of(KernelSource.ofText("test", text).define("N", 3), Set.of());
+        assertThat(names.kernels()).containsExactlyInAnyOrder("first", "second");
+        KernelSource first = names.sourceOf(Set.of("first"));
+        assertThat(first.text())
+                .contains("TABLE[2]", "int shared(", "void first(")
+                .doesNotContain("alone", "second");
+        assertThat(first.text().lines().count())
+                .isEqualTo(names.sourceOf(Set.of("second")).text().lines().count());
+        assertThat(first.buildOptions()).containsExactly("-DN=3");
+        assertThat(names.sourceOf(Set.of("second")).text())
+                .contains("int alone(")
+                .doesNotContain("void first(");
+    }
 }

@@ -6,6 +6,11 @@ import org.opentest4j.TestAbortedException;
 
 /** The devices that tests run on: all there are, or those whose name contains {@code -Dcircles2d.device}. */
 public final class TestDevices {
+    static {
+        // Else the first steps of a test would go by the plan whose kernels come first, on some devices.
+        System.setProperty("circles2d.plans.wait", "true");
+    }
+
     private TestDevices() {}
 
     /** Returns at least one device. Without any the test fails where one is required, and is skipped elsewhere. */

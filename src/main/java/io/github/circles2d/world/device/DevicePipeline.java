@@ -42,7 +42,7 @@ import java.util.TreeMap;
 public final class DevicePipeline implements Pipeline {
     private final Session session;
     private final DeviceArrays arrays;
-    private final StageKernels kernels;
+    private StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
     private final int workGroupSize;
     private final CommandsStage commands;
@@ -52,20 +52,23 @@ public final class DevicePipeline implements Pipeline {
         static final Variant USUAL = new Variant(false, Features.NONE, false, false);
     }
 
-    /** The kernels that have been compiled. */
+    /** The kernels, in parts that are compiled when they are needed. */
     private final Map<Variant, StageKernels> variants = new HashMap<>();
 
     /** What the plans share with these kernels. */
     private final Map<Variant, Stages> stagesOf = new HashMap<>();
 
-    /** What the plans share, with the kernels of one variant. */
+    /** What the plans share, with the kernels of one variant. Null before anything has been prepared for steps. */
     private Stages stages;
 
     /** What is reported of steps; null if nobody is told. */
     private ReportReader reader;
 
-    /** The first of them that suits a step makes it. */
+    /** All plans, whether ready or not. */
     private final List<Plan> plans;
+
+    /** The first of them that suits a step makes it. */
+    private final ReadyPlans ready;
 
     private final Readback readback;
     private final RequestedPositions requested;
@@ -81,28 +84,37 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
 
-    /** The features that the plans have been compiled for. */
+    /** The features that the kernels are for. */
     private Features loaded = Features.NONE;
 
-    public DevicePipeline(Device device, int capacity, boolean profiling) {
-        this(device, capacity, profiling, Plans.choose(device).of(device), StageKernels.USUAL_GROUPS);
+    /** Whether the kernels of steps have been asked for. */
+    private boolean steps;
+
+    /**
+     * Opens a device.
+     *
+     * @param waits whether the first step waits for the kernels of the fastest plan
+     */
+    public DevicePipeline(Device device, int capacity, boolean profiling, boolean waits) {
+        this(device, capacity, profiling, Plans.choose(device).of(device), StageKernels.USUAL_GROUPS, waits);
     }
 
-    DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize) {
+    DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize, boolean waits) {
         this.plans = plans;
+        ready = new ReadyPlans(plans, waits);
         this.workGroupSize = workGroupSize;
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
             joints = new JointTransfer(arrays);
-            kernels = compiled(Variant.USUAL);
+            kernels = kernelsOf(Variant.USUAL);
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> home.slots, () -> home.circles);
-            queue = new StepQueue(arrays, home, plans, commands, requested, stats);
-            load(false, false, null);
+            queue = new StepQueue(arrays, home, ready.list(), commands, requested, stats);
+            stats.use(kernels);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -123,21 +135,27 @@ public final class DevicePipeline implements Pipeline {
         boolean recording = reporting && ofReports.isRecording();
         Features features = features(edges);
         Variant variant = new Variant(anySettings, features, reporting, recording);
-        StageKernels loading = compiled(variant);
-        stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
-        queue.use(stages, reader);
-        stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
+        StageKernels loading = kernelsOf(variant);
+        kernels = loading;
         stats.use(loading);
         commands.use(loading);
         if (features.turning()) {
             readback.useTurning(loading);
         }
-        plans.forEach(each -> each.load(stages));
         loaded = features;
-        loading.bind(
-                arrays,
-                queue.slotsBehindPending(),
-                home.circles); // counts of the last step may be asked for before the next
+        if (steps) {
+            stages =
+                    stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
+            queue.use(stages, reader);
+            stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
+            ready.use(stages, loading);
+        }
+        bind(loading);
+    }
+
+    /** Binds kernels to the arrays: counts of the last step may be asked for before the next. */
+    private void bind(StageKernels loading) {
+        loading.bind(arrays, queue.slotsBehindPending(), home.circles);
     }
 
     /** Loads other kernels for steps that report something else. It compiles at the first report: that takes long, and few worlds report. */
@@ -155,11 +173,11 @@ public final class DevicePipeline implements Pipeline {
         return new Features(edges, arrays.turning(), arrays.terrain(), arrays.joints());
     }
 
-    private StageKernels compiled(Variant variant) {
-        return variants.computeIfAbsent(variant, this::compile);
+    private StageKernels kernelsOf(Variant variant) {
+        return variants.computeIfAbsent(variant, this::newKernels);
     }
 
-    private StageKernels compile(Variant variant) {
+    private StageKernels newKernels(Variant variant) {
         Features features = variant.features();
         KernelSource source = Plans.source(plans, session.device());
         source = variant.anySettings() ? source.define("TUNED", 1) : source;
@@ -167,7 +185,13 @@ public final class DevicePipeline implements Pipeline {
         source = features.turning() ? source.define("TURNING", 1) : source;
         source = features.terrain() ? source.define("TERRAIN", 1) : source;
         source = features.joints() ? source.define("JOINTS", 1) : source;
-        return new StageKernels(session, source, workGroupSize, variant.reporting(), variant.recording());
+        return new StageKernels(
+                session,
+                source,
+                workGroupSize,
+                variant.reporting(),
+                variant.recording(),
+                kernel -> Plans.partOf(plans, kernel));
     }
 
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
@@ -183,6 +207,22 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
+    /** Compiles the kernels of steps if there are none yet: a world may get features before its first step, and needs no kernels without them. */
+    @Override
+    public void prepareSteps() {
+        if (steps) {
+            return;
+        }
+        settle();
+        steps = true;
+        try {
+            load(tuned, loaded.edges(), reader);
+        } catch (RuntimeException | Error e) {
+            steps = false;
+            throw e;
+        }
+    }
+
     private void startTurning() {
         if (!loaded.turning()) {
             makeRoomFor(tuned, loaded.and(new Features(false, true, false, false)));
@@ -193,7 +233,12 @@ public final class DevicePipeline implements Pipeline {
     /** If a compiler refuses the kernels, or there is no memory, the world does not have the features. */
     private void makeRoomFor(boolean anySettings, Features features) {
         boolean reporting = reader != null && reader.isActive();
-        compiled(new Variant(anySettings, features, reporting, reporting && reader.isRecording()));
+        StageKernels kernelsToCome =
+                kernelsOf(new Variant(anySettings, features, reporting, reporting && reader.isRecording()));
+        kernelsToCome.compile(Plans.CALLS);
+        if (steps) {
+            kernelsToCome.compile(Plans.STEPS);
+        }
         stats.keep(); // the figures of the last step are worked out from arrays that give way
         if (features.turning()) {
             arrays.ensureTurning();
@@ -244,15 +289,20 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void step(StepInput input, GridLevels shape, int steps) {
+    public void step(StepInput input, GridLevels shape, int count) {
         if (home.circles == 0) {
             settle();
             home.slots = 0;
             commands.slotsInOrder();
             return;
         }
-        if (!queue.canContinue() || !continues(input, shape)) {
+        prepareSteps();
+        if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
             settle();
+            if (ready.haveNews()) {
+                ready.takeNews();
+                bind(kernels);
+            }
             queue.begin(shape, input.constants.subSteps, input.constants.warmScale);
             parameters.set(input, shape);
             if (reader != null) {
@@ -265,7 +315,7 @@ public final class DevicePipeline implements Pipeline {
                 reader.prepare(input.reports, stages, queue.status());
             }
         }
-        queue.add(steps);
+        queue.add(count);
         if (reader != null && !reader.isActive()) {
             reader.publishSilent(queue.enqueued());
         }
@@ -280,6 +330,11 @@ public final class DevicePipeline implements Pipeline {
 
     private void settle() {
         queue.settle();
+    }
+
+    /** The plans that steps may go to by now. */
+    List<Plan> readyPlans() {
+        return ready.list();
     }
 
     @Override
@@ -336,7 +391,7 @@ public final class DevicePipeline implements Pipeline {
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
-        if (stages.reporting() != null) {
+        if (stages != null && stages.reporting() != null) {
             load(tuned, loaded.edges(), null);
         }
         if (reader != null) {
@@ -503,6 +558,7 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public void close() {
+        ready.close();
         session.close();
     }
 }

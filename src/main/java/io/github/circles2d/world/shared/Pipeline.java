@@ -35,6 +35,9 @@ public interface Pipeline extends AutoCloseable {
      */
     default void prepare(ContactSettings contacts, Features features) {}
 
+    /** Makes the pipeline ready for steps of circles, which may take a compiler seconds; changes nothing if it fails. */
+    default void prepareSteps() {}
+
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);
 

@@ -76,7 +76,7 @@ class DeviceQueriesTest {
         random = new SplittableRandom(sizes.hashCode());
         radii = sizes;
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, SIDE, SIDE), 0, -9, 0.5f, 4, 0);
-        device = DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false), parameters));
+        device = DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false, true), parameters));
         Pipeline jvm = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
         host = new Simulation(jvm, parameters);
     }
@@ -391,7 +391,8 @@ class DeviceQueriesTest {
     void theHostAnswersWhereCirclesCrowdInACellOrFindTooMuch(Device on) {
         random = new SplittableRandom(5);
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 1e6f, 1e6f), 0, 0, 0.5f, 4, 0);
-        try (Simulation crowded = DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false), parameters))) {
+        try (Simulation crowded =
+                DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false, true), parameters))) {
             for (int k = 0; k < 5000; k++) {
                 crowded.newCircles().add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
             }
@@ -421,7 +422,7 @@ class DeviceQueriesTest {
     void aDeviceAnswersLargeBatchesInLargeWorldsAndTheFirstFewOtherCalls() {
         int circles = 20_000;
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, SIDE, SIDE), 0, 0, 0.5f, 4, 0);
-        Pipeline pipeline = new DevicePipeline(TestDevices.all().get(0), circles, false);
+        Pipeline pipeline = new DevicePipeline(TestDevices.all().get(0), circles, false, true);
         RemoteSearch search = overriding(RemoteSearch.class, "pays", () -> true, pipeline::search);
         Pipeline gpu = overriding(Pipeline.class, "search", () -> search, () -> pipeline);
         try (Simulation world = new Simulation(gpu, parameters)) {

@@ -181,7 +181,7 @@ final class OclgrindWorlds {
 
     private DevicePipeline pipeline(List<Plan> plans, int capacity) {
         int workGroupSize = small ? SMALL_GROUP : StageKernels.USUAL_GROUPS;
-        return new DevicePipeline(device, capacity, true, plans, workGroupSize);
+        return new DevicePipeline(device, capacity, true, plans, workGroupSize, true);
     }
 
     /** Tiles are listed, as behind one that held too much. */

@@ -61,6 +61,6 @@ final class Pipelines {
     }
 
     static DevicePipeline of(Device device, List<Plan> plans, boolean profiling) {
-        return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS);
+        return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS, true);
     }
 }

@@ -98,7 +98,7 @@ class PipelinesAgreeTest {
     /** A driver may compile every kernel anew for each size. */
     private static void compareSizesOfWorkGroups(Device device, int... sizes) {
         for (int size : sizes) {
-            Pipeline other = new DevicePipeline(device, 0, false, Plans.COLOURS.of(device), size);
+            Pipeline other = new DevicePipeline(device, 0, false, Plans.COLOURS.of(device), size, true);
             Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
             try (Twins twins = Twins.load(Scenes.mixed(600, 3), java, other)) {
                 for (int k = 0; k < 10; k++) {

@@ -64,6 +64,10 @@ public final class Engines {
         }
     }
 
+    static {
+        System.setProperty("circles2d.plans.wait", "true"); // or a measurement would begin with a slower plan
+    }
+
     /** A description of a World of its own name: {@code world-jvm}, or {@code world@} and a device. */
     public static World.Builder worldBuilder(String name) {
         if (name.equals(WORLD_JVM)) {

@@ -4,12 +4,20 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.ReachableNames;
 import io.github.circles2d.opencl.Session;
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.UnaryOperator;
 
-/** The compiled stages, and the argument list that all their kernels share. */
+/**
+ * The compiled stages, and the argument list that all their kernels share. The kernels come in parts, each a program that is compiled when
+ * the first of its kernels is asked for, or before on another thread.
+ */
 public final class StageKernels {
     /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
     public static final int USUAL_GROUPS = Integer.MAX_VALUE;
@@ -22,35 +30,77 @@ public final class StageKernels {
 
     private static final int OWN_ARGUMENTS = DeviceArguments.COUNT + DeviceCount.COUNT;
 
-    private final Program program;
+    private final Session session;
     private final int workGroupSize;
-    private final KernelSource source;
+    private final UnaryOperator<String> partOf;
+    private final ReachableNames names;
+
+    /** By name of a part. Another thread may add one. */
+    private final Map<String, Program> programs = new ConcurrentHashMap<>();
+
+    /** By name of a part: held while it is compiled. */
+    private final Map<String, Object> locks = new ConcurrentHashMap<>();
+
     private final Map<String, Kernel> staged = new HashMap<>();
 
     /** By name of a stage's kernel: the positions of the buffers that it uses. */
     private final Map<String, BitSet> buffers = new HashMap<>();
-
-    /** Null before the first kernel of a stage. */
-    private UsedArguments used;
 
     private final boolean recording;
     private int boundVersion = -1;
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    /** With work-groups as near to this size as each kernel allows, or {@link #USUAL_GROUPS}. */
+    /** Kernels of one part, with work-groups as near to this size as each kernel allows, or {@link #USUAL_GROUPS}. */
     public StageKernels(Session session, KernelSource source, int workGroupSize) {
-        this(session, source, workGroupSize, false, false);
+        this(session, source, workGroupSize, false, false, kernel -> "all");
     }
 
-    /** If steps report, kernels decide what; if they record, also what contacts do. */
-    public StageKernels(Session session, KernelSource source, int workGroupSize, boolean reporting, boolean recording) {
+    /**
+     * If steps report, kernels decide what; if they record, also what contacts do.
+     *
+     * @param partOf the name of the part that a kernel belongs to
+     */
+    public StageKernels(
+            Session session,
+            KernelSource source,
+            int workGroupSize,
+            boolean reporting,
+            boolean recording,
+            UnaryOperator<String> partOf) {
         KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
+        this.session = session;
         compiled = recording ? compiled.define("RECORDING", 1) : compiled;
-        this.source = compiled;
-        program = session.build(compiled, options(session.device()));
         this.workGroupSize = workGroupSize;
         this.recording = recording;
+        this.partOf = partOf;
+        names = UsedArguments.names(compiled);
+    }
+
+    /** Whether a part has been compiled. */
+    public boolean has(String part) {
+        return programs.containsKey(part);
+    }
+
+    /** Compiles a part, unless it has been compiled. Any thread may call this. */
+    public void compile(String part) {
+        synchronized (locks.computeIfAbsent(part, key -> new Object())) {
+            if (!has(part)) {
+                programs.put(part, build(part));
+            }
+        }
+    }
+
+    private Program build(String part) {
+        Set<String> kernels = new HashSet<>(names.kernels());
+        kernels.removeIf(kernel -> !partOf.apply(kernel).equals(part));
+        return session.build(names.sourceOf(kernels), options(session.device()));
+    }
+
+    private Kernel kernel(String name) {
+        String part = partOf.apply(name);
+        compile(part);
+        return programs.get(part).kernel(name);
     }
 
     public boolean recording() {
@@ -64,7 +114,7 @@ public final class StageKernels {
 
     /** A kernel with an argument list of its own. */
     public Kernel plain(String name) {
-        return program.kernel(name);
+        return kernel(name);
     }
 
     /** A kernel of a stage: its first arguments are WORLD_PARAMETERS. */
@@ -73,15 +123,12 @@ public final class StageKernels {
     }
 
     private Kernel make(String name) {
-        Kernel kernel = program.kernel(name);
+        Kernel kernel = kernel(name);
         if (workGroupSize != USUAL_GROUPS) {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
         boundVersion = -1;
-        if (used == null) {
-            used = new UsedArguments(source);
-        }
-        buffers.put(name, used.of(name));
+        buffers.put(name, new UsedArguments(names).of(name));
         return kernel;
     }
 

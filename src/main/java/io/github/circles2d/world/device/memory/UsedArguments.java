@@ -9,8 +9,13 @@ import java.util.Set;
 final class UsedArguments {
     private final ReachableNames names;
 
-    UsedArguments(KernelSource source) {
-        names = ReachableNames.of(source, WorldTables.MACROS_OF_ALL_ARRAYS);
+    UsedArguments(ReachableNames names) {
+        this.names = names;
+    }
+
+    /** The names of a source as this class needs them. */
+    static ReachableNames names(KernelSource source) {
+        return ReachableNames.of(source, WorldTables.MACROS_OF_ALL_ARRAYS);
     }
 
     /** The positions of the buffers. */

@@ -8,6 +8,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
+import java.util.Set;
 
 /**
  * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/PersistentGpu.cl}. A
@@ -47,6 +48,12 @@ public final class PersistentGpu implements Plan {
     @Override
     public boolean usesTileArrays() {
         return true;
+    }
+
+    /** It takes the kernel that tells of contacts from {@link Tiles}. */
+    @Override
+    public Set<String> ownKernels() {
+        return Set.of("persistentGpu_steps");
     }
 
     @Override

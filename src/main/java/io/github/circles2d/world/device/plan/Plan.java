@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.KernelSource;
 import java.util.List;
+import java.util.Set;
 
 /** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
 public interface Plan {
@@ -18,7 +19,12 @@ public interface Plan {
         return false;
     }
 
-    /** Takes its kernels out of the compiled program; before all that follows, and again if others have been compiled. */
+    /** The kernels that the plan alone needs: a program apart, which a driver may take long to compile. */
+    default Set<String> ownKernels() {
+        return Set.of();
+    }
+
+    /** Takes its kernels out of the compiled programs; before all that follows, and again if others have been compiled. */
     void load(Stages stages);
 
     /** Whether the plan can make such steps. */

@@ -31,6 +31,15 @@ public enum Plans {
             device -> isGpu(device) ? gpu(device) + ", too few for tiles" : "the others are for GPUs",
             device -> List.of(new ByColours()));
 
+    /** The part of the kernels of calls between steps. */
+    public static final String CALLS = "calls";
+
+    /** The part of the kernels that decide what steps report. */
+    private static final String REPORTS = "reports";
+
+    /** The part of the kernels that the last plan needs, and all others. */
+    public static final String STEPS = "steps";
+
     private static final System.Logger LOG = System.getLogger(Plans.class.getName());
 
     private final Predicate<Device> takes;
@@ -72,6 +81,25 @@ public enum Plans {
             }
         }
         throw new IllegalStateException("none of the plans suits " + steps);
+    }
+
+    /** The part of the kernels that a plan needs besides those of the plans behind it; null if it needs none. */
+    public static String partOf(Plan plan) {
+        return plan.ownKernels().isEmpty() ? null : plan.getClass().getSimpleName();
+    }
+
+    /** The part that a kernel belongs to: those of a plan, of calls between steps, of reports, or of all steps. */
+    public static String partOf(List<Plan> plans, String kernel) {
+        for (Plan plan : plans) {
+            if (plan.ownKernels().contains(kernel)) {
+                return partOf(plan);
+            }
+        }
+        return switch (kernel.substring(0, kernel.indexOf('_'))) {
+            case "commands", "readback" -> CALLS;
+            case "events", "sensing" -> REPORTS;
+            default -> STEPS;
+        };
     }
 
     /** One plan of each kind. */

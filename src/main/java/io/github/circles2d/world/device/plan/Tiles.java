@@ -9,6 +9,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
+import java.util.Set;
 
 /** One launch per stage, and per pass over all contacts of a level; {@code kernels/world/tiles/Tiles.cl} says how. */
 public final class Tiles implements Plan {
@@ -81,6 +82,25 @@ public final class Tiles implements Plan {
     @Override
     public boolean usesTileArrays() {
         return true;
+    }
+
+    @Override
+    public Set<String> ownKernels() {
+        return Set.of(
+                "contacts_cutTiles",
+                "contacts_link",
+                "contacts_arrange",
+                "contacts_orderListed",
+                "solver_solveTile",
+                "solver_relaxTile",
+                "solver_startSlots",
+                "solver_solveLevels",
+                "solver_moveSlots",
+                "solver_relaxLevels",
+                "solver_finishSlots",
+                "solver_storeImpulses",
+                "touches_tellByTile",
+                "events_decideByTile");
     }
 
     @Override

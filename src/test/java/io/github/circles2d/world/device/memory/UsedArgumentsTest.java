@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 /** The tests of all plans show that no buffer is missing, since a kernel would read nothing there; here is what is left out. */
 class UsedArgumentsTest {
-    private final UsedArguments used = new UsedArguments(Plans.source(Plans.all()));
+    private final UsedArguments used = new UsedArguments(UsedArguments.names(Plans.source(Plans.all())));
 
     @Test
     void aKernelUsesTheBuffersOfArraysThatItsTextNames() {

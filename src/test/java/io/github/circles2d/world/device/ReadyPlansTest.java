@@ -1,0 +1,77 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.plan.ByColours;
+import io.github.circles2d.world.device.plan.Plan;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** A device makes steps before the kernels of its fastest plan have been compiled. */
+class ReadyPlansTest {
+    static List<Device> devices() {
+        return TestDevices.all().stream().filter(Tiles::fit).toList();
+    }
+
+    private static DevicePipeline pipeline(Device device, boolean waits) {
+        return new DevicePipeline(device, 0, false, Plans.TILES.of(device), StageKernels.USUAL_GROUPS, waits);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Timeout(value = 300, unit = TimeUnit.SECONDS)
+    void stepsGoByColoursUntilTheKernelsOfTilesAreThereAndNoBitDiffers(Device device) throws InterruptedException {
+        DevicePipeline beside = pipeline(device, false);
+        assertThat(beside.readyPlans()).isEmpty();
+        try (Twins twins =
+                Twins.load(Scenes.packed(300, 1), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), beside)) {
+            twins.step(1 / 60f, 1);
+            assertThat(beside.readyPlans()).last().isInstanceOf(ByColours.class);
+            while (beside.readyPlans().size() < 2) {
+                Thread.sleep(10);
+                twins.step(1 / 60f, 1);
+            }
+            twins.assertEqual("when tiles are ready");
+            assertThat(beside.readyPlans()).first().isInstanceOf(Tiles.class);
+            twins.step(1 / 60f, 5);
+            twins.assertEqual("by tiles");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aPipelineThatWaitsHasAllPlansAtItsFirstStep(Device device) {
+        DevicePipeline waiting = pipeline(device, true);
+        try (Twins twins =
+                Twins.load(Scenes.packed(100, 1), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), waiting)) {
+            twins.step(1 / 60f, 1);
+            assertThat(waiting.readyPlans()).hasSize(2);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void worldsCloseWhileKernelsAreCompiled(Device device) {
+        for (int i = 0; i < 5; i++) {
+            DevicePipeline closing = pipeline(device, false);
+            try (Twins twins =
+                    Twins.load(Scenes.packed(100, i), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), closing)) {
+                twins.step(1 / 60f, 1);
+            }
+        }
+        List<Plan> none = pipeline(device, false).readyPlans();
+        assertThat(none).isEmpty();
+    }
+}
