@@ -466,13 +466,22 @@ public final class ContinuousCollision {
         if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
-                && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
+        boolean isNear = PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0;
+        if (isNear && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
+        boolean isHard = CircleMath.isLonger(ux, uy, Tuning.HARD * r);
+        if (!isStatic && isHard && !looksAhead(other)) {
+            float px = plan[CircleRow.vector(slot) + X];
+            float py = plan[CircleRow.vector(slot) + Y];
+            float qx = plan[CircleRow.vector(other) + X];
+            float qy = plan[CircleRow.vector(other) + Y];
+            t = TimeOfImpact.beforeSlow(t, dx, dy, px, py, qx, qy, r + ro);
+        }
         float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
-        if (PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            hold(slot, t, Paths.holdAllowance(r, grid.path[slot], ro, isStatic), isStatic);
+        if (isNear && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
+            float longer = CircleMath.max(grid.path[slot], grid.path[other]);
+            hold(slot, t, Paths.holdAllowance(r, longer, ro, isStatic, isHard), isStatic);
         } else if (isStatic) {
             if (grid.path[other] == 0f) {
                 shorten(slot, t);
