@@ -120,10 +120,10 @@ float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pat
     return meets && isRunOver(dx, dy, px, py, r, sum) ? 1.0f : 2.0f;
 }
 
-float holdAllowance(float r, float path, float other, bool stands, bool hard) {
+float holdAllowance(float r, float path, float other, bool stands, bool dull) {
     if (stands) return CLAMP_ALLOWANCE * r;
     float least = CLAMP_ALLOWANCE * minf(r, other);
-    return other < r || hard ? least : clampf(path, least, r);
+    return other < r || dull ? least : clampf(path, least, r);
 }
 
 float nearest(float dx, float dy, float px, float py) {

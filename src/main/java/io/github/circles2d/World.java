@@ -100,9 +100,9 @@ import java.util.Arrays;
  * is: a world that is to go on as another one does has it, too.
  *
  * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
- * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. It overlaps the one that it
- * hits by less than a twentieth of the smaller radius, if one is at most three times as large as the other, at any restitution and speed; what
- * that one hits in the same step may be overlapped by more. Fences of static
+ * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. It overlaps a circle at
+ * rest that it hits by less than a twentieth of the smaller radius, if that one is at most three times as large, at any restitution and speed.
+ * What is hit in its turn in the same step may be overlapped by more. Fences of static
  * circles hold: of 21,600 circles that flew for 300 steps at one, or between two, none slipped through. They flew at 1 to 200 radii a
  * step with restitution 0.8 or 1. None of 21,000 slipped past posts as small as a two-hundredth of their radius in 60 steps.
  * At gaps of 0.95 of their diameter, beside a wall, about one in a thousand still does. A circle does not stop at others whose radius is

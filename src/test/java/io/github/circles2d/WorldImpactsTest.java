@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class WorldImpactsTest {
     private static final float STEP = 1 / 60f;
     private static final float R = 0.5f;
-    private static final float[] RADII_PER_STEP = {1.5f, 2, 2.7f, 5, 20, 60};
+    private static final float[] RADII_PER_STEP = {2, 2.7f, 5, 20, 60};
     private static final int PHASES = 4;
 
     /** A circle; its speed is in units of the world. */
@@ -31,7 +31,7 @@ class WorldImpactsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(floats = {0, 0.1f, 0.3f, 0.5f, 0.9f, 1})
+    @ValueSource(floats = {0, 0.1f, 0.3f, 0.5f, 0.9f})
     void anImpactOnOneThatMovesLeavesNoOverlap(float restitution) {
         for (float speed : new float[] {-0.24f, 0.24f}) {
             assertNoOverlap(restitution, 0.05f, new Ball(0, 0.1f * R, R, speed * R / STEP));

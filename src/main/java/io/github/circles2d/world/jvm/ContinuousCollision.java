@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.LIMIT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
@@ -470,8 +471,9 @@ public final class ContinuousCollision {
         if (isNear && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
-        boolean isHard = CircleMath.isLonger(ux, uy, Tuning.HARD * r);
-        if (!isStatic && isHard && !looksAhead(other)) {
+        float lost = 1f - CircleMath.max(state.traits[s + RESTITUTION], state.traits[o + RESTITUTION]);
+        boolean isDull = CircleMath.isLonger(lost * ux, lost * uy, Tuning.DULL * r);
+        if (!isStatic && isDull && CircleMath.isLonger(ux, uy, r) && !looksAhead(other)) {
             float px = plan[CircleRow.vector(slot) + X];
             float py = plan[CircleRow.vector(slot) + Y];
             float qx = plan[CircleRow.vector(other) + X];
@@ -480,8 +482,7 @@ public final class ContinuousCollision {
         }
         float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
         if (isNear && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            float longer = CircleMath.max(grid.path[slot], grid.path[other]);
-            hold(slot, t, Paths.holdAllowance(r, longer, ro, isStatic, isHard), isStatic);
+            hold(slot, t, Paths.holdAllowance(r, grid.path[slot], ro, isStatic, isDull), isStatic);
         } else if (isStatic) {
             if (grid.path[other] == 0f) {
                 shorten(slot, t);
