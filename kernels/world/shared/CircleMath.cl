@@ -105,6 +105,10 @@ bool isRunOver(float dx, float dy, float px, float py, float r, float sum) {
     return x * px + y * py < 0.0f || !isLonger(x, y, sum - RUN_OVER * r);
 }
 
+float beforeSlow(float t, float dx, float dy, float px, float py, float pathX, float pathY, float sum) {
+    return minf(timeOfTouch(dx + pathX, dy + pathY, px, py, sum), t);
+}
+
 float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
     float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
     if (t < share) return t;
@@ -116,9 +120,10 @@ float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pat
     return meets && isRunOver(dx, dy, px, py, r, sum) ? 1.0f : 2.0f;
 }
 
-float holdAllowance(float r, float path, float other, bool stands) {
+float holdAllowance(float r, float path, float other, bool stands, bool dull) {
     if (stands) return CLAMP_ALLOWANCE * r;
-    return other < r ? CLAMP_ALLOWANCE * other : clampf(path, CLAMP_ALLOWANCE * r, r);
+    float least = CLAMP_ALLOWANCE * minf(r, other);
+    return other < r || dull ? least : clampf(path, least, r);
 }
 
 float nearest(float dx, float dy, float px, float py) {

@@ -121,13 +121,17 @@ void meet(const World *w, const Runner *s, int other) {
     // First what most pairs fail.
     float t = timeOfImpact(dx, dy, ux, uy, s->r + c.RADIUS);
     if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
-    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) {
-        return;
+    bool near = isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE);
+    if (near && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) return;
+    float lost = 1.0f - maxf(w->traits[s->slot].RESTITUTION, w->traits[other].RESTITUTION);
+    bool dull = isLonger(lost * ux, lost * uy, DULL * s->r);
+    if (!stands && dull && isLonger(ux, uy, s->r) && !isFast(plan.PATH_LENGTH, c.RADIUS)) {
+        t = beforeSlow(t, dx, dy, s->px, s->py, plan.PATH_X, plan.PATH_Y, s->r + c.RADIUS);
     }
     float slack = stands ? MARGIN : HOLD;
-    if (isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {
+    if (near && isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {
         atomic_min(contactTimeOf(w, s->slot), as_int(t));
-        restrain(w, s->slot, holdAllowance(s->r, s->path, c.RADIUS, stands), stands);
+        restrain(w, s->slot, holdAllowance(s->r, s->path, c.RADIUS, stands, dull), stands);
     } else if (stands) {
         if (plan.PATH_LENGTH == 0.0f) shorten(w, s->slot, t);
     } else if (plan.PATH_LENGTH <= s->path || !isFast(plan.PATH_LENGTH, c.RADIUS)) {

@@ -363,8 +363,8 @@ public final class FixedStep {
 
     /**
      * The positions to draw, by id: element 2 k is x of the circle with the id k ({@link World#id}), and element 2 k + 1 is y. They are
-     * NaN if no circle has the id, or if its circle has been added since the last step. There are elements for all ids below {@link
-     * World#idLimit}, those of new circles too. Before the first step, the positions are the present ones.
+     * NaN if no circle has the id. A circle that has been added since the last step, as in a game that is paused, is where it is now: to read
+     * that, an OpenCL device is waited for. Before the first step, all positions are the present ones.
      *
      * @param living takes a bit for each id, 1 if there is a position: id k is bit k % 64 of element k / 64. Further bits become 0.
      *     It has an element for each 64 of {@link World#idLimit}, or more; may be null
@@ -392,6 +392,11 @@ public final class FixedStep {
         Arrays.fill(to, length, whole, Float.NaN);
         BulkCopies.put(shown, to, whole);
         world.markGone(shown, 2, living);
+        for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
+            long added = world.handle(id);
+            shown.put(2 * id, world.x(added));
+            shown.put(2 * id + 1, world.y(added));
+        }
         ((Buffer) view).clear().limit(whole);
         return view;
     }
@@ -424,6 +429,9 @@ public final class FixedStep {
             shownRadii.put(k, Float.NaN);
         }
         world.markGone(shownRadii, 1, null);
+        for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
+            shownRadii.put(id, world.radius(world.handle(id)));
+        }
         ((Buffer) viewOfRadii).clear().limit(whole);
         return viewOfRadii;
     }
@@ -458,6 +466,9 @@ public final class FixedStep {
             shownAngles.put(k, Float.NaN);
         }
         world.markGone(shownAngles, 1, null);
+        for (int id = world.nextNew(0); id >= 0; id = world.nextNew(id + 1)) {
+            shownAngles.put(id, world.angle(world.handle(id)));
+        }
         ((Buffer) viewOfAngles).clear().limit(whole);
         return viewOfAngles;
     }
@@ -502,8 +513,7 @@ public final class FixedStep {
 
     /**
      * Where the ends of joints are to be drawn: as {@link Joints#readEnds}, but each end is at its circle as {@link #positions} has it, or at
-     * its place of a body of terrain as {@link #pose} has that. An anchor in the world, and a circle that has been added since the last
-     * step, are where they are now. What is removed or breaks is gone at once. The loop keeps poses as for {@link #pieces}.
+     * its place of a body of terrain as {@link #pose} has that. An anchor in the world is where it is now. What is removed or breaks is gone at once. The loop keeps poses as for {@link #pieces}.
      *
      * @param ends takes four elements a joint, in the order of their ids: x and y of the first end, then of the second one
      * @param handles takes the handles of the joints; may be null

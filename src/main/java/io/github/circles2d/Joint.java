@@ -137,7 +137,8 @@ public final class Joint {
      *
      * @param hertz how fast it follows, 0 to 10,000; 5 is quick
      * @param dampingRatio 0 to 1,000; by 1 it does not overshoot
-     * @param maxForce the greatest force; several times the weight of the circle to lift it
+     * @param maxForce the greatest force; several times the weight of the circle to lift it. More than 5,000 times its mass may pull it through
+     *     terrain
      * @return the definition
      * @throws IllegalArgumentException if a value is out of range
      */

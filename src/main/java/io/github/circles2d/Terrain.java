@@ -36,8 +36,8 @@ import io.github.circles2d.world.terrain.PieceRead;
  * <p><b>Edges:</b> walls hold circles, not terrain: pieces may go beyond them. Along an axis that wraps, pieces wrap, too; a piece is at
  * most half as long as the axis.
  *
- * <p><b>Limits:</b> a world has at most 2^20 pieces and 2^20 bodies. Coordinates and lengths are up to 1e9. A world without pieces pays nothing
- * for this. A change acts from the next step on. Terrain is in snapshots, in logs and in the hash. {@link World#clear} leaves it as it
+ * <p><b>Limits:</b> a world has at most 2^20 pieces and 2^20 bodies. Coordinates and lengths are up to 1e9. Two pieces that meet at 5 degrees
+ * or less do not hold a fast circle that is wedged between them: put a piece across. A world without pieces pays nothing for this. A change acts from the next step on. Terrain is in snapshots, in logs and in the hash. {@link World#clear} leaves it as it
  * is. The rules of {@link World} for threads, failures and closed worlds hold here, too.
  */
 public final class Terrain {

@@ -16,6 +16,7 @@ final class ContinuousCollision {
     private static final float CLAMP_ALLOWANCE = 0.5f;
     private static final float HOLD = 0.075f;
     private static final float ASIDE = 0.1f;
+    private static final float DULL = 0.1f;
     private static final float GRAZE = 0.01f;
 
     private final List<Circle> circles;
@@ -133,8 +134,15 @@ final class ContinuousCollision {
         if (!(t < 1f) || pushed || isNearWithoutImpact(c, other)) {
             return;
         }
-        if (areCloser(c, other, atStatic ? Circle.MARGIN : HOLD)) {
-            hold(c, other, t);
+        float lost = 1f - max(c.restitution, other.restitution);
+        float least = DULL * c.radius;
+        boolean dull = length2(new float[] {lost * u[0], lost * u[1]}) > least * least;
+        if (!atStatic && dull && length2(u) > c.radius * c.radius && !isFast(other)) {
+            float[] toItsEnd = {d[0] + other.path[0], d[1] + other.path[1]};
+            t = min(timeOfTouch(toItsEnd, c.path, c.radius + other.radius), t);
+        }
+        if (c.isNear(other) && areCloser(c, other, atStatic ? Circle.MARGIN : HOLD)) {
+            hold(c, other, t, dull);
         } else if (atStatic) {
             c.timeOfImpact = other.pathLength > 0f ? c.timeOfImpact : min(t, c.timeOfImpact);
         } else if (other.pathLength <= c.pathLength || !isFast(other)) {
@@ -159,13 +167,13 @@ final class ContinuousCollision {
     }
 
     /** A circle so close to another leaves it to their contact, but goes no farther along its path. */
-    private static void hold(Circle c, Circle other, float t) {
+    private static void hold(Circle c, Circle other, float t, boolean dull) {
         c.contactTime = min(t, c.contactTime);
         c.stands |= other.isStatic();
         float allowance = CLAMP_ALLOWANCE * c.radius;
         if (!other.isStatic()) {
-            boolean small = other.radius < c.radius;
-            allowance = small ? CLAMP_ALLOWANCE * other.radius : Numbers.clamp(c.pathLength, allowance, c.radius);
+            float back = Numbers.clamp(c.pathLength, allowance, c.radius);
+            allowance = other.radius < c.radius ? CLAMP_ALLOWANCE * other.radius : dull ? allowance : back;
         }
         c.allowance = min(allowance, c.allowance);
     }

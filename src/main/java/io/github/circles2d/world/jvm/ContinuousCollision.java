@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.LIMIT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
@@ -466,13 +467,22 @@ public final class ContinuousCollision {
         if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
-                && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
+        boolean isNear = PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0;
+        if (isNear && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
+        float lost = 1f - CircleMath.max(state.traits[s + RESTITUTION], state.traits[o + RESTITUTION]);
+        boolean isDull = CircleMath.isLonger(lost * ux, lost * uy, Tuning.DULL * r);
+        if (!isStatic && isDull && CircleMath.isLonger(ux, uy, r) && !looksAhead(other)) {
+            float px = plan[CircleRow.vector(slot) + X];
+            float py = plan[CircleRow.vector(slot) + Y];
+            float qx = plan[CircleRow.vector(other) + X];
+            float qy = plan[CircleRow.vector(other) + Y];
+            t = TimeOfImpact.beforeSlow(t, dx, dy, px, py, qx, qy, r + ro);
+        }
         float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
-        if (PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            hold(slot, t, Paths.holdAllowance(r, grid.path[slot], ro, isStatic), isStatic);
+        if (isNear && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
+            hold(slot, t, Paths.holdAllowance(r, grid.path[slot], ro, isStatic, isDull), isStatic);
         } else if (isStatic) {
             if (grid.path[other] == 0f) {
                 shorten(slot, t);

@@ -61,12 +61,13 @@ public final class Paths {
         return ux * ux + uy * uy > length * length;
     }
 
-    /** As far as it flies back, hardly at a static or a smaller circle. */
-    public static float holdAllowance(float r, float path, float other, boolean isStatic) {
+    /** As far as it flies back, hardly at a static or a smaller circle; in a dull hit, no farther than the other may be flung. */
+    public static float holdAllowance(float r, float path, float other, boolean isStatic, boolean isDull) {
         if (isStatic) {
             return Tuning.CLAMP_ALLOWANCE * r;
         }
-        return other < r ? Tuning.CLAMP_ALLOWANCE * other : CircleMath.clamp(path, Tuning.CLAMP_ALLOWANCE * r, r);
+        float least = Tuning.CLAMP_ALLOWANCE * CircleMath.min(r, other);
+        return other < r || isDull ? least : CircleMath.clamp(path, least, r);
     }
 
     /** The share of a path, from 0 to 1, where a displacement is nearest. */

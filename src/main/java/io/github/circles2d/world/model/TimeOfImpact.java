@@ -33,6 +33,12 @@ public final class TimeOfImpact {
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
     }
 
+    /** A time, or an earlier one at which it would touch a slow circle at the end of that one's path, so that none runs into it. */
+    public static float beforeSlow(
+            float t, float dx, float dy, float px, float py, float pathX, float pathY, float sum) {
+        return CircleMath.min(timeOfTouch(dx + pathX, dy + pathY, px, py, sum), t);
+    }
+
     /** When a static circle takes another along, which goes a share of its path and waits; 1 if only a sudden stop leads to that. */
     public static float timeOfCarry(
             float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {

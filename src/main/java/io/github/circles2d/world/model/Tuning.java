@@ -22,6 +22,9 @@ public final class Tuning {
     /** So near, in sums, a fast circle does not stop: the contact has it. */
     public static final float HOLD = 0.075f;
 
+    /** What a hit does not give back of a path, in radii, from which on it is dull: circles that it leaves together must get equally far. */
+    public static final float DULL = 0.1f;
+
     /** Share of its allowance that a circle at a static one keeps, unless it flies back. */
     public static final float ASIDE = 0.1f;
 

@@ -41,6 +41,7 @@ public final class Readings {
             (all, v, bits) -> all.markGaps(v, 1, bits);
     private static final Guard.ChangeWithTwo<Readings, FloatBuffer, long[]> MARK_GONE_OF_TWO =
             (all, v, bits) -> all.markGaps(v, 2, bits);
+    private static final Guard.Numbers<Readings, Void> NEXT_NEW = Readings::findNew;
     private static final Guard.ChangeWith<Readings, float[]> READ_VELOCITIES = Readings::copyVelocities;
     private static final Guard.ChangeWith<Readings, FloatBuffer> READ_VELOCITIES_TO_BUFFER = Readings::putVelocities;
     private static final Guard.ChangeWith<Readings, long[]> READ_HANDLES = Readings::copyHandles;
@@ -330,15 +331,39 @@ public final class Readings {
         return pipeline.takePositions(shown);
     }
 
-    /** Values of ids whose circles of the last request have gone become NaN; each is 1 or 2 elements an id. */
+    /**
+     * Values of ids whose circles of the last request have gone become NaN; each is 1 or 2 elements an id. living takes the bits of all circles
+     * of now, also of those that came after the request.
+     */
     public void markGone(FloatBuffer values, int each, long[] living) {
         guard.change(this, values, living, each == 1 ? MARK_GONE_OF_ONE : MARK_GONE_OF_TWO);
     }
 
     private void markGaps(FloatBuffer values, int each, long[] living) {
-        requireRoom(living, handles.survivors().end());
+        requireRoom(living, Math.max(handles.survivors().end(), handles.end()));
         handles.survivors().markGaps(values, each);
         copy(handles.survivors(), living);
+        for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
+            living[id >>> 6] |= 1L << id;
+        }
+    }
+
+    /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
+    public int nextNew(int from) {
+        return (int) guard.read(this, null, from, 0, NEXT_NEW);
+    }
+
+    private long findNew(Void none, long from, long unused) {
+        return newFrom((int) from);
+    }
+
+    private int newFrom(int from) {
+        for (int id = from; id < handles.end(); id++) {
+            if (handles.lives(id) && !handles.survivors().has(id)) {
+                return id;
+            }
+        }
+        return -1;
     }
 
     /** Reads the velocity of every circle, in the order of the ids. */

@@ -51,6 +51,7 @@ public final class WorldSource {
                 .define("RUN_OVER", Tuning.RUN_OVER)
                 .define("HOLD", Tuning.HOLD)
                 .define("ASIDE", Tuning.ASIDE)
+                .define("DULL", Tuning.DULL)
                 .define("GRAZE", Tuning.GRAZE)
                 .define("CORNER", Tuning.CORNER)
                 .define("JAMMED", Tuning.JAMMED)
