@@ -187,26 +187,19 @@ int sheetKeyOf(const World *w, int atLevel, int sheetX, int sheetY) {
     return w->levels->folded[atLevel] ? (int) (2u * ((uint) sheetX * (uint) SHEET_X_FACTOR + (uint) sheetY * (uint) SHEET_Y_FACTOR)) : 0;
 }
 
-// Of the slots [from, to) of a bucket the first with no lower key, or to.
-int firstNotBelow(const World *w, int from, int to, int key) {
+// Of the slots [from, to) of a bucket those of a sheet; all, if they are few: callers look at each anyway.
+int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics) {
+    if (withStatics && to - from <= FEW) return (int2)(from, to);
     int low = from;
     int high = to;
     while (low < high) {
         int middle = (low + high) >> 1;
-        if (w->sheetKey[middle] < key) {
+        if (w->sheetKey[middle] < sheet) {
             low = middle + 1;
         } else {
             high = middle;
         }
     }
-    return low;
-}
-
-// Of the slots [from, to) of a bucket those of a sheet; all, if they are few: callers look at each anyway.
-int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics) {
-    if (withStatics && to - from <= FEW) return (int2)(from, to);
-    int low = firstNotBelow(w, from, to, sheet);
-    int high = low;
     int last = sheet + (withStatics ? 1 : 0);
     while (high < to && w->sheetKey[high] <= last) high++;
     return (int2)(low, high);

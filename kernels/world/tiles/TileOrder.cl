@@ -7,8 +7,6 @@ typedef struct {
         struct {
             uint place[TILE_ROUNDS + 1];       // by round: of its next own contact (lower half), next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
-            // By cell of a layer: place of the first circle, how many, and circles of all layers.
-            ushort layerFrom[LAYER_CELLS], layerCount[LAYER_CELLS], layerBucket[LAYER_CELLS];
         } met;
         struct { // when all have been placed
             float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
@@ -50,38 +48,11 @@ int progressAfter(int progress, int round, int carried) {
     return (progress & HAS_CARRIED) | carried | met << MET_SHIFT | (round + 1);
 }
 
-bool isLayer(const Region *r) { return r->layersLog > 0; }
-
-// The keys of a layer go on from the greatest at the least, and so do its circles in the bucket.
-void findLayer(const World *w, const Region *r, local Arrangement *a, int cell) {
-    int row = cell / r->columns;
-    int column = r->firstColumn + cell - row * r->columns;
-    int bucket = bucketOfRow(w, r, row) + wrapped(column, r->torusColumns);
-    int start = w->bucketStart[bucket];
-    int end = w->bucketStart[bucket + 1];
-    int seam = sheetKeyOf(w, r->level, column >= r->torusColumns, r->firstRow + row >= r->torusRows);
-    uint keys = 1u << (32 - r->layersLog);
-    int firstKey = (int) ((uint) r->layer * keys + (uint) seam);
-    int endKey = (int) ((uint) firstKey + keys);
-    int from = firstNotBelow(w, start, end, firstKey);
-    int to = firstNotBelow(w, start, end, endKey);
-    a->of.met.layerFrom[cell] = (ushort) (from - start);
-    a->of.met.layerCount[cell] = (ushort) (to - from + (endKey < firstKey ? end - start : 0));
-    a->of.met.layerBucket[cell] = (ushort) (end - start);
-}
-
-int circlesOfLayerBefore(local const Arrangement *a, int cell) {
-    int sum = 0;
-    for (int before = 0; before < cell; before++) sum += a->of.met.layerCount[before];
-    return sum;
-}
-
 // All work-items of the work-group; returns how many there are.
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item < r->rows) a->rowSlots[item] = slotsInRow(w, r, item);
-    TILE_EACH(cell, isLayer(r) ? r->columns * r->rows : 0) findLayer(w, r, a, cell);
     if (item == 0) {
         a->contacts = 0;
         a->met = 0;
@@ -98,7 +69,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         a->rowStart[item] = sum;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    int circles = isLayer(r) ? circlesOfLayerBefore(a, r->columns * r->rows) : a->rowStart[r->rows];
+    int circles = a->rowStart[r->rows];
     int cells = circles > TILE_CIRCLES ? 0 : r->columns * r->rows;
 #pragma unroll 1
     TILE_EACH(cell, cells) {
@@ -110,19 +81,9 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int from = w->bucketStart[bucket];
         int to = w->bucketStart[bucket + 1];
         int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
-        int end = i + to - from;
-        int slot = from;
-        if (isLayer(r)) {
-            i = circlesOfLayerBefore(a, cell);
-            end = i + a->of.met.layerCount[cell];
-            slot += a->of.met.layerFrom[cell];
-        }
         a->cellStart[cell] = (ushort) i;
         int own = owns(r, inRow, row) ? 0 : NOT_OWN;
-        for (; i < end; i++) {
-            if (slot == to) slot = from;
-            record[RECORD_SLOTS + i] = slot++ | own;
-        }
+        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
@@ -135,26 +96,12 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     return circles;
 }
 
-int cellOfLink(const Region *r, int column, int row, uint part) {
+int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
     if (part & LINK_COLUMN) column++;
     if (part & LINK_ROW) row++;
     if (r->ringX) column = wrapped(column, r->torusColumns);
     if (r->ringY) row = wrapped(row, r->torusRows);
-    return row * r->columns + column;
-}
-
-// Negative if it is none of the layer.
-int placeInLayer(local const Arrangement *a, int cell, uint part) {
-    int place = (int) (part & LINK_PLACE) - a->of.met.layerFrom[cell];
-    if (place < 0) place += a->of.met.layerBucket[cell];
-    return place < a->of.met.layerCount[cell] ? place : -1;
-}
-
-// Negative if it is none of the tile's layer.
-int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
-    int cell = cellOfLink(r, column, row, part);
-    int place = isLayer(r) ? placeInLayer(a, cell, part) : (int) (part & LINK_PLACE);
-    return place < 0 ? -1 : a->cellStart[cell] + place;
+    return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
 // A contact as met, in 32 bits: its group by column (6) and row (4) in the region, its place there (13), its round (9).
@@ -176,36 +123,13 @@ uint meeting(int column, int row, int inGroup, int round) {
 // Where their copies are to be.
 global uint *metFrom(const World *w, int firstCopy) { return metOf(w) + 2 * (size_t) firstCopy; }
 
-// Work-items that count the contacts of a group.
-#define LAYER_COUNTERS 16
-
-// Of the groups of a colour, by number: contacts that one of the group's counters finds in the layer.
-int contactsInLayer(const World *w, const Region *r, local const Arrangement *a, const Groups *g, int number, int counter) {
-    int line = number / g->across;
-    int column = g->column + 2 * (number - line * g->across);
-    int row = g->row + 2 * line;
-    int group = groupAt(w, r, column, row);
-    int end = w->groupStart[group + 1];
-    int sum = 0;
-    for (int c = w->groupStart[group] + counter; c < end; c += LAYER_COUNTERS) {
-        uint link = w->link[c];
-        sum += placeInLayer(a, cellOfLink(r, column, row, link), link) >= 0 &&
-               placeInLayer(a, cellOfLink(r, column, row, link >> 16), link >> 16) >= 0;
-    }
-    return sum;
-}
-
 // Returns whether there is room.
 bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any) {
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         Groups g = groupsOfColour(r, colour);
-        int lines = any && !isLayer(r) ? g.down : 0;
+        int lines = any ? g.down : 0;
         TILE_EACH(line, lines) atomic_add(&a->contacts, contactsInRow(w, r, &g, line));
-        int counters = any && isLayer(r) ? LAYER_COUNTERS * g.across * g.down : 0;
-        TILE_EACH(i, counters) {
-            atomic_add(&a->contacts, contactsInLayer(w, r, a, &g, i / LAYER_COUNTERS, i % LAYER_COUNTERS));
-        }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     int contacts = a->contacts;
@@ -218,15 +142,11 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
     return fits && (contacts == 0 || (a->firstCopy >= 0 && a->firstCopy <= w->copyRoom - contacts));
 }
 
-// k: its place among those met, if all are the tile's.
+// k: its place among those met.
 void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup,
                  uint link, float2 impulse AND_TURNING(float2 spins)) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
-    if (isLayer(r)) {
-        if (lo < 0 || hi < 0) return;
-        k = atomic_inc(&a->met);
-    }
     int progressLo = a->progress[lo];
     int progressHi = a->progress[hi];
     float2 loadLo = a->load[lo];
@@ -272,7 +192,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int group = groupAt(w, r, column, row);
             int first = w->groupStart[group];
             int size = w->groupStart[group + 1] - first;
-            int k0 = size > 0 && !isLayer(r) ? atomic_add(&a->met, size) : 0;
+            int k0 = size > 0 ? atomic_add(&a->met, size) : 0;
 #pragma unroll 1
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];
@@ -559,35 +479,21 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     }
 }
 
-// listed: of the list. A constant in each kernel: else tiles without layers would ask for them at each contact.
-INLINE void arrangeOne(const World *w, local Arrangement *a, bool listed) {
-    if (w->status[EVENTS_LACK]) return; // the records are read once more
+// Index space: a work-group a tile. listed: tiles of the list.
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int listed RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    SET_TOUCH_NUMBERS(w);
+    local Arrangement arrangement;
+    if (status[EVENTS_LACK]) return; // the records are read once more
     // Others may refuse the step meanwhile: a work-group must see one answer.
     if (get_local_id(0) == 0) {
-        if (atomic_max(&w->status[TILE_PEAK], 0) == NO_TILE) refuseTile(w, NO_TILE); // see linkContact
-        if (listed && w->status[TILES_LISTED] > w->levels->tileCount) atomic_or(&w->status[OUT_OF_ROOM], 1);
-        a->idle = refusedMeanwhile(w);
+        if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
+        if (listed && status[TILES_LISTED] > w.levels->tileCount) atomic_or(&status[OUT_OF_ROOM], 1);
+        arrangement.idle = refusedMeanwhile(&w);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     int tile = (int) get_group_id(0);
-    Region r = listed ? regionOfListed(w, tile) : regionOf(w, tile);
-    arrangeTile(w, &r, a, tile, a->idle, 2);
-}
-
-// Index space of both: a work-group a tile. Oclgrind gives a kernel the local memory of all whose names begin with its own, too: these do not.
-
-TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
-    World w = WORLD;
-    RECORD_IN(w);
-    SET_TOUCH_NUMBERS(w);
-    local Arrangement arrangement;
-    arrangeOne(&w, &arrangement, false);
-}
-
-TILE_KERNEL contacts_orderListed(WORLD_PARAMETERS RECORDING_PARAMETERS) {
-    World w = WORLD;
-    RECORD_IN(w);
-    SET_TOUCH_NUMBERS(w);
-    local Arrangement arrangement;
-    arrangeOne(&w, &arrangement, true);
+    Region r = listed ? regionOfListed(&w, tile) : regionOf(&w, tile);
+    arrangeTile(&w, &r, &arrangement, tile, arrangement.idle, 2);
 }

@@ -7,8 +7,7 @@
 // beyond its tile. What lies there several work-groups compute, to the same bits, so a pass reads one copy of the state and writes another.
 // A tile that spans the torus has no border on that axis.
 //
-// The first tiles begin at column and row -1; the last may be smaller. If some hold too much, a step has a list of tiles (TileCuts.cl), of
-// cells or of layers of cells.
+// The first tiles begin at column and row -1; the last may be smaller. If some hold too much, a step has a list of tiles (TileCuts.cl).
 //
 // A contact waits only for those before it that share a circle: its round is the first in which these are done. That gives the bits of the
 // order, in half as many dependent steps as colours. A round has parts of a contact a work-item.
@@ -54,7 +53,6 @@ typedef struct {
     int left, bottom;                        // where the tile begins in the region
     int width, height;                       // of the tile
     bool ringX, ringY;                       // whether it spans the torus
-    int layer, layersLog;                    // see TileCuts.cl; 0 and 0 if it has all circles of its cells
 } Region;
 
 // Beyond its end by less than once around.
@@ -88,7 +86,6 @@ Region regionAt(const World *w, int l, int column, int row, int wl, int hl) {
     int firstRow = row - 1 - HALO_ROWS;
     r.firstColumn = r.ringX ? 0 : firstColumn < 0 ? firstColumn + r.torusColumns : firstColumn;
     r.firstRow = r.ringY ? 0 : firstRow < 0 ? firstRow + r.torusRows : firstRow;
-    r.layer = r.layersLog = 0;
     return r;
 }
 

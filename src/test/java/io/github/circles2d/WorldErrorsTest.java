@@ -269,15 +269,6 @@ class WorldErrorsTest {
 
     @Test
     @Tag("long")
-    void whereverTheStackEndsInACallTheWorldGoesOnOrHasFailedAndCloses() {
-        ForkedJvm.Result result =
-                new ForkedJvm().option("-XX:TieredStopAtLevel=1").run(StackEnds.class);
-        assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong");
-        assertThat(result.exitStatus()).isZero();
-    }
-
-    @Test
-    @Tag("long")
     void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
         ForkedJvm.Result result = new ForkedJvm()
                 .option("-Xmx24m")

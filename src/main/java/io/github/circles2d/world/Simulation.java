@@ -61,16 +61,6 @@ import java.util.Collections;
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
 public final class Simulation implements AutoCloseable {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<Simulation> SET_GRAVITY =
-            (world, h, n, gx, gy) -> world.changeGravity(gx, gy);
-    private static final Guard.FloatsChange<Simulation> SET_BOUNDS = Simulation::changeBounds;
-    private static final Guard.FloatsChange<Simulation> SET_WALL_SURFACE = Simulation::changeWallSurface;
-    private static final Guard.CircleChange<Simulation> STEP = (world, h, n, length, none) -> world.make(length, n);
-    private static final Guard.Change<PendingWork> FINISH = PendingWork::finish;
-    private static final Guard.Numbers<Copies, Void> HASH = (all, none, m, n) -> all.hash();
-    private static final Guard.Read<Simulation, Figures> FIGURES = Simulation::currentFigures;
-
     private final Pipeline pipeline;
     private final Guard guard;
     private final HandleTable handles = new HandleTable();
@@ -250,14 +240,17 @@ public final class Simulation implements AutoCloseable {
     }
 
     public void setGravity(float x, float y) {
-        guard.change(this, 0, 0, x, y, SET_GRAVITY);
-    }
-
-    private void changeGravity(float x, float y) {
-        Limits.gravity(x, y);
-        copies.forgetSaved();
-        log.call(LoggedCall.GRAVITY, x, y, 0, 0);
-        settings.setGravity(x, y);
+        guard.enter();
+        try {
+            Limits.gravity(x, y);
+            copies.forgetSaved();
+            log.call(LoggedCall.GRAVITY, x, y, 0, 0);
+            settings.setGravity(x, y);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public float gravityX() {
@@ -272,28 +265,31 @@ public final class Simulation implements AutoCloseable {
 
     /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        guard.change(this, 0, minX, minY, maxX, maxY, 0, 0, SET_BOUNDS);
-    }
-
-    private long changeBounds(int n, float minX, float minY, float maxX, float maxY, float e, float f) {
-        Bounds before = settings.bounds();
-        Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(before.edgeX(), before.edgeY());
-        Limits.moved(before, next);
-        if (handles.size() > 0) {
-            Limits.room("the greatest radius of a circle", handles.greatestRadius(), next);
-            Limits.room("the least radius of a circle", handles.leastRadius(), next);
-            nextStep.requireRoom(next);
+        guard.enter();
+        try {
+            Bounds before = settings.bounds();
+            Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(before.edgeX(), before.edgeY());
+            Limits.moved(before, next);
+            if (handles.size() > 0) {
+                Limits.room("the greatest radius of a circle", handles.greatestRadius(), next);
+                Limits.room("the least radius of a circle", handles.leastRadius(), next);
+                nextStep.requireRoom(next);
+            }
+            pending.apply();
+            copies.forget();
+            log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
+            Bounds start =
+                    WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
+            guard.changing = true;
+            pipeline.confine(start.walls(), next.walls());
+            nextStep.confine(next.walls());
+            settings.setBounds(start, next);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        pending.apply();
-        copies.forget();
-        log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
-        Bounds start = WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
-        guard.changing = true;
-        pipeline.confine(start.walls(), next.walls());
-        nextStep.confine(next.walls());
-        settings.setBounds(start, next);
-        guard.changing = false;
-        return 0;
     }
 
     /** Where the walls are. */
@@ -304,21 +300,23 @@ public final class Simulation implements AutoCloseable {
 
     /** Gives a wall another surface; {@link WallMotion#of} numbers the walls. */
     public void setWallSurface(int wall, float friction, float rollingResistance, float beltSpeed) {
-        guard.change(this, wall, friction, rollingResistance, beltSpeed, 0, 0, 0, SET_WALL_SURFACE);
-    }
-
-    private long changeWallSurface(int wall, float friction, float resistance, float belt, float d, float e, float f) {
-        Limits.within("the number of the wall", wall, 0, WallMotion.COUNT - 1);
-        SurfaceSettings next = settings.surfaces().withWall(wall, friction, resistance, belt);
-        copies.forgetSaved();
-        log.call(
-                LoggedCall.WALL_SURFACE,
-                wall,
-                Float.floatToRawIntBits(friction),
-                Float.floatToRawIntBits(resistance),
-                Float.floatToRawIntBits(belt));
-        settings.setSurfaces(next);
-        return 0;
+        guard.enter();
+        try {
+            Limits.within("the number of the wall", wall, 0, WallMotion.COUNT - 1);
+            SurfaceSettings next = settings.surfaces().withWall(wall, friction, rollingResistance, beltSpeed);
+            copies.forgetSaved();
+            log.call(
+                    LoggedCall.WALL_SURFACE,
+                    wall,
+                    Float.floatToRawIntBits(friction),
+                    Float.floatToRawIntBits(rollingResistance),
+                    Float.floatToRawIntBits(beltSpeed));
+            settings.setSurfaces(next);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The surfaces of circles that have none of their own, nor by their kind, and of walls. */
@@ -344,23 +342,26 @@ public final class Simulation implements AutoCloseable {
     }
 
     public void step(float timeStep, int steps) {
-        guard.change(this, 0, steps, timeStep, 0, STEP);
-    }
-
-    private void make(float timeStep, int steps) {
-        Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
-        Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-        log.step(timeStep, steps);
-        int made = 0;
-        while (made < steps && nextStepDiffers()) {
-            makeDifferentStep(timeStep);
-            made++;
+        guard.enter();
+        try {
+            Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+            Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
+            log.step(timeStep, steps);
+            int made = 0;
+            while (made < steps && nextStepDiffers()) {
+                makeDifferentStep(timeStep);
+                made++;
+            }
+            if (made < steps) {
+                makeSteps(timeStep, steps - made);
+            }
+            log.stepped(steps);
+            stepCount += steps;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        if (made < steps) {
-            makeSteps(timeStep, steps - made);
-        }
-        log.stepped(steps);
-        stepCount += steps;
     }
 
     /** The number of steps that have been made, whatever state has been restored. */
@@ -463,28 +464,45 @@ public final class Simulation implements AutoCloseable {
 
     /** Waits until all steps that were asked for have been made. */
     public void finish() {
-        guard.change(pending, FINISH);
+        guard.enter();
+        try {
+            pending.finish();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public long hash() {
-        return guard.read(copies, null, 0, 0, HASH);
+        guard.enter();
+        try {
+            return copies.hash();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public Figures figures() {
-        return guard.read(this, FIGURES);
-    }
-
-    private Figures currentFigures() {
-        pending.finish();
-        boolean hold = state.figures().hold();
-        return new Figures(
-                handles.size(),
-                hold ? pipeline.candidatePairs() : 0,
-                hold ? pipeline.contacts() : 0,
-                hold ? pipeline.greatestContacts() : 0,
-                pipeline.bytesHeld() + events.bytes() + terrain.bytes() + joints.bytes(),
-                Collections.unmodifiableMap(pipeline.stageMillis()),
-                pipeline.device());
+        guard.enter();
+        try {
+            pending.finish();
+            boolean hold = state.figures().hold();
+            return new Figures(
+                    handles.size(),
+                    hold ? pipeline.candidatePairs() : 0,
+                    hold ? pipeline.contacts() : 0,
+                    hold ? pipeline.greatestContacts() : 0,
+                    pipeline.bytesHeld() + events.bytes() + terrain.bytes() + joints.bytes(),
+                    Collections.unmodifiableMap(pipeline.stageMillis()),
+                    pipeline.device());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Ends the simulation and closes its pipeline. */

@@ -19,24 +19,6 @@ import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls on bodies of terrain. */
 public final class Bodies {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.FloatsChange<Bodies> ADD =
-            (bodies, n, x, y, angle, d, e, f) -> bodies.addOne(x, y, angle);
-    private static final Guard.CircleChange<Bodies> REMOVE = (bodies, handle, n, a, b) -> bodies.removeOne(handle);
-    private static final Guard.CircleChange<Bodies> SET_VELOCITY =
-            (bodies, handle, n, vx, vy) -> bodies.changeVelocity(handle, vx, vy);
-    private static final Guard.CircleChange<Bodies> SET_ANGULAR_VELOCITY =
-            (bodies, handle, n, velocity, none) -> bodies.changeAngularVelocity(handle, velocity);
-    private static final Guard.CircleChange<Bodies> MOVE =
-            (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, true);
-    private static final Guard.CircleChange<Bodies> TELEPORT =
-            (bodies, handle, angle, x, y) -> bodies.place(handle, x, y, angle, false);
-    private static final Guard.ChangeWith<Bodies, BodyPoses> KEEP = (bodies, poses) -> poses.keep(bodies.table);
-    private static final Guard.Numbers<Bodies, Void> FIND = (bodies, none, handle, n) -> bodies.table.ids.find(handle);
-    private static final Guard.Numbers<Bodies, Void> REQUIRE = (bodies, none, handle, n) -> bodies.find(handle);
-    private static final Guard.Numbers<Bodies, Void> HANDLE =
-            (bodies, none, id, n) -> bodies.table.ids.handleOrNone((int) id);
-
     private final Guard guard;
     private final TerrainTables terrain;
     private final BodyTable table;
@@ -96,22 +78,25 @@ public final class Bodies {
 
     /** Adds a body at rest, at an angle in radians, and returns its handle. */
     public long add(float x, float y, float angle) {
-        return guard.change(this, 0, x, y, angle, 0, 0, 0, ADD);
-    }
-
-    private long addOne(float x, float y, float angle) {
-        checkPlace(x, y, angle);
-        if (table.ids.size() >= TerrainLimits.BODIES) {
-            throw new IllegalArgumentException(
-                    "a world has at most " + TerrainLimits.BODIES + " bodies of terrain, not one more");
+        guard.enter();
+        try {
+            checkPlace(x, y, angle);
+            if (table.ids.size() >= TerrainLimits.BODIES) {
+                throw new IllegalArgumentException(
+                        "a world has at most " + TerrainLimits.BODIES + " bodies of terrain, not one more");
+            }
+            table.ensure(1);
+            copies.forgetSaved();
+            log.call(LoggedCall.BODY, x, y, angle, 0);
+            guard.changing = true;
+            long handle = table.ids.handle(terrain.addBody(x, y, Surface.units(angle)));
+            guard.changing = false;
+            return handle;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        table.ensure(1);
-        copies.forgetSaved();
-        log.call(LoggedCall.BODY, x, y, angle, 0);
-        guard.changing = true;
-        long handle = table.ids.handle(terrain.addBody(x, y, Surface.units(angle)));
-        guard.changing = false;
-        return handle;
     }
 
     private void checkPlace(float x, float y, float angle) {
@@ -122,62 +107,84 @@ public final class Bodies {
 
     /** Removes a body with its pieces. */
     public void remove(long handle) {
-        guard.change(this, handle, 0, 0, 0, REMOVE);
-    }
-
-    private void removeOne(long handle) {
-        int body = findMovable(handle, "be removed");
-        pending.settleJoints();
-        joints.departures().ensure(joints.table.places.count());
-        copies.forgetSaved();
-        log.call(LoggedCall.REMOVE_BODY, body, 0);
-        guard.changing = true;
-        joints.departures().removeOfBody(body);
-        terrain.removeBody(body);
-        guard.changing = false;
+        guard.enter();
+        try {
+            int body = findMovable(handle, "be removed");
+            pending.settleJoints();
+            joints.departures().ensure(joints.table.places.count());
+            copies.forgetSaved();
+            log.call(LoggedCall.REMOVE_BODY, body, 0);
+            guard.changing = true;
+            joints.departures().removeOfBody(body);
+            terrain.removeBody(body);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public void setVelocity(long handle, float vx, float vy) {
-        guard.change(this, handle, 0, vx, vy, SET_VELOCITY);
-    }
-
-    private void changeVelocity(long handle, float vx, float vy) {
-        int body = findMovable(handle, "move");
-        Limits.velocity(vx, vy);
-        copies.forgetSaved();
-        log.call(LoggedCall.BODY_VELOCITY, body, Float.floatToRawIntBits(vx), Float.floatToRawIntBits(vy), 0);
-        guard.changing = true;
-        table.setVelocity(body, vx, vy);
-        guard.changing = false;
+        guard.enter();
+        try {
+            int body = findMovable(handle, "move");
+            Limits.velocity(vx, vy);
+            copies.forgetSaved();
+            log.call(LoggedCall.BODY_VELOCITY, body, Float.floatToRawIntBits(vx), Float.floatToRawIntBits(vy), 0);
+            guard.changing = true;
+            table.setVelocity(body, vx, vy);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public void setAngularVelocity(long handle, float velocity) {
-        guard.change(this, handle, 0, velocity, 0, SET_ANGULAR_VELOCITY);
-    }
-
-    private void changeAngularVelocity(long handle, float velocity) {
-        int body = findMovable(handle, "turn");
-        Limits.within("the angular velocity", velocity, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
-        copies.forgetSaved();
-        log.call(LoggedCall.BODY_ANGULAR_VELOCITY, body, Float.floatToRawIntBits(velocity));
-        guard.changing = true;
-        table.setOmega(body, velocity);
-        guard.changing = false;
+        guard.enter();
+        try {
+            int body = findMovable(handle, "turn");
+            Limits.within("the angular velocity", velocity, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
+            copies.forgetSaved();
+            log.call(LoggedCall.BODY_ANGULAR_VELOCITY, body, Float.floatToRawIntBits(velocity));
+            guard.changing = true;
+            table.setOmega(body, velocity);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Lets a body travel to a place in the next step. */
     public void move(long handle, float x, float y, float angle) {
-        guard.change(this, handle, Float.floatToRawIntBits(angle), x, y, MOVE);
+        guard.enter();
+        try {
+            place(handle, x, y, angle, true);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Puts a body at a place at once. */
     public void teleport(long handle, float x, float y, float angle) {
-        guard.change(this, handle, Float.floatToRawIntBits(angle), x, y, TELEPORT);
+        guard.enter();
+        try {
+            place(handle, x, y, angle, false);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
-    private void place(long handle, float x, float y, int angleBits, boolean travels) {
+    private void place(long handle, float x, float y, float angle, boolean travels) {
         int body = findMovable(handle, "move");
-        float angle = Float.intBitsToFloat(angleBits);
         checkPlace(x, y, angle);
         copies.forgetSaved();
         log.call(
@@ -185,7 +192,7 @@ public final class Bodies {
                 body,
                 Float.floatToRawIntBits(x),
                 Float.floatToRawIntBits(y),
-                angleBits);
+                Float.floatToRawIntBits(angle));
         guard.changing = true;
         if (travels) {
             terrain.travel(body, x, y, Surface.units(angle));
@@ -197,7 +204,14 @@ public final class Bodies {
 
     /** Takes down where bodies are. */
     public void keep(BodyPoses poses) {
-        guard.change(this, poses, KEEP);
+        guard.enter();
+        try {
+            poses.keep(table);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Takes down where a body is on the way from before a step to after it. */
@@ -207,7 +221,8 @@ public final class Bodies {
     }
 
     public boolean contains(long handle) {
-        return guard.read(this, null, handle, 0, FIND) >= 0;
+        guard.check();
+        return table.ids.find(handle) >= 0;
     }
 
     /** One more than the greatest id that a body has had; the ground has 0. */
@@ -218,12 +233,14 @@ public final class Bodies {
 
     /** The handle of the body that has an id; 0 if there is none. */
     public long handle(int id) {
-        return guard.read(this, null, id, 0, HANDLE);
+        guard.check();
+        return table.ids.handleOrNone(id);
     }
 
     /** The id of a body that is there. */
     public int require(long handle) {
-        return (int) guard.read(this, null, handle, 0, REQUIRE);
+        guard.check();
+        return find(handle);
     }
 
     public float x(long handle) {

@@ -15,13 +15,6 @@ import java.util.function.ToIntFunction;
 
 /** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
 public final class BulkChanges {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.FloatsChange<BulkChanges> EXPLODE = BulkChanges::explode;
-
-    // which circles an explosion pushes
-    private static final int MASKED = 1;
-    private static final int IN_SIGHT = 2;
-
     /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
     private interface Preparation<A> {
         /** False if the circle is gone by an earlier handle of the call. Reads element i once: another thread may write to the array. */
@@ -185,21 +178,34 @@ public final class BulkChanges {
 
     /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
-        return (int) guard.change(this, mask, masked ? MASKED : 0, x, y, radius, impulse, falloff, EXPLODE);
+        guard.enter();
+        try {
+            return explode(masked, mask, false, x, y, radius, impulse, falloff);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The same of the circles that no piece of terrain hides. */
     public int explodeInSight(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
-        int only = IN_SIGHT + (masked ? MASKED : 0);
-        return (int) guard.change(this, mask, only, x, y, radius, impulse, falloff, EXPLODE);
+        guard.enter();
+        try {
+            return explode(masked, mask, true, x, y, radius, impulse, falloff);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
-    private long explode(int mask, float only, float x, float y, float radius, float impulse, float falloff) {
+    private int explode(
+            boolean masked, int mask, boolean inSight, float x, float y, float radius, float impulse, float falloff) {
         explosion.set(x, y, radius, impulse, falloff, settings.bounds());
         filter.setMask(mask);
         float[] circles = copies.last().circles();
-        boolean masked = ((int) only & MASKED) != 0;
-        boolean hides = ((int) only & IN_SIGHT) != 0 && view.look();
+        boolean hides = inSight && view.look();
         changes.begin(0);
         int pushed = 0;
         int s = 0;

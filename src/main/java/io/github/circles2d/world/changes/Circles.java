@@ -16,22 +16,6 @@ import io.github.circles2d.world.shared.WorldSettings;
  * arguments and makes room before it changes the state.
  */
 public final class Circles {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<Circles> REMOVE = (circles, h, n, a, b) -> circles.removeOne(h);
-    private static final Guard.Numbers<Circles, Void> CONTAINS = (circles, none, h, n) -> circles.handles.find(h);
-    private static final Guard.Numbers<Circles, Void> HANDLE = (circles, none, i, n) -> circles.handleOf((int) i);
-    private static final Guard.CircleChange<Circles> SET = Circles::setOne;
-    private static final Guard.CircleChange<Circles> MOVE = (circles, h, n, a, b) -> circles.moveOne(h, a, b);
-    private static final Guard.CircleChange<Circles> SET_KIND = (circles, h, k, a, b) -> circles.setKindOf(h, k);
-    private static final Guard.CircleChange<Circles> SET_FORCE = (circles, h, n, a, b) -> circles.setForceOn(h, a, b);
-    private static final Guard.CircleChange<Circles> SET_ANGLE = (circles, h, units, a, b) -> circles.turn(h, units);
-    private static final Guard.CircleChange<Circles> SET_ANGULAR_VELOCITY =
-            (circles, h, n, velocity, none) -> circles.setAngularVelocityOf(h, velocity);
-    private static final Guard.CircleChange<Circles> APPLY_ANGULAR_IMPULSE =
-            (circles, h, n, impulse, inertia) -> circles.pushAround(h, impulse, inertia);
-    private static final Guard.Numbers<Circles, Void> RESTITUTION =
-            (circles, none, h, n) -> Float.floatToRawIntBits(circles.handles.restitution(circles.find(h)));
-
     private final Guard guard;
     private final HandleTable handles;
     private final Commands commands;
@@ -62,19 +46,23 @@ public final class Circles {
 
     /** Removes a circle. */
     public void remove(long handle) {
-        guard.change(this, handle, 0, 0, 0, REMOVE);
-    }
-
-    private void removeOne(long handle) {
-        int id = find(handle);
-        changes.begin(1);
-        changes.setChecked(Commands.REMOVE, id, 0, 0);
-        changes.make(Commands.REMOVE);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(1);
+            changes.setChecked(Commands.REMOVE, id, 0, 0);
+            changes.make(Commands.REMOVE);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Whether a handle is that of a circle. */
     public boolean contains(long handle) {
-        return guard.read(this, null, handle, 0, CONTAINS) >= 0;
+        guard.check();
+        return handles.find(handle) >= 0;
     }
 
     /** One more than the greatest id that a circle has had. */
@@ -85,15 +73,18 @@ public final class Circles {
 
     /** The handle of the circle that has an id; 0 if there is none. */
     public long handle(int id) {
-        return guard.read(this, null, id, 0, HANDLE);
-    }
-
-    private long handleOf(int id) {
-        if (id < 0 || id >= handles.end()) {
-            throw new IllegalArgumentException(
-                    "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+        guard.enter();
+        try {
+            if (id < 0 || id >= handles.end()) {
+                throw new IllegalArgumentException(
+                        "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+            }
+            return handles.lives(id) ? handles.handle(id) : 0;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        return handles.lives(id) ? handles.handle(id) : 0;
     }
 
     /** The number of circles. */
@@ -111,33 +102,36 @@ public final class Circles {
      * @param b second value; of no meaning if the operation has one
      */
     public void set(int operation, long handle, float a, float b) {
-        guard.change(this, handle, operation, a, b, SET);
-    }
-
-    private void setOne(long handle, int operation, float a, float b) {
-        int id = find(handle);
-        changes.checkValues(operation, a, b);
-        pending.expect(2);
-        copies.forgetBy(operation);
-        guard.changing = true;
-        if (operation == Commands.MASS) {
-            setMass(id, a);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.checkValues(operation, a, b);
+            pending.expect(2);
+            copies.forgetBy(operation);
+            guard.changing = true;
+            if (operation == Commands.MASS) {
+                setMass(id, a);
+            }
+            boolean places = operation == Commands.POSITION;
+            commands.set(
+                    operation,
+                    id,
+                    places ? settings.bounds().placeX(a) : a,
+                    places ? settings.bounds().placeY(b) : b);
+            if (places) {
+                nextStep.travels.forget(id);
+            } else if (operation == Commands.RADIUS) {
+                handles.setRadius(id, a);
+                nextStep.growth.forget(id);
+            } else if (operation == Commands.RESTITUTION) {
+                handles.setRestitution(id, a);
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        boolean places = operation == Commands.POSITION;
-        commands.set(
-                operation,
-                id,
-                places ? settings.bounds().placeX(a) : a,
-                places ? settings.bounds().placeY(b) : b);
-        if (places) {
-            nextStep.travels.forget(id);
-        } else if (operation == Commands.RADIUS) {
-            handles.setRadius(id, a);
-            nextStep.growth.forget(id);
-        } else if (operation == Commands.RESTITUTION) {
-            handles.setRestitution(id, a);
-        }
-        guard.changing = false;
     }
 
     private void setMass(int id, float mass) {
@@ -155,14 +149,17 @@ public final class Circles {
      * @param y y of the place
      */
     public void move(long handle, float x, float y) {
-        guard.change(this, handle, 0, x, y, MOVE);
-    }
-
-    private void moveOne(long handle, float x, float y) {
-        int id = find(handle);
-        changes.begin(1);
-        changes.move(id, x, y);
-        changes.make(Commands.POSITION);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(1);
+            changes.move(id, x, y);
+            changes.make(Commands.POSITION);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Turns a circle to an angle in radians. */
@@ -173,25 +170,31 @@ public final class Circles {
 
     /** Turns a circle to an angle in units of a turn's 2^-32. */
     public void turnTo(long handle, int units) {
-        guard.change(this, handle, units, 0, 0, SET_ANGLE);
-    }
-
-    private void turn(long handle, int units) {
-        int id = find(handle);
-        changes.begin(1);
-        changes.setAngle(id, units);
-        changes.make(Commands.ANGLE);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(1);
+            changes.setAngle(id, units);
+            changes.make(Commands.ANGLE);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public void setAngularVelocity(long handle, float velocity) {
-        guard.change(this, handle, 0, velocity, 0, SET_ANGULAR_VELOCITY);
-    }
-
-    private void setAngularVelocityOf(long handle, float velocity) {
-        int id = find(handle);
-        changes.begin(1);
-        changes.setAngularVelocity(id, velocity);
-        changes.make(Commands.ANGULAR_VELOCITY);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(1);
+            changes.setAngularVelocity(id, velocity);
+            changes.make(Commands.ANGULAR_VELOCITY);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Applies an angular impulse to a circle of its kind. */
@@ -201,38 +204,47 @@ public final class Circles {
 
     /** Applies an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
     public void applyAngularImpulse(long handle, float impulse, float inertia) {
-        guard.change(this, handle, 0, impulse, inertia, APPLY_ANGULAR_IMPULSE);
-    }
-
-    private void pushAround(long handle, float impulse, float inertia) {
-        int id = find(handle);
-        changes.begin(1);
-        changes.pushAround(id, impulse, inertia);
-        changes.make(Commands.ANGULAR_IMPULSE);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(1);
+            changes.pushAround(id, impulse, inertia);
+            changes.make(Commands.ANGULAR_IMPULSE);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Gives a circle another kind, and the restitution of the kind if it has one. */
     public void setKind(long handle, int kind) {
-        guard.change(this, handle, kind, 0, 0, SET_KIND);
-    }
-
-    private void setKindOf(long handle, int kind) {
-        int id = find(handle);
-        changes.begin(2);
-        changes.setKind(id, kind);
-        changes.make(Commands.FIELD);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(2);
+            changes.setKind(id, kind);
+            changes.make(Commands.FIELD);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Sets the force on a circle. */
     public void setForce(long handle, float x, float y) {
-        guard.change(this, handle, 0, x, y, SET_FORCE);
-    }
-
-    private void setForceOn(long handle, float x, float y) {
-        int id = find(handle);
-        changes.begin(2);
-        changes.setForce(id, x, y);
-        changes.make(Commands.FIELD);
+        guard.enter();
+        try {
+            int id = find(handle);
+            changes.begin(2);
+            changes.setForce(id, x, y);
+            changes.make(Commands.FIELD);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private int find(long handle) {
@@ -255,6 +267,7 @@ public final class Circles {
 
     /** The restitution of one circle. */
     public float restitution(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, RESTITUTION));
+        guard.check();
+        return handles.restitution(find(handle));
     }
 }

@@ -15,9 +15,6 @@ import io.github.circles2d.world.shared.WorldState;
  * each removes them as any other call does, so that their ends are reported.
  */
 public final class Clearing {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Change<Clearing> CLEAR = Clearing::removeAll;
-
     private final Guard guard;
     private final HandleTable handles;
     private final ContactEvents events;
@@ -48,30 +45,33 @@ public final class Clearing {
 
     /** Removes all circles. */
     public void clear() {
-        guard.change(this, CLEAR);
-    }
-
-    private void removeAll() {
-        pending.settleJoints();
-        joints.departures().ensure(joints.table.ids.size());
-        if (events.isOn()) {
-            pending.expect(handles.size());
-        } else {
-            pending.finish();
-            state.makeRoomToRemoveCircles();
+        guard.enter();
+        try {
+            pending.settleJoints();
+            joints.departures().ensure(joints.table.ids.size());
+            if (events.isOn()) {
+                pending.expect(handles.size());
+            } else {
+                pending.finish();
+                state.makeRoomToRemoveCircles();
+            }
+            copies.forget();
+            log.call(LoggedCall.CLEAR, 0, 0);
+            guard.changing = true;
+            joints.departures().removeOfCircles();
+            if (events.isOn()) {
+                pending.recordRemovals();
+                handles.removeAll();
+            } else {
+                pending.drop(); // changes that wait are of circles that go, or that the pipeline never learns of
+                state.removeCircles();
+            }
+            state.figures().forget();
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        copies.forget();
-        log.call(LoggedCall.CLEAR, 0, 0);
-        guard.changing = true;
-        joints.departures().removeOfCircles();
-        if (events.isOn()) {
-            pending.recordRemovals();
-            handles.removeAll();
-        } else {
-            pending.drop(); // changes that wait are of circles that go, or that the pipeline never learns of
-            state.removeCircles();
-        }
-        state.figures().forget();
-        guard.changing = false;
     }
 }

@@ -13,14 +13,6 @@ import io.github.circles2d.world.shared.PendingWork;
 
 /** The calls on single fields of a circle, {@link CircleField}, which only calls change. The pipeline gets those that steps read. */
 public final class FieldCalls {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Numbers<FieldCalls, CircleField> SET = FieldCalls::setOne;
-    private static final Guard.Numbers<FieldCalls, CircleField> GET =
-            (calls, field, h, n) -> calls.fields.get(field, calls.find(h));
-    private static final Guard.Numbers<FieldCalls, Void> FRICTION = (calls, none, h, n) -> calls.frictionBits(h);
-    private static final Guard.Numbers<FieldCalls, Void> ROLLING_RESISTANCE =
-            (calls, none, h, n) -> calls.rollingResistanceBits(h);
-
     private final Guard guard;
     private final HandleTable handles;
     private final CircleFields fields;
@@ -59,25 +51,27 @@ public final class FieldCalls {
      * @param value the new value
      */
     public void set(CircleField field, long handle, long value) {
-        guard.read(this, field, handle, value, SET);
-    }
-
-    private long setOne(CircleField field, long handle, long value) {
-        int id = find(handle);
-        field.check(value);
-        pending.expect(1);
-        fields.ensure(field, id + 1);
-        copies.forgetSaved();
-        if (!field.isOfSteps()) {
-            log.field(field, id, value);
+        guard.enter();
+        try {
+            int id = find(handle);
+            field.check(value);
+            pending.expect(1);
+            fields.ensure(field, id + 1);
+            copies.forgetSaved();
+            if (!field.isOfSteps()) {
+                log.field(field, id, value);
+            }
+            guard.changing = true;
+            if (field.isOfTurning() && value != field.initial()) {
+                needs.askToTurn();
+            }
+            enter(field, id, value);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        guard.changing = true;
-        if (field.isOfTurning() && value != field.initial()) {
-            needs.askToTurn();
-        }
-        enter(field, id, value);
-        guard.changing = false;
-        return 0;
     }
 
     /** Gives a circle friction of its own, or takes it away. */
@@ -98,29 +92,23 @@ public final class FieldCalls {
 
     /** The friction of a circle: its own, else that of its kind, else the world's. */
     public float friction(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, FRICTION));
+        guard.check();
+        int id = find(handle);
+        float own = fields.getFloat(CircleField.FRICTION, id);
+        return Float.isNaN(own) ? kinds.friction(kindOf(id)) : own;
     }
 
     /** Likewise. */
     public float rollingResistance(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ROLLING_RESISTANCE));
+        guard.check();
+        int id = find(handle);
+        float own = fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
+        return Float.isNaN(own) ? kinds.rollingResistance(kindOf(id)) : own;
     }
 
     /** Sets the torque on a circle. */
     public void setTorque(long handle, float torque) {
         set(CircleField.TORQUE, handle, CircleField.bits(torque));
-    }
-
-    private long frictionBits(long handle) {
-        int id = find(handle);
-        float own = fields.getFloat(CircleField.FRICTION, id);
-        return Float.floatToRawIntBits(Float.isNaN(own) ? kinds.friction(kindOf(id)) : own);
-    }
-
-    private long rollingResistanceBits(long handle) {
-        int id = find(handle);
-        float own = fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
-        return Float.floatToRawIntBits(Float.isNaN(own) ? kinds.rollingResistance(kindOf(id)) : own);
     }
 
     private int kindOf(int id) {
@@ -146,6 +134,7 @@ public final class FieldCalls {
 
     /** A field of a circle. */
     public long get(CircleField field, long handle) {
-        return guard.read(this, field, handle, 0, GET);
+        guard.check();
+        return fields.get(field, find(handle));
     }
 }

@@ -19,11 +19,6 @@ import java.util.Arrays;
  * same once more.
  */
 public final class Forces {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<Forces> APPLY = (forces, h, n, x, y) -> forces.applyOne(h, x, y);
-    private static final Guard.CircleChange<Forces> APPLY_TORQUE =
-            (forces, h, n, torque, none) -> forces.applyOneTorque(h, torque);
-
     private final Guard guard;
     private final HandleTable handles;
     private final CircleFields fields;
@@ -57,42 +52,48 @@ public final class Forces {
 
     /** Applies a force to a circle in the next step. */
     public void apply(long handle, float x, float y) {
-        guard.change(this, handle, 0, x, y, APPLY);
-    }
-
-    private void applyOne(long handle, float x, float y) {
-        int id = Circles.find(handles, handle);
-        Limits.force(x, y);
-        ensure();
-        fields.ensure(CircleField.APPLIED_X, id + 1);
-        fields.ensure(CircleField.APPLIED_Y, id + 1);
-        log.force(id, x, y);
-        copies.forgetSaved();
-        guard.changing = true;
-        list(id);
-        fields.set(CircleField.APPLIED_X, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_X, id), x)));
-        fields.set(CircleField.APPLIED_Y, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_Y, id), y)));
-        guard.changing = false;
+        guard.enter();
+        try {
+            int id = Circles.find(handles, handle);
+            Limits.force(x, y);
+            ensure();
+            fields.ensure(CircleField.APPLIED_X, id + 1);
+            fields.ensure(CircleField.APPLIED_Y, id + 1);
+            log.force(id, x, y);
+            copies.forgetSaved();
+            guard.changing = true;
+            list(id);
+            fields.set(CircleField.APPLIED_X, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_X, id), x)));
+            fields.set(CircleField.APPLIED_Y, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_Y, id), y)));
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Applies a torque to a circle in the next step. */
     public void applyTorque(long handle, float torque) {
-        guard.change(this, handle, 0, torque, 0, APPLY_TORQUE);
-    }
-
-    private void applyOneTorque(long handle, float torque) {
-        int id = Circles.find(handles, handle);
-        Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
-        ensure();
-        fields.ensure(CircleField.APPLIED_TORQUE, id + 1);
-        log.torque(id, torque);
-        copies.forgetSaved();
-        guard.changing = true;
-        needs.askToTurn();
-        list(id);
-        float before = fields.getFloat(CircleField.APPLIED_TORQUE, id);
-        fields.set(CircleField.APPLIED_TORQUE, id, CircleField.bits(sum(before, torque)));
-        guard.changing = false;
+        guard.enter();
+        try {
+            int id = Circles.find(handles, handle);
+            Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
+            ensure();
+            fields.ensure(CircleField.APPLIED_TORQUE, id + 1);
+            log.torque(id, torque);
+            copies.forgetSaved();
+            guard.changing = true;
+            needs.askToTurn();
+            list(id);
+            float before = fields.getFloat(CircleField.APPLIED_TORQUE, id);
+            fields.set(CircleField.APPLIED_TORQUE, id, CircleField.bits(sum(before, torque)));
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Makes room for one more circle that a force or a torque is applied to. */

@@ -21,11 +21,6 @@ import java.util.Arrays;
  * knows nothing of this: a command before it gives the circle its next radius.
  */
 public final class Growth {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<Growth> GROW = (growth, h, n, r, none) -> growth.growOne(h, r, n);
-    private static final Guard.Numbers<Growth, Void> STEPS = (growth, none, h, n) ->
-            CircleField.growthSteps(growth.fields.get(CircleField.GROWTH, Circles.find(growth.handles, h)));
-
     private static final CircleField GROWTH = CircleField.GROWTH;
 
     private final Guard guard;
@@ -61,25 +56,29 @@ public final class Growth {
 
     /** Lets a circle grow or shrink to a radius in a number of steps, from the radius that it has. */
     public void grow(long handle, float radius, int steps) {
-        guard.change(this, handle, steps, radius, 0, GROW);
-    }
-
-    private void growOne(long handle, float radius, int steps) {
-        int id = Circles.find(handles, handle);
-        Limits.growth(radius, steps, settings.bounds());
-        fields.ensure(GROWTH, id + 1);
-        ensure(count + 1, handles.end());
-        log.call(LoggedCall.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
-        copies.forgetSaved();
-        guard.changing = true;
-        list(id);
-        fields.set(GROWTH, id, CircleField.growth(radius, steps));
-        guard.changing = false;
+        guard.enter();
+        try {
+            int id = Circles.find(handles, handle);
+            Limits.growth(radius, steps, settings.bounds());
+            fields.ensure(GROWTH, id + 1);
+            ensure(count + 1, handles.end());
+            log.call(LoggedCall.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
+            copies.forgetSaved();
+            guard.changing = true;
+            list(id);
+            fields.set(GROWTH, id, CircleField.growth(radius, steps));
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The steps that a circle goes on to grow or shrink; 0 if it does neither. */
     public int steps(long handle) {
-        return (int) guard.read(this, null, handle, 0, STEPS);
+        guard.check();
+        return CircleField.growthSteps(fields.get(GROWTH, Circles.find(handles, handle)));
     }
 
     private void ensure(int circles, int idLimit) {

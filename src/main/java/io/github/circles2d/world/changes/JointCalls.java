@@ -19,16 +19,6 @@ import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls that change joints. A change acts from the next step on. */
 public final class JointCalls {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<JointCalls> REMOVE = (joints, handle, n, a, b) -> joints.removeOne(handle);
-    private static final Guard.Change<JointCalls> CLEAR = JointCalls::removeEach;
-    private static final Guard.CircleChange<JointCalls> SET = JointCalls::setOne;
-    private static final Guard.ChangeWith<JointCalls, long[]> REMOVE_ALL = JointCalls::removeMany;
-    private static final Guard.CircleChange<JointCalls> REPORT = (joints, h, on, a, b) -> joints.tell(on != 0);
-    private static final Guard.ChangeWith<JointCalls, GoneJoints> TAKE = JointCalls::give;
-
-    private static final Guard.Numbers<JointCalls, Void> HANDLE = (joints, none, id, n) -> joints.handleOf((int) id);
-
     private final Guard guard;
     private final HandleTable handles;
     private final TerrainTables terrain;
@@ -74,12 +64,15 @@ public final class JointCalls {
 
     /** The handle of the joint that has an id; 0 if there is none. */
     public long handle(int id) {
-        return guard.read(this, null, id, 0, HANDLE);
-    }
-
-    private long handleOf(int id) {
-        pending.settleJoints();
-        return table.ids.handleOrNone(id);
+        guard.enter();
+        try {
+            pending.settleJoints();
+            return table.ids.handleOrNone(id);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     // ---- joints come
@@ -260,22 +253,29 @@ public final class JointCalls {
 
     /** Sets something of a joint, by one or two values. */
     public void set(JointSetting setting, long handle, float a, float b) {
-        guard.change(this, handle, setting.number, a, b, SET);
-    }
-
-    private void setOne(long handle, int number, float a, float b) {
-        pending.settleJoints();
-        JointSetting setting = JointSetting.of(number);
-        int joint = find(handle);
-        joints.check(joint, setting, a, b);
-        if (setting == JointSetting.SPRING) {
-            table.ensureSpring();
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int joint = find(handle);
+            joints.check(joint, setting, a, b);
+            if (setting == JointSetting.SPRING) {
+                table.ensureSpring();
+            }
+            copies.forgetSaved();
+            log.call(
+                    LoggedCall.JOINT_SETTING,
+                    joint,
+                    setting.number,
+                    Float.floatToRawIntBits(a),
+                    Float.floatToRawIntBits(b));
+            guard.changing = true;
+            joints.set(joint, setting, a, b);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        copies.forgetSaved();
-        log.call(LoggedCall.JOINT_SETTING, joint, number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
-        guard.changing = true;
-        joints.set(joint, setting, a, b);
-        guard.changing = false;
     }
 
     private int find(long handle) {
@@ -303,41 +303,47 @@ public final class JointCalls {
 
     /** Removes a joint. */
     public void remove(long handle) {
-        guard.change(this, handle, 0, 0, 0, REMOVE);
-    }
-
-    private void removeOne(long handle) {
-        pending.settleJoints();
-        int joint = find(handle);
-        copies.forgetSaved();
-        log.call(LoggedCall.REMOVE_JOINT, joint, 0);
-        guard.changing = true;
-        table.remove(joint);
-        guard.changing = false;
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int joint = find(handle);
+            copies.forgetSaved();
+            log.call(LoggedCall.REMOVE_JOINT, joint, 0);
+            guard.changing = true;
+            table.remove(joint);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
-        guard.change(this, them, REMOVE_ALL);
-    }
-
-    private void removeMany(long[] them) {
-        pending.settleJoints();
-        int n = Limits.notNull("joints", them).length;
-        ensureFound(n);
-        leaving.begin(table.ids.end());
-        for (int k = 0; k < n; k++) {
-            findLeaving(k, them[k]);
+        guard.enter();
+        try {
+            pending.settleJoints();
+            int n = Limits.notNull("joints", them).length;
+            ensureFound(n);
+            leaving.begin(table.ids.end());
+            for (int k = 0; k < n; k++) {
+                findLeaving(k, them[k]);
+            }
+            copies.forgetSaved();
+            for (int k = 0; k < n; k++) {
+                log.call(LoggedCall.REMOVE_JOINT, found[k], 0);
+            }
+            guard.changing = true;
+            for (int k = 0; k < n; k++) {
+                table.remove(found[k]);
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        copies.forgetSaved();
-        for (int k = 0; k < n; k++) {
-            log.call(LoggedCall.REMOVE_JOINT, found[k], 0);
-        }
-        guard.changing = true;
-        for (int k = 0; k < n; k++) {
-            table.remove(found[k]);
-        }
-        guard.changing = false;
     }
 
     private void findLeaving(int k, long handle) {
@@ -354,16 +360,19 @@ public final class JointCalls {
 
     /** Removes all joints. */
     public void clear() {
-        guard.change(this, CLEAR);
-    }
-
-    private void removeEach() {
-        pending.settleJoints();
-        copies.forgetSaved();
-        log.call(LoggedCall.CLEAR_JOINTS, 0, 0);
-        guard.changing = true;
-        table.clear();
-        guard.changing = false;
+        guard.enter();
+        try {
+            pending.settleJoints();
+            copies.forgetSaved();
+            log.call(LoggedCall.CLEAR_JOINTS, 0, 0);
+            guard.changing = true;
+            table.clear();
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     // ---- joints that go by themselves
@@ -371,12 +380,15 @@ public final class JointCalls {
 
     /** Sets whether they are told of. */
     public void report(boolean on) {
-        guard.change(this, 0, on ? 1 : 0, 0, 0, REPORT);
-    }
-
-    private void tell(boolean on) {
-        pending.settleJoints(); // what has gone so far is told of as it was to be
-        joints.departures().report(on);
+        guard.enter();
+        try {
+            pending.settleJoints(); // what has gone so far is told of as it was to be
+            joints.departures().report(on);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Whether somebody is told of joints that go by themselves. */
@@ -387,11 +399,14 @@ public final class JointCalls {
 
     /** Gives those that went since the last call. */
     public void take(GoneJoints to) {
-        guard.change(this, to, TAKE);
-    }
-
-    private void give(GoneJoints to) {
-        pending.settleJoints();
-        joints.departures().gone().moveTo(to);
+        guard.enter();
+        try {
+            pending.settleJoints();
+            joints.departures().gone().moveTo(to);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 }

@@ -12,11 +12,6 @@ import io.github.circles2d.world.shared.WorldSettings;
 
 /** The calls on kinds of circles. A change acts from the next step on. */
 public final class Kinds {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Numbers<Kinds, KindField> SET = Kinds::setField;
-    private static final Guard.Numbers<Kinds, Void> SET_SETTING =
-            (kinds, none, both, to) -> kinds.setPair((int) both, (int) (both >> Integer.SIZE), (int) to);
-
     private final Guard guard;
     private final KindTable table;
     private final CircleFields fields;
@@ -49,17 +44,19 @@ public final class Kinds {
     }
 
     public void set(KindField field, int kind, int value) {
-        guard.read(this, field, kind, value, SET);
-    }
-
-    private long setField(KindField field, long kind, long value) {
-        field.check((int) value);
-        log.call(LoggedCall.KIND, (int) kind, field.number(), (int) value, 0);
-        copies.forgetSaved();
-        guard.changing = true;
-        table.set(field, (int) kind, (int) value);
-        guard.changing = false;
-        return 0;
+        guard.enter();
+        try {
+            field.check(value);
+            log.call(LoggedCall.KIND, kind, field.number(), value, 0);
+            copies.forgetSaved();
+            guard.changing = true;
+            table.set(field, kind, value);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Sets a field of a kind that is a float. All numbers that are none are one. */
@@ -75,18 +72,20 @@ public final class Kinds {
 
     /** Sets what the matrix has of two kinds. */
     public void setSetting(int a, int b, int setting) {
-        guard.read(this, null, LoggedCall.value(a, b), setting, SET_SETTING);
-    }
-
-    private long setPair(int a, int b, int setting) {
-        KindTable.check(a);
-        KindTable.check(b);
-        log.call(LoggedCall.PAIR_OF_KINDS, a, b, setting, 0);
-        copies.forgetSaved();
-        guard.changing = true;
-        table.setSetting(a, b, setting);
-        guard.changing = false;
-        return 0;
+        guard.enter();
+        try {
+            KindTable.check(a);
+            KindTable.check(b);
+            log.call(LoggedCall.PAIR_OF_KINDS, a, b, setting, 0);
+            copies.forgetSaved();
+            guard.changing = true;
+            table.setSetting(a, b, setting);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public float restitution(int kind, float otherwise) {

@@ -13,9 +13,6 @@ import io.github.circles2d.world.shared.WorldSettings;
 
 /** The calls that add circles, one or many. */
 public final class NewCircles {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.FloatsChange<NewCircles> ADD = NewCircles::addOne;
-
     private final Guard guard;
     private final HandleTable handles;
     private final Commands commands;
@@ -51,29 +48,32 @@ public final class NewCircles {
 
     /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
-        return guard.change(this, kind, x, y, radius, mass, vx, vy, ADD);
-    }
-
-    private long addOne(int kind, float x, float y, float radius, float mass, float vx, float vy) {
-        checkRoom(1);
-        check(x, y, radius, mass, vx, vy);
-        KindTable.check(kind);
-        pending.expect(2);
-        handles.ensure(1);
-        if (kind != 0) {
-            handles.fields().ensure(CircleField.KIND, handles.end() + 1);
+        guard.enter();
+        try {
+            checkRoom(1);
+            check(x, y, radius, mass, vx, vy);
+            KindTable.check(kind);
+            pending.expect(2);
+            handles.ensure(1);
+            if (kind != 0) {
+                handles.fields().ensure(CircleField.KIND, handles.end() + 1);
+            }
+            float restitution = kinds.newRestitution(kind);
+            commands.prepare(
+                    0, settings.bounds().placeX(x), settings.bounds().placeY(y), radius, mass, restitution, vx, vy);
+            copies.forget();
+            guard.changing = true;
+            long handle = admit();
+            if (kind != 0) {
+                setKind((int) handle, kind);
+            }
+            guard.changing = false;
+            return handle;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        float restitution = kinds.newRestitution(kind);
-        commands.prepare(
-                0, settings.bounds().placeX(x), settings.bounds().placeY(y), radius, mass, restitution, vx, vy);
-        copies.forget();
-        guard.changing = true;
-        long handle = admit();
-        if (kind != 0) {
-            setKind((int) handle, kind);
-        }
-        guard.changing = false;
-        return handle;
     }
 
     /**

@@ -21,18 +21,6 @@ import io.github.circles2d.world.terrain.TerrainTables;
 public final class Pieces {
     private static final int SEGMENT_STRIDE = 4;
 
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.CircleChange<Pieces> REMOVE = (pieces, handle, n, a, b) -> pieces.removeOne(handle);
-    private static final Guard.CircleChange<Pieces> SET_KIND = (pieces, handle, kind, a, b) -> pieces.set(handle, kind);
-    private static final Guard.Change<Pieces> CLEAR = Pieces::removeAll;
-    private static final Guard.Numbers<Pieces, Void> FIND = (pieces, none, handle, n) -> pieces.table.ids.find(handle);
-    private static final Guard.Numbers<Pieces, Void> HANDLE =
-            (pieces, none, id, n) -> pieces.table.ids.handleOrNone((int) id);
-    private static final Guard.Numbers<Pieces, Void> KIND =
-            (pieces, none, handle, n) -> pieces.table.kindOf(pieces.find(handle));
-    private static final Guard.Numbers<Pieces, Void> BODY =
-            (pieces, none, handle, n) -> pieces.terrain.bodies.ids.handle(pieces.table.bodyOf(pieces.find(handle)));
-
     private final Guard guard;
     private final TerrainTables terrain;
     private final PieceTable table;
@@ -209,46 +197,55 @@ public final class Pieces {
 
     /** Removes a piece. */
     public void remove(long handle) {
-        guard.change(this, handle, 0, 0, 0, REMOVE);
-    }
-
-    private void removeOne(long handle) {
-        int piece = find(handle);
-        copies.forgetSaved();
-        log.call(LoggedCall.REMOVE_PIECE, piece, 0);
-        guard.changing = true;
-        terrain.remove(piece);
-        guard.changing = false;
+        guard.enter();
+        try {
+            int piece = find(handle);
+            copies.forgetSaved();
+            log.call(LoggedCall.REMOVE_PIECE, piece, 0);
+            guard.changing = true;
+            terrain.remove(piece);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Removes all pieces and bodies. */
     public void clear() {
-        guard.change(this, CLEAR);
-    }
-
-    private void removeAll() {
-        pending.settleJoints();
-        joints.departures().ensure(joints.table.places.count());
-        copies.forgetSaved();
-        log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
-        guard.changing = true;
-        joints.departures().removeOfBodies();
-        terrain.clear();
-        guard.changing = false;
+        guard.enter();
+        try {
+            pending.settleJoints();
+            joints.departures().ensure(joints.table.places.count());
+            copies.forgetSaved();
+            log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
+            guard.changing = true;
+            joints.departures().removeOfBodies();
+            terrain.clear();
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public void setKind(long handle, int kind) {
-        guard.change(this, handle, kind, 0, 0, SET_KIND);
-    }
-
-    private void set(long handle, int kind) {
-        int piece = find(handle);
-        KindTable.check(kind);
-        copies.forgetSaved();
-        log.call(LoggedCall.PIECE_KIND, piece, kind);
-        guard.changing = true;
-        terrain.setKind(piece, kind);
-        guard.changing = false;
+        guard.enter();
+        try {
+            int piece = find(handle);
+            KindTable.check(kind);
+            copies.forgetSaved();
+            log.call(LoggedCall.PIECE_KIND, piece, kind);
+            guard.changing = true;
+            terrain.setKind(piece, kind);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private int find(long handle) {
@@ -261,7 +258,8 @@ public final class Pieces {
     }
 
     public boolean contains(long handle) {
-        return guard.read(this, null, handle, 0, FIND) >= 0;
+        guard.check();
+        return table.ids.find(handle) >= 0;
     }
 
     /** One more than the greatest id that a piece has had. */
@@ -272,7 +270,8 @@ public final class Pieces {
 
     /** The handle of the piece that has an id; 0 if there is none. */
     public long handle(int id) {
-        return guard.read(this, null, id, 0, HANDLE);
+        guard.check();
+        return table.ids.handleOrNone(id);
     }
 
     /** The number of pieces. */
@@ -282,12 +281,14 @@ public final class Pieces {
     }
 
     public int kindOf(long handle) {
-        return (int) guard.read(this, null, handle, 0, KIND);
+        guard.check();
+        return table.kindOf(find(handle));
     }
 
     /** The handle of the body of a piece. */
     public long bodyOf(long handle) {
-        return guard.read(this, null, handle, 0, BODY);
+        guard.check();
+        return terrain.bodies.ids.handle(table.bodyOf(find(handle)));
     }
 
     /** What pieces look like, in the order of ids, and their handles, which are optional; returns how many there are. */

@@ -74,8 +74,8 @@ final class FieldSections {
     }
 
     /**
-     * Reads sections behind the records of the ids, those of {@link ParameterSections}, {@link TouchSection} and {@link SlipSection} too, and
-     * checks them.
+     * Reads sections behind the records of the ids, those of {@link ParameterSections} and {@link TouchSection} too, and checks
+     * them.
      */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.clearAll();
@@ -96,8 +96,6 @@ final class FieldSections {
             before = number;
             if (number == TouchSection.NUMBER) {
                 TouchSection.read(in, s, in.getInt());
-            } else if (number == SlipSection.NUMBER) {
-                SlipSection.read(in, s.touches, in.getInt());
             } else if (number >= ParameterSections.FIRST) {
                 ParameterSections.read(in, s, number);
             } else {

@@ -12,7 +12,7 @@ import java.nio.ByteOrder;
 /**
  * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, the fields of circles that are
  * not the initial ones ({@link FieldSections}), what most worlds have not ({@link ParameterSections}), and the pairs that touch if events
- * are reported ({@link TouchSection}, {@link SlipSection}). Equal states have equal bytes, whatever they were computed on.
+ * are reported ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
@@ -99,10 +99,7 @@ public final class SnapshotCodec {
     }
 
     private static long sectionBytes(SavedState s) {
-        return FieldSections.bytes(s)
-                + ParameterSections.bytes(s)
-                + TouchSection.bytes(s.touches)
-                + SlipSection.bytes(s.touches);
+        return FieldSections.bytes(s) + ParameterSections.bytes(s) + TouchSection.bytes(s.touches);
     }
 
     /** Writes a snapshot from the position on, which moves behind it, in any byte order of the buffer. */
@@ -131,10 +128,7 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(packed(p.subSteps(), p.bounds())).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s)
-                        + ParameterSections.count(s)
-                        + TouchSection.count(s.touches)
-                        + SlipSection.count(s.touches))
+        out.putInt(FieldSections.count(s) + ParameterSections.count(s) + TouchSection.count(s.touches))
                 .putLong(0);
         int circle = 0;
         int impulse = 0;
@@ -156,7 +150,6 @@ public final class SnapshotCodec {
         FieldSections.write(s, out);
         ParameterSections.write(s, out);
         TouchSection.write(s.touches, out);
-        SlipSection.write(s.touches, out);
         out.putInt(LENGTH_AT, out.position());
     }
 

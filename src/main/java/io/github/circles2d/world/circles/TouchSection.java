@@ -13,20 +13,15 @@ import java.util.Arrays;
  *            ascending order: varint of the lower id minus the one before (0 at first), varint of the higher id, or of the code of a
  *            wall or piece of terrain, minus the lower; for each such hit: int number of the pair, its values; for each such event: long
  *            handles, byte type, byte number of the wall, -1 or {@link SavedTouches#PIECE}, values
- * values     float approach speed, impulse, normal x, y, point x, y
+ * values     float approach speed, impulse, normal x, y, point x, y, speed along the surfaces
  * </pre>
- *
- * <p>{@link SlipSection} has the speeds along the surfaces.
  */
 final class TouchSection {
-    /** Greater than those of all other sections but {@link SlipSection#NUMBER}. */
+    /** Greater than those of all other sections. */
     static final int NUMBER = 2000;
 
     private static final int HEAD = 4 * Integer.BYTES;
-    /** Those up to the speed along the surfaces. */
-    private static final int VALUES = SavedTouches.SLIP;
-
-    private static final int VALUE_BYTES = VALUES * Float.BYTES;
+    private static final int VALUE_BYTES = SavedTouches.VALUES * Float.BYTES;
     private static final int OPEN = Integer.BYTES + VALUE_BYTES;
     private static final int LATE = 2 * Long.BYTES + 2 + VALUE_BYTES;
     private static final int LEAST_PAIR = 2;
@@ -85,7 +80,7 @@ final class TouchSection {
     }
 
     private static void writeValues(float[] values, int k, ByteBuffer out) {
-        for (int v = 0; v < VALUES; v++) {
+        for (int v = 0; v < SavedTouches.VALUES; v++) {
             out.putFloat(values[SavedTouches.VALUES * k + v]);
         }
     }
@@ -155,6 +150,8 @@ final class TouchSection {
         t.lateInts[SavedTouches.LATE_INTS * k] = type;
         t.lateInts[SavedTouches.LATE_INTS * k + 1] = side;
         readValues(t.lateValues, k, in);
+        SnapshotCodec.require(
+                type == SavedTouches.HIT || slip(t.lateValues, k) == 0f, "an event that is no hit has slid");
     }
 
     private static boolean isHandle(long handle, int ids) {
@@ -162,12 +159,17 @@ final class TouchSection {
     }
 
     private static void readValues(float[] values, int k, ByteBuffer in) {
-        values[SavedTouches.VALUES * k + SavedTouches.SLIP] = 0f;
-        for (int v = 0; v < VALUES; v++) {
+        for (int v = 0; v < SavedTouches.VALUES; v++) {
             float value = in.getFloat();
             SnapshotCodec.require(Float.isFinite(value), "a value of an event is out of range");
             values[SavedTouches.VALUES * k + v] = value;
         }
+        SnapshotCodec.require(
+                Float.floatToRawIntBits(slip(values, k)) >= 0, "the speed of a hit that slid is out of range");
+    }
+
+    private static float slip(float[] values, int k) {
+        return values[SavedTouches.VALUES * k + SavedTouches.SLIP];
     }
 
     private static boolean isPiece(SavedState s, long code) {

@@ -21,25 +21,6 @@ import java.util.Arrays;
 
 /** The reads of joints. */
 public final class JointReads {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Numbers<JointReads, Void> FIND = (joints, none, handle, n) -> joints.lookFor(handle);
-    private static final Guard.Numbers<JointReads, Void> SIZE = (joints, none, m, n) -> joints.count();
-    private static final Guard.Numbers<JointReads, Void> CIRCLE =
-            (joints, none, handle, n) -> joints.circleOf(handle, n != 0);
-    private static final Guard.Numbers<JointReads, JointForm[]> FORM =
-            (joints, to, handle, n) -> joints.formOf(handle, to);
-    private static final Guard.Numbers<JointReads, Void> ANCHOR =
-            (joints, none, handle, axis) -> joints.anchorBits(handle, axis != 0);
-    private static final Guard.Numbers<JointReads, Void> LOAD =
-            (joints, none, handle, which) -> joints.loadBits(handle, (int) which);
-    private static final Guard.Numbers<JointReads, Void> LENGTH =
-            (joints, none, handle, n) -> joints.lengthBits(handle);
-    private static final Guard.Numbers<JointReads, long[]> OF_CIRCLE =
-            (joints, into, circle, n) -> joints.listOfCircle(circle, into);
-    private static final Guard.Numbers<JointReads, float[]> READ_ENDS = (joints, to, m, n) -> joints.copyEnds(to);
-    private static final Guard.FloatsChange<JointReads> PICK =
-            (joints, n, x, y, most, d, e, f) -> joints.nearest(x, y, most);
-
     // what a joint does to its first circle
     private static final int FORCE_X = 0;
     private static final int FORCE_Y = 1;
@@ -77,33 +58,42 @@ public final class JointReads {
     }
 
     public boolean contains(long handle) {
-        return guard.read(this, null, handle, 0, FIND) >= 0;
-    }
-
-    private int lookFor(long handle) {
-        pending.settleJoints();
-        return table.ids.find(handle);
+        guard.enter();
+        try {
+            pending.settleJoints();
+            return table.ids.find(handle) >= 0;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The number of joints. */
     public int size() {
-        return (int) guard.read(this, null, 0, 0, SIZE);
-    }
-
-    private int count() {
-        pending.settleJoints();
-        return table.ids.size();
+        guard.enter();
+        try {
+            pending.settleJoints();
+            return table.ids.size();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The handle of the first circle of a joint, or of the other one; 0 if there is none. */
     public long circle(long handle, boolean other) {
-        return guard.read(this, null, handle, other ? 1 : 0, CIRCLE);
-    }
-
-    private long circleOf(long handle, boolean other) {
-        int joint = find(handle);
-        int circle = other ? table.b(joint) : table.a(joint);
-        return circle == JointRow.NONE ? 0 : handles.handle(circle);
+        guard.enter();
+        try {
+            int joint = find(handle);
+            int circle = other ? table.b(joint) : table.a(joint);
+            return circle == JointRow.NONE ? 0 : handles.handle(circle);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private int find(long handle) {
@@ -113,64 +103,84 @@ public final class JointReads {
 
     /** What a joint does. */
     public JointForm form(long handle) {
-        JointForm[] to = new JointForm[1];
-        guard.read(this, to, handle, 0, FORM);
-        return to[0];
-    }
-
-    private long formOf(long handle, JointForm[] to) {
-        to[0] = table.formOf(find(handle));
-        return 0;
+        guard.enter();
+        try {
+            return table.formOf(find(handle));
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     // ---- where joints are
     // --------------------------------------------------------------------------------------------
 
     public float anchorX(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ANCHOR));
+        guard.enter();
+        try {
+            return anchor(handle, false);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public float anchorY(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 1, ANCHOR));
+        guard.enter();
+        try {
+            return anchor(handle, true);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
-    private long anchorBits(long handle, boolean y) {
+    private float anchor(long handle, boolean y) {
         int joint = find(handle);
         joints.requireAnchor(joint);
-        return Float.floatToRawIntBits(y ? joints.anchorY(joint) : joints.anchorX(joint));
+        return y ? joints.anchorY(joint) : joints.anchorX(joint);
     }
 
     /** How far its ends are apart now. */
     public float length(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, LENGTH));
-    }
-
-    private long lengthBits(long handle) {
-        int joint = find(handle);
-        JointEnds ends = joints.ends().look(last.circles());
-        ends.of(joint);
-        return Float.floatToRawIntBits(ends.length());
+        guard.enter();
+        try {
+            int joint = find(handle);
+            JointEnds ends = joints.ends().look(last.circles());
+            ends.of(joint);
+            return ends.length();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** x and y of both ends of all joints, in the order of ids; returns how many there are. */
     public int readEnds(float[] to) {
-        return (int) guard.read(this, to, 0, 0, READ_ENDS);
-    }
-
-    private long copyEnds(float[] to) {
-        pending.settleJoints();
-        Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
-        if (!joints.isThere()) {
-            return 0;
-        }
-        JointEnds ends = joints.ends().look(last.circles());
-        int n = 0;
-        for (int joint = 0; joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint)) {
-                copyEnds(ends, joint, to, ENDS * n++);
+        guard.enter();
+        try {
+            pending.settleJoints();
+            Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
+            if (!joints.isThere()) {
+                return 0;
             }
+            JointEnds ends = joints.ends().look(last.circles());
+            int n = 0;
+            for (int joint = 0; joint < table.ids.end(); joint++) {
+                if (table.ids.lives(joint)) {
+                    copyEnds(ends, joint, to, ENDS * n++);
+                }
+            }
+            return n;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        return n;
     }
 
     private static void copyEnds(JointEnds ends, int joint, float[] to, int at) {
@@ -218,52 +228,58 @@ public final class JointReads {
 
     /** The joint whose line is nearest to a point, of several the one of the lowest id; 0 if all are farther away than a distance. */
     public long pick(float x, float y, float most) {
-        return guard.change(this, 0, x, y, most, 0, 0, 0, PICK);
-    }
-
-    private long nearest(float x, float y, float most) {
-        pending.settleJoints();
-        Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
-        Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
-        Limits.within("the greatest distance", most, 0f, Float.POSITIVE_INFINITY);
-        int nearest = -1;
-        double least = most;
-        JointEnds ends = joints.isThere() ? joints.ends().look(last.circles()) : null;
-        for (int joint = 0; ends != null && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint)) {
-                ends.of(joint);
-                double distance = ends.distanceTo(x, y);
-                if (distance < least || distance == least && nearest < 0) {
-                    nearest = joint;
-                    least = distance;
+        guard.enter();
+        try {
+            pending.settleJoints();
+            Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
+            Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
+            Limits.within("the greatest distance", most, 0f, Float.POSITIVE_INFINITY);
+            int nearest = -1;
+            double least = most;
+            JointEnds ends = joints.isThere() ? joints.ends().look(last.circles()) : null;
+            for (int joint = 0; ends != null && joint < table.ids.end(); joint++) {
+                if (table.ids.lives(joint)) {
+                    ends.of(joint);
+                    double distance = ends.distanceTo(x, y);
+                    if (distance < least || distance == least && nearest < 0) {
+                        nearest = joint;
+                        least = distance;
+                    }
                 }
             }
+            return nearest < 0 ? 0 : table.ids.handle(nearest);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        return nearest < 0 ? 0 : table.ids.handle(nearest);
     }
 
     /** The joints of a circle, in the order of ids, of which the array takes the first ones; returns how many there are. */
     public int ofCircle(long circle, long[] into) {
-        return (int) guard.read(this, into, circle, 0, OF_CIRCLE);
-    }
-
-    private long listOfCircle(long circle, long[] into) {
-        pending.settleJoints();
-        Limits.notNull("joints", into);
-        int id = Circles.find(handles, circle);
-        int count = joints.departures().countOf(id);
-        if (found.length < count) {
-            found = new int[count + (count >> 1)];
+        guard.enter();
+        try {
+            pending.settleJoints();
+            Limits.notNull("joints", into);
+            int id = Circles.find(handles, circle);
+            int count = joints.departures().countOf(id);
+            if (found.length < count) {
+                found = new int[count + (count >> 1)];
+            }
+            int k = 0;
+            for (int place = table.firstOfCircle(id); place >= 0; place = table.nextOfCircle(place)) {
+                found[k++] = JointTable.jointAt(place);
+            }
+            Arrays.sort(found, 0, count);
+            for (k = 0; k < count && k < into.length; k++) {
+                into[k] = table.ids.handle(found[k]);
+            }
+            return count;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        int k = 0;
-        for (int place = table.firstOfCircle(id); place >= 0; place = table.nextOfCircle(place)) {
-            found[k++] = JointTable.jointAt(place);
-        }
-        Arrays.sort(found, 0, count);
-        for (k = 0; k < count && k < into.length; k++) {
-            into[k] = table.ids.handle(found[k]);
-        }
-        return count;
     }
 
     // ---- what they do
@@ -289,16 +305,19 @@ public final class JointReads {
     }
 
     private float load(long handle, int which) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, which, LOAD));
-    }
-
-    private long loadBits(long handle, int which) {
-        int joint = find(handle);
-        SavedJointStates states = last.joints();
-        if (joint >= states.joints || states.serial[joint] != table.serial(joint)) {
-            return 0; // it is new
+        guard.enter();
+        try {
+            int joint = find(handle);
+            SavedJointStates states = last.joints();
+            if (joint >= states.joints || states.serial[joint] != table.serial(joint)) {
+                return 0; // it is new
+            }
+            return load(states, joint, which, settings.lastStep());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        return Float.floatToRawIntBits(load(states, joint, which, settings.lastStep()));
     }
 
     private float load(SavedJointStates states, int joint, int which, float dt) {

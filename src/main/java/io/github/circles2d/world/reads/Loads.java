@@ -13,9 +13,6 @@ import java.util.Arrays;
 
 /** Reads how hard circles are pressed, from the impulses that the next step starts from. */
 public final class Loads {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.ChangeWithTwo<Loads, float[], long[]> READ_BY_ID = Loads::sumById;
-
     /** Elements of a circle: the number of what presses it, and the sum of the forces. */
     private static final int EACH = 2;
 
@@ -34,25 +31,28 @@ public final class Loads {
 
     /** Two elements an id; living, with a bit an id, may be null. */
     public void readById(float[] loads, long[] living) {
-        guard.change(this, loads, living, READ_BY_ID);
-    }
-
-    private void sumById(float[] loads, long[] living) {
-        Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * handles.end());
-        Readings.requireRoom(living, handles.end());
-        SavedState state = copies.saved();
-        mask.copy(handles);
-        Arrays.fill(loads, Float.NaN);
-        float subStep = settings.lastSubStep();
-        addWalls(state, subStep, loads);
-        addPieces(state, subStep, loads);
-        for (int k = 0; k < state.impulses; k++) {
-            float force = state.normalImpulse[k] / subStep;
-            add(loads, state.lo[k], force);
-            add(loads, state.hi[k], force);
-        }
-        if (living != null) {
-            mask.copyTo(living);
+        guard.enter();
+        try {
+            Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * handles.end());
+            Readings.requireRoom(living, handles.end());
+            SavedState state = copies.saved();
+            mask.copy(handles);
+            Arrays.fill(loads, Float.NaN);
+            float subStep = settings.lastSubStep();
+            addWalls(state, subStep, loads);
+            addPieces(state, subStep, loads);
+            for (int k = 0; k < state.impulses; k++) {
+                float force = state.normalImpulse[k] / subStep;
+                add(loads, state.lo[k], force);
+                add(loads, state.hi[k], force);
+            }
+            if (living != null) {
+                mask.copyTo(living);
+            }
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
     }
 

@@ -17,40 +17,6 @@ import java.nio.LongBuffer;
 
 /** Reads of all circles, in the order of the ids, and of single numbers, which come from the last read of all. */
 public final class Readings {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.ChangeWith<Readings, float[]> READ = Readings::copyCircles;
-    private static final Guard.ChangeWith<Readings, FloatBuffer> READ_TO_BUFFER = Readings::putCircles;
-    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_BY_ID = Readings::copyCirclesById;
-    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_VELOCITIES_BY_ID =
-            Readings::copyVelocitiesById;
-    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_ANGLES_BY_ID = Readings::copyAnglesById;
-    private static final Guard.ChangeWith<Readings, int[]> READ_UNITS_BY_ID = Readings::copyUnitsById;
-    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_ANGULAR_VELOCITIES_BY_ID =
-            Readings::copyAngularVelocitiesById;
-    private static final Guard.Read<Readings, FloatBuffer> ANGLES = Readings::currentAngles;
-    private static final Guard.ChangeWithTwo<Readings, int[], long[]> READ_KINDS_BY_ID = Readings::copyKindsById;
-    private static final Guard.ChangeWithTwo<Readings, float[], long[]> READ_RADII_BY_ID = Readings::copyRadiiById;
-    private static final Guard.ChangeWithTwo<Readings, long[], long[]> READ_TAGS_BY_ID = Readings::copyTagsById;
-    private static final Guard.Read<Readings, FloatBuffer> POSITIONS = Readings::settledPositions;
-    private static final Guard.ReadWith<Readings, long[], FloatBuffer> POSITIONS_BY_ID = Readings::settledPositionsById;
-    private static final Guard.Change<Readings> REQUEST_POSITIONS = Readings::request;
-    private static final Guard.Read<Readings, FloatBuffer> TAKE_POSITIONS = Readings::takeRequested;
-    private static final Guard.ReadWith<Readings, long[], FloatBuffer> TAKE_POSITIONS_BY_ID =
-            Readings::takeRequestedById;
-    private static final Guard.ChangeWithTwo<Readings, FloatBuffer, long[]> MARK_GONE_OF_ONE =
-            (all, v, bits) -> all.markGaps(v, 1, bits);
-    private static final Guard.ChangeWithTwo<Readings, FloatBuffer, long[]> MARK_GONE_OF_TWO =
-            (all, v, bits) -> all.markGaps(v, 2, bits);
-    private static final Guard.Numbers<Readings, Void> NEXT_NEW = Readings::findNew;
-    private static final Guard.ChangeWith<Readings, float[]> READ_VELOCITIES = Readings::copyVelocities;
-    private static final Guard.ChangeWith<Readings, FloatBuffer> READ_VELOCITIES_TO_BUFFER = Readings::putVelocities;
-    private static final Guard.ChangeWith<Readings, long[]> READ_HANDLES = Readings::copyHandles;
-    private static final Guard.ChangeWith<Readings, LongBuffer> READ_HANDLES_TO_BUFFER = Readings::putHandles;
-    private static final Guard.Numbers<Readings, Void> CIRCLE = Readings::circleBits;
-    private static final Guard.Numbers<Readings, Void> VELOCITY = Readings::velocityBits;
-    private static final Guard.Numbers<Readings, Void> ANGLE = Readings::angleUnits;
-    private static final Guard.Numbers<Readings, Void> ANGULAR_VELOCITY = Readings::angularVelocityBits;
-
     private final Guard guard;
     private final HandleTable handles;
     private final Pipeline pipeline;
@@ -81,160 +47,193 @@ public final class Readings {
 
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(float[] circles) {
-        guard.change(this, circles, READ);
-    }
-
-    private void copyCircles(float[] circles) {
-        requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
-        pending.settle();
-        pipeline.readCircles(handles, circles);
+        guard.enter();
+        try {
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
+            pending.settle();
+            pipeline.readCircles(handles, circles);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(FloatBuffer circles) {
-        guard.change(this, circles, READ_TO_BUFFER);
-    }
-
-    private void putCircles(FloatBuffer circles) {
-        requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
-        circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
+        guard.enter();
+        try {
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
+            circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** x, y, radius and mass; living, with a bit an id, may be null. */
     public void readById(float[] circles, long[] living) {
-        guard.change(this, circles, living, READ_BY_ID);
-    }
-
-    private void copyCirclesById(float[] circles, long[] living) {
-        requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.end());
-        requireRoom(living, handles.end());
-        pending.settle();
-        pipeline.readCircles(handles, circles);
-        spread(circles, CircleRow.STRIDE, living);
+        guard.enter();
+        try {
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.end());
+            requireRoom(living, handles.end());
+            pending.settle();
+            pipeline.readCircles(handles, circles);
+            spread(circles, CircleRow.STRIDE, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Two elements an id; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
-        guard.change(this, velocities, living, READ_VELOCITIES_BY_ID);
-    }
-
-    private void copyVelocitiesById(float[] velocities, long[] living) {
-        requireRoom("velocities", velocities, 2L * handles.end());
-        requireRoom(living, handles.end());
-        pending.settle();
-        pipeline.readVelocities(handles, velocities);
-        spread(velocities, 2, living);
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities, 2L * handles.end());
+            requireRoom(living, handles.end());
+            pending.settle();
+            pipeline.readVelocities(handles, velocities);
+            spread(velocities, 2, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** An element an id, in radians; living as above. */
     public void readAnglesById(float[] to, long[] living) {
-        guard.change(this, to, living, READ_ANGLES_BY_ID);
-    }
-
-    private void copyAnglesById(float[] to, long[] living) {
-        requireRoom("angles", to, handles.end());
-        requireRoom(living, handles.end());
-        int[] units = last.angles();
-        for (int k = 0; k < handles.size(); k++) {
-            to[k] = units == null ? 0f : Surface.radians(units[k]);
+        guard.enter();
+        try {
+            requireRoom("angles", to, handles.end());
+            requireRoom(living, handles.end());
+            int[] units = last.angles();
+            for (int k = 0; k < handles.size(); k++) {
+                to[k] = units == null ? 0f : Surface.radians(units[k]);
+            }
+            spread(to, 1, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        spread(to, 1, living);
     }
 
     /** An element an id, in units of a turn's 2^-32; 0 where there is no circle. */
     public void readUnitsById(int[] to) {
-        guard.change(this, to, READ_UNITS_BY_ID);
-    }
-
-    private void copyUnitsById(int[] to) {
-        requireRoom("angles", to.length, handles.end());
-        int[] units = last.angles();
-        int k = 0;
-        for (int id = 0; id < to.length; id++) {
-            boolean turns = units != null && id < handles.end() && handles.lives(id);
-            to[id] = turns ? units[k++] : 0;
+        guard.enter();
+        try {
+            requireRoom("angles", to.length, handles.end());
+            int[] units = last.angles();
+            int k = 0;
+            for (int id = 0; id < to.length; id++) {
+                boolean turns = units != null && id < handles.end() && handles.lives(id);
+                to[id] = turns ? units[k++] : 0;
+            }
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
     }
 
     /** An element an id, in radians a second; living as above. */
     public void readAngularVelocitiesById(float[] to, long[] living) {
-        guard.change(this, to, living, READ_ANGULAR_VELOCITIES_BY_ID);
-    }
-
-    private void copyAngularVelocitiesById(float[] to, long[] living) {
-        requireRoom("angularVelocities", to, handles.end());
-        requireRoom(living, handles.end());
-        float[] velocities = last.angularVelocities();
-        for (int k = 0; k < handles.size(); k++) {
-            to[k] = velocities == null ? 0f : velocities[k];
+        guard.enter();
+        try {
+            requireRoom("angularVelocities", to, handles.end());
+            requireRoom(living, handles.end());
+            float[] velocities = last.angularVelocities();
+            for (int k = 0; k < handles.size(); k++) {
+                to[k] = velocities == null ? 0f : velocities[k];
+            }
+            spread(to, 1, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        spread(to, 1, living);
     }
 
     /** Reads the angle of every circle, in the order of the ids, into memory of the world. */
     public FloatBuffer angles() {
-        return guard.read(this, ANGLES);
-    }
-
-    private FloatBuffer currentAngles() {
-        int[] units = last.angles();
-        int circles = handles.size();
-        if (angles.capacity() < circles) {
-            FloatBuffer larger = FloatBuffer.allocate(circles + (circles >> 1));
-            viewOfAngles = larger.asReadOnlyBuffer();
-            angles = larger;
+        guard.enter();
+        try {
+            int[] units = last.angles();
+            int circles = handles.size();
+            if (angles.capacity() < circles) {
+                FloatBuffer larger = FloatBuffer.allocate(circles + (circles >> 1));
+                viewOfAngles = larger.asReadOnlyBuffer();
+                angles = larger;
+            }
+            for (int k = 0; k < circles; k++) {
+                angles.put(k, units == null ? 0f : Surface.radians(units[k]));
+            }
+            ((Buffer) viewOfAngles).clear().limit(circles);
+            return viewOfAngles;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        for (int k = 0; k < circles; k++) {
-            angles.put(k, units == null ? 0f : Surface.radians(units[k]));
-        }
-        ((Buffer) viewOfAngles).clear().limit(circles);
-        return viewOfAngles;
     }
 
     /** Reads kinds by id, and -1 where there is no circle; living takes a bit for each id, and may be null. */
     public void readKindsById(int[] kinds, long[] living) {
-        guard.change(this, kinds, living, READ_KINDS_BY_ID);
-    }
-
-    private void copyKindsById(int[] kinds, long[] living) {
-        requireRoom("kinds", Limits.notNull("kinds", kinds).length, handles.end());
-        requireRoom(living, handles.end());
-        for (int id = 0; id < kinds.length; id++) {
-            boolean lives = id < handles.end() && handles.lives(id);
-            kinds[id] = lives ? handles.fields().getInt(CircleField.KIND, id) : -1;
+        guard.enter();
+        try {
+            requireRoom("kinds", Limits.notNull("kinds", kinds).length, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < kinds.length; id++) {
+                boolean lives = id < handles.end() && handles.lives(id);
+                kinds[id] = lives ? handles.fields().getInt(CircleField.KIND, id) : -1;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        mask.copy(handles);
-        copy(mask, living);
     }
 
     /** Reads radii by id, and NaN where there is no circle; living takes a bit for each id, and may be null. */
     public void readRadiiById(float[] radii, long[] living) {
-        guard.change(this, radii, living, READ_RADII_BY_ID);
-    }
-
-    private void copyRadiiById(float[] radii, long[] living) {
-        requireRoom("radii", radii, handles.end());
-        requireRoom(living, handles.end());
-        for (int id = 0; id < radii.length; id++) {
-            radii[id] = id < handles.end() && handles.lives(id) ? handles.radius(id) : Float.NaN;
+        guard.enter();
+        try {
+            requireRoom("radii", radii, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < radii.length; id++) {
+                radii[id] = id < handles.end() && handles.lives(id) ? handles.radius(id) : Float.NaN;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        mask.copy(handles);
-        copy(mask, living);
     }
 
     /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
     public void readTagsById(long[] tags, long[] living) {
-        guard.change(this, tags, living, READ_TAGS_BY_ID);
-    }
-
-    private void copyTagsById(long[] tags, long[] living) {
-        requireRoom("tags", tags, handles.end());
-        requireRoom(living, handles.end());
-        for (int id = 0; id < tags.length; id++) {
-            tags[id] = id < handles.end() ? handles.fields().get(CircleField.TAG, id) : 0;
+        guard.enter();
+        try {
+            requireRoom("tags", tags, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < tags.length; id++) {
+                tags[id] = id < handles.end() ? handles.fields().get(CircleField.TAG, id) : 0;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        mask.copy(handles);
-        copy(mask, living);
     }
 
     private void spread(float[] values, int each, long[] living) {
@@ -251,40 +250,49 @@ public final class Readings {
 
     /** Reads x and y of every circle, in the order of the ids, into memory of the pipeline. */
     public FloatBuffer positions() {
-        return guard.read(this, POSITIONS);
-    }
-
-    private FloatBuffer settledPositions() {
-        pending.settle();
-        return pipeline.positions(handles, false);
+        guard.enter();
+        try {
+            pending.settle();
+            return pipeline.positions(handles, false);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Reads x and y by id into memory of the pipeline; living takes a bit for each id, and may be null. */
     public FloatBuffer positionsById(long[] living) {
-        return guard.read(this, living, POSITIONS_BY_ID);
-    }
-
-    private FloatBuffer settledPositionsById(long[] living) {
-        requireRoom(living, handles.end());
-        pending.settle();
-        FloatBuffer positions = pipeline.positions(handles, true);
-        mask.copy(handles);
-        copy(mask, living);
-        return positions;
+        guard.enter();
+        try {
+            requireRoom(living, handles.end());
+            pending.settle();
+            FloatBuffer positions = pipeline.positions(handles, true);
+            mask.copy(handles);
+            copy(mask, living);
+            return positions;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Asks for x and y of every circle as they are now, without waiting for them. */
     public void requestPositions() {
-        guard.change(this, REQUEST_POSITIONS);
-    }
-
-    private void request() {
-        positionsRequested = false;
-        pending.apply();
-        requests++;
-        handles.markSurvivors();
-        pipeline.requestPositions(handles);
-        positionsRequested = true;
+        guard.enter();
+        try {
+            positionsRequested = false;
+            pending.apply();
+            requests++;
+            handles.markSurvivors();
+            pipeline.requestPositions(handles);
+            positionsRequested = true;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** A number that is another one after each request for positions. */
@@ -295,25 +303,31 @@ public final class Readings {
 
     /** Gives the positions that were requested last. */
     public FloatBuffer takePositions() {
-        return guard.read(this, TAKE_POSITIONS);
-    }
-
-    private FloatBuffer takeRequested() {
-        requireRequest();
-        return take(null);
+        guard.enter();
+        try {
+            requireRequest();
+            return take(null);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Gives the positions that were requested last, by id; living takes a bit for each id, and may be null. */
     public FloatBuffer takePositionsById(long[] living) {
-        return guard.read(this, living, TAKE_POSITIONS_BY_ID);
-    }
-
-    private FloatBuffer takeRequestedById(long[] living) {
-        requireRequest();
-        requireRoom(living, handles.survivors().end());
-        FloatBuffer positions = take(handles.survivors());
-        copy(handles.survivors(), living);
-        return positions;
+        guard.enter();
+        try {
+            requireRequest();
+            requireRoom(living, handles.survivors().end());
+            FloatBuffer positions = take(handles.survivors());
+            copy(handles.survivors(), living);
+            return positions;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private void requireRequest() {
@@ -336,25 +350,31 @@ public final class Readings {
      * of now, also of those that came after the request.
      */
     public void markGone(FloatBuffer values, int each, long[] living) {
-        guard.change(this, values, living, each == 1 ? MARK_GONE_OF_ONE : MARK_GONE_OF_TWO);
-    }
-
-    private void markGaps(FloatBuffer values, int each, long[] living) {
-        requireRoom(living, Math.max(handles.survivors().end(), handles.end()));
-        handles.survivors().markGaps(values, each);
-        copy(handles.survivors(), living);
-        for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
-            living[id >>> 6] |= 1L << id;
+        guard.enter();
+        try {
+            requireRoom(living, Math.max(handles.survivors().end(), handles.end()));
+            handles.survivors().markGaps(values, each);
+            copy(handles.survivors(), living);
+            for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
+                living[id >>> 6] |= 1L << id;
+            }
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
     }
 
     /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
     public int nextNew(int from) {
-        return (int) guard.read(this, null, from, 0, NEXT_NEW);
-    }
-
-    private long findNew(Void none, long from, long unused) {
-        return newFrom((int) from);
+        guard.enter();
+        try {
+            return newFrom(from);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private int newFrom(int from) {
@@ -368,62 +388,77 @@ public final class Readings {
 
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(float[] velocities) {
-        guard.change(this, velocities, READ_VELOCITIES);
-    }
-
-    private void copyVelocities(float[] velocities) {
-        requireRoom("velocities", velocities, 2L * handles.size());
-        pending.settle();
-        pipeline.readVelocities(handles, velocities);
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities, 2L * handles.size());
+            pending.settle();
+            pipeline.readVelocities(handles, velocities);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(FloatBuffer velocities) {
-        guard.change(this, velocities, READ_VELOCITIES_TO_BUFFER);
-    }
-
-    private void putVelocities(FloatBuffer velocities) {
-        requireRoom("velocities", velocities, 2L * handles.size());
-        velocities.put(last.velocities(), 0, 2 * handles.size());
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities, 2L * handles.size());
+            velocities.put(last.velocities(), 0, 2 * handles.size());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(long[] to) {
-        guard.change(this, to, READ_HANDLES);
-    }
-
-    private void copyHandles(long[] to) {
-        requireRoom("handles", to, handles.size());
-        int k = 0;
-        for (int id = 0; id < handles.end(); id++) {
-            if (handles.lives(id)) {
-                to[k++] = handles.handle(id);
+        guard.enter();
+        try {
+            requireRoom("handles", to, handles.size());
+            int k = 0;
+            for (int id = 0; id < handles.end(); id++) {
+                if (handles.lives(id)) {
+                    to[k++] = handles.handle(id);
+                }
             }
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(LongBuffer to) {
-        guard.change(this, to, READ_HANDLES_TO_BUFFER);
-    }
-
-    private void putHandles(LongBuffer to) {
-        requireRoom("handles", to, handles.size());
-        for (int id = 0; id < handles.end(); id++) {
-            if (handles.lives(id)) {
-                to.put(handles.handle(id));
+        guard.enter();
+        try {
+            requireRoom("handles", to, handles.size());
+            for (int id = 0; id < handles.end(); id++) {
+                if (handles.lives(id)) {
+                    to.put(handles.handle(id));
+                }
             }
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
     }
 
     /** {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS} of one circle, from the last bulk read if it still holds. */
     public float circle(long handle, int field) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, field, CIRCLE));
-    }
-
-    private long circleBits(Void none, long handle, long field) {
-        int place = handles.place(Circles.find(handles, handle));
-        return Float.floatToRawIntBits(last.circles()[CircleRow.STRIDE * place + (int) field]);
+        guard.enter();
+        try {
+            int place = handles.place(Circles.find(handles, handle));
+            return last.circles()[CircleRow.STRIDE * place + field];
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The velocity of one circle along x, from the last bulk read if it still holds. */
@@ -437,34 +472,43 @@ public final class Readings {
     }
 
     private float velocity(long handle, int component) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, component, VELOCITY));
-    }
-
-    private long velocityBits(Void none, long handle, long component) {
-        int place = handles.place(Circles.find(handles, handle));
-        return Float.floatToRawIntBits(last.velocities()[2 * place + (int) component]);
+        guard.enter();
+        try {
+            int place = handles.place(Circles.find(handles, handle));
+            return last.velocities()[2 * place + component];
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The angle of one circle in radians, from the last bulk read if it still holds. */
     public float angle(long handle) {
-        return Surface.radians((int) guard.read(this, null, handle, 0, ANGLE));
-    }
-
-    private long angleUnits(Void none, long handle, long n) {
-        int id = Circles.find(handles, handle);
-        int[] units = last.angles();
-        return units == null ? 0 : units[handles.place(id)];
+        guard.enter();
+        try {
+            int id = Circles.find(handles, handle);
+            int[] units = last.angles();
+            return units == null ? 0 : Surface.radians(units[handles.place(id)]);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The angular velocity of one circle, likewise. */
     public float angularVelocity(long handle) {
-        return Float.intBitsToFloat((int) guard.read(this, null, handle, 0, ANGULAR_VELOCITY));
-    }
-
-    private long angularVelocityBits(Void none, long handle, long n) {
-        int id = Circles.find(handles, handle);
-        float[] velocities = last.angularVelocities();
-        return velocities == null ? 0 : Float.floatToRawIntBits(velocities[handles.place(id)]);
+        guard.enter();
+        try {
+            int id = Circles.find(handles, handle);
+            float[] velocities = last.angularVelocities();
+            return velocities == null ? 0 : velocities[handles.place(id)];
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     static void requireRoom(long[] living, int ids) {

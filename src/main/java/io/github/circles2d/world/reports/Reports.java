@@ -12,18 +12,6 @@ import io.github.circles2d.world.shared.Pipeline;
 
 /** The calls on events. */
 public final class Reports {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Numbers<Reports, long[]> TOUCHING =
-            (reports, array, a, b) -> reports.list((int) a, (int) b, array);
-    private static final Guard.Numbers<Reports, long[]> TOUCHING_PIECES =
-            (reports, array, a, b) -> reports.listPieces((int) a, (int) b, array);
-    private static final Guard.Change<Reports> REQUEST = Reports::requestAll;
-    private static final Guard.Read<Reports, EventRows> TAKE_REQUESTED = Reports::requested;
-    private static final Guard.CircleChange<Reports> SET_HIT_SPEED =
-            (reports, h, n, to, none) -> reports.hitSpeed(Limits.within("the hit speed", to, 0, Limits.SPEED));
-    private static final Guard.CircleChange<Reports> RESTORE = (reports, h, n, speed, none) -> reports.hitSpeed(speed);
-    private static final Guard.Read<Reports, EventRows> TAKE = Reports::all;
-
     private final Guard guard;
     private final Pipeline pipeline;
     private final HandleTable handles;
@@ -90,21 +78,24 @@ public final class Reports {
 
     /** Checks refuse what is not allowed; room is made when all steps have been made. */
     private void change(Runnable checks, Runnable makeRoom, Runnable change) {
-        guard.change(this, reports -> reports.changeInside(checks, makeRoom, change));
-    }
-
-    private void changeInside(Runnable checks, Runnable makeRoom, Runnable change) {
-        checks.run();
-        pending.settle();
-        makeRoom.run();
-        copies.forgetSaved();
-        boolean was = events.isOn();
-        boolean hadWalls = events.hasWalls();
-        guard.changing = true;
-        change.run();
-        settings = next;
-        tell(was, hadWalls);
-        guard.changing = false;
+        guard.enter();
+        try {
+            checks.run();
+            pending.settle();
+            makeRoom.run();
+            copies.forgetSaved();
+            boolean was = events.isOn();
+            boolean hadWalls = events.hasWalls();
+            guard.changing = true;
+            change.run();
+            settings = next;
+            tell(was, hadWalls);
+            guard.changing = false;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Tells the pipeline, if it is to record something else. */
@@ -122,55 +113,74 @@ public final class Reports {
 
     /** Lists the pairs of two kinds that touch, two handles a pair, and returns their number. */
     public int touching(int kindA, int kindB, long[] to) {
-        return (int) guard.read(this, to, kindA, kindB, TOUCHING);
-    }
-
-    private long list(int kindA, int kindB, long[] to) {
-        KindTable.check(kindA);
-        KindTable.check(kindB);
-        pending.settle();
-        return events.list(kindA, kindB, Limits.notNull("handles", to));
+        guard.enter();
+        try {
+            KindTable.check(kindA);
+            KindTable.check(kindB);
+            pending.settle();
+            return events.list(kindA, kindB, Limits.notNull("handles", to));
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** The same of the pairs of a circle of a kind and a piece of terrain of a kind. */
     public int touchingPieces(int kind, int kindOfPieces, long[] to) {
-        return (int) guard.read(this, to, kind, kindOfPieces, TOUCHING_PIECES);
-    }
-
-    private long listPieces(int kind, int kindOfPieces, long[] to) {
-        KindTable.check(kind);
-        KindTable.check(kindOfPieces);
-        pending.settle();
-        return events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
+        guard.enter();
+        try {
+            KindTable.check(kind);
+            KindTable.check(kindOfPieces);
+            pending.settle();
+            return events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Asks for the events of all steps so far, without waiting for them. */
     public void request() {
-        guard.change(this, REQUEST);
-    }
-
-    private void requestAll() {
-        pending.requestEvents();
-        events.queue().request();
+        guard.enter();
+        try {
+            pending.requestEvents();
+            events.queue().request();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     public EventRows takeRequested() {
-        return guard.read(this, TAKE_REQUESTED);
-    }
-
-    private EventRows requested() {
-        if (!events.queue().isRequested()) {
-            throw new IllegalStateException("no events have been requested since the last were taken:"
-                    + " call requestEvents before each takeEvents");
+        guard.enter();
+        try {
+            if (!events.queue().isRequested()) {
+                throw new IllegalStateException("no events have been requested since the last were taken:"
+                        + " call requestEvents before each takeEvents");
+            }
+            if (!events.queue().haveArrived()) {
+                pending.finishRequestedEvents();
+            }
+            return events.queue().takeRequested();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        if (!events.queue().haveArrived()) {
-            pending.finishRequestedEvents();
-        }
-        return events.queue().takeRequested();
     }
 
     public void setHitSpeed(float speed) {
-        guard.change(this, 0, 0, speed, 0, SET_HIT_SPEED);
+        guard.enter();
+        try {
+            hitSpeed(Limits.within("the hit speed", speed, 0, Limits.SPEED));
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     private void hitSpeed(float speed) {
@@ -192,17 +202,27 @@ public final class Reports {
         }
         report(before.types);
         before.repeat(this);
-        guard.change(this, 0, 0, before.hitSpeed, 0, RESTORE);
+        guard.enter();
+        try {
+            hitSpeed(before.hitSpeed);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
         settings = before;
     }
 
     /** The events since the last call. */
     public EventRows take() {
-        return guard.read(this, TAKE);
-    }
-
-    private EventRows all() {
-        pending.finishEvents();
-        return events.queue().take();
+        guard.enter();
+        try {
+            pending.finishEvents();
+            return events.queue().take();
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 }

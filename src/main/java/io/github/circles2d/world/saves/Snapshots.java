@@ -15,16 +15,6 @@ import java.nio.ByteBuffer;
 
 /** Takes snapshots and restores them. A state that has been saved is not saved again until it changes. */
 public final class Snapshots {
-    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
-    private static final Guard.Numbers<Snapshots, Void> BYTES =
-            (snapshots, none, m, n) -> SnapshotCodec.bytes(snapshots.copies.saved());
-    private static final Guard.ChangeWith<Snapshots, ByteBuffer> WRITE = Snapshots::writeSaved;
-    private static final Guard.ChangeWith<Snapshots, ByteBuffer> RESTORE = Snapshots::read;
-    private static final Guard.Numbers<Snapshots, SnapshotRing> SAVE =
-            (snapshots, to, f, n) -> snapshots.saveFrame(to, (int) f);
-    private static final Guard.Numbers<Snapshots, SnapshotRing> RESTORE_FRAME =
-            (snapshots, from, f, n) -> snapshots.restoreFrame(from, (int) f);
-
     private final Guard guard;
     private final CallLog log;
     private final PendingWork pending;
@@ -44,63 +34,80 @@ public final class Snapshots {
 
     /** The number of bytes that {@link #write} would write now. */
     public int bytes() {
-        return (int) guard.read(this, null, 0, 0, BYTES);
+        guard.enter();
+        try {
+            return SnapshotCodec.bytes(copies.saved());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Writes all that decides what comes after it. */
     public void write(ByteBuffer to) {
-        guard.change(this, to, WRITE);
-    }
-
-    private void writeSaved(ByteBuffer to) {
-        if (Limits.notNull("to", to).isReadOnly()) {
-            throw new IllegalArgumentException("the buffer is read-only");
+        guard.enter();
+        try {
+            if (Limits.notNull("to", to).isReadOnly()) {
+                throw new IllegalArgumentException("the buffer is read-only");
+            }
+            SavedState saved = copies.saved();
+            int bytes = SnapshotCodec.bytes(saved);
+            if (to.remaining() < bytes) {
+                throw new IllegalArgumentException(
+                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
+            }
+            SnapshotCodec.write(saved, to);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
         }
-        SavedState saved = copies.saved();
-        int bytes = SnapshotCodec.bytes(saved);
-        if (to.remaining() < bytes) {
-            throw new IllegalArgumentException(
-                    "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
-        }
-        SnapshotCodec.write(saved, to);
     }
 
     /** Takes over what a snapshot says, in place of all that is. */
     public void restore(ByteBuffer from) {
-        guard.change(this, from, RESTORE);
-    }
-
-    private void read(ByteBuffer from) {
-        Limits.notNull("from", from);
-        SavedState saved = copies.other();
-        int length = SnapshotCodec.read(from, saved);
-        makeRoom(saved);
-        ((Buffer) from).position(from.position() + length);
-        load(saved);
+        guard.enter();
+        try {
+            Limits.notNull("from", from);
+            SavedState saved = copies.other();
+            int length = SnapshotCodec.read(from, saved);
+            makeRoom(saved);
+            ((Buffer) from).position(from.position() + length);
+            load(saved);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Saves the state as a frame. */
     public void save(SnapshotRing ring, int frame) {
-        guard.read(this, ring, frame, 0, SAVE);
-    }
-
-    private long saveFrame(SnapshotRing ring, int frame) {
-        ring.save(frame, copies.saved());
-        return 0;
+        guard.enter();
+        try {
+            ring.save(frame, copies.saved());
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Takes over a frame, in place of all that is. */
     public void restore(SnapshotRing ring, int frame) {
-        guard.read(this, ring, frame, 0, RESTORE_FRAME);
-    }
-
-    private long restoreFrame(SnapshotRing ring, int frame) {
-        int place = ring.find(frame);
-        SavedState saved = copies.other();
-        ring.load(place, saved);
-        makeRoom(saved);
-        load(saved);
-        return 0;
+        guard.enter();
+        try {
+            int place = ring.find(frame);
+            SavedState saved = copies.other();
+            ring.load(place, saved);
+            makeRoom(saved);
+            load(saved);
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(thrown);
+        } finally {
+            guard.user = null;
+        }
     }
 
     /** Makes room for a saved state. If that fails, nothing has changed. */

@@ -21,7 +21,6 @@ import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
-import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
@@ -32,7 +31,6 @@ import io.github.circles2d.world.shared.Pipeline;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
@@ -99,9 +97,6 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
                 kernels.addAll(listedTiles());
-                break;
-            case "layers of tiles":
-                kernels.addAll(layers());
                 break;
             case "PERSISTENT_GPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
@@ -189,19 +184,6 @@ final class OclgrindWorlds {
         List<Plan> plans = Plans.TILES.of(device);
         plans.forEach(plan -> plan.learn(new TileUse(101, 0, false), false));
         return steps(pipeline(plans, 0), Scenes.thesis(40, 1), 1 / 60f, 1, small ? 1 : 2);
-    }
-
-    /** A tile of 2 x 2 cells has more circles than there is room for, from many turns of the torus. */
-    private Set<String> layers() {
-        List<Plan> plans = Plans.TILES.of(device);
-        plans.forEach(plan -> plan.learn(new TileUse(101, 0, false), false));
-        DevicePipeline pipeline = pipeline(plans, SparseArena.IN_CORNERS);
-        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), jvm(), pipeline)) {
-            SparseArena.corners(false, SparseArena.RADIUS, new Random(1), twins::add);
-            twins.step(1 / 60f, 1);
-            twins.assertEqual("layers");
-            return pipeline.kernelNanos().keySet();
-        }
     }
 
     /**

@@ -131,7 +131,6 @@ class WorldOclgrindTest {
                         "wide",
                         "fast",
                         "TILES",
-                        "layers of tiles",
                         "turning",
                         "terrain",
                         "edges"))

@@ -23,7 +23,7 @@ public enum StatusWord {
     NEWCOMERS(51, "pairs that begin to touch in the step, likewise"),
     OPEN_HITS(52, "hits that are not complete after the step, likewise"),
     TILES_LISTED(53, "tiles of the list, if there is one, also those that there is no room for"),
-    TILES_CUT(54, "1 where some tile of the list is cut or has layers"),
+    TILES_CUT(54, "1 where some tile of the list is cut"),
     LEAVERS(55, "pairs that end to touch in the step"),
     EVENTS_BEFORE(56, "events that lie before those of the step"),
     TOUCHING(58, "pairs that touch"),

@@ -123,7 +123,6 @@ final class WorldTables {
         define(text, "RECORD_PARTS", TileRecord.AT_PARTS, "number of parts");
         define(text, "RECORD_COPIES", TileRecord.AT_COPIES, "its first copy of a contact");
         define(text, "RECORD_CUT", TileRecord.AT_CUT, "where it is, if tiles are listed: see TileCuts.cl");
-        define(text, "RECORD_LAYER", TileRecord.AT_LAYER, "its layer, if tiles are listed: see TileCuts.cl");
         define(text, "RECORD_STARTS", TileRecord.AT_STARTS, "by part: its first contact; and the end");
         define(text, "RECORD_SLOTS", TileRecord.AT_SLOTS, "by circle: see AT_WALL");
         define(text, "TILE_RECORD", TileRecord.WORDS, "ints of a record");

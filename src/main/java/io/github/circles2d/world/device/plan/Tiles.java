@@ -33,7 +33,6 @@ public final class Tiles implements Plan {
     private Kernel cut;
     private Kernel link;
     private Kernel arrange;
-    private Kernel orderListed;
     private Kernel solve;
     private Kernel relax;
     private LevelPasses levels;
@@ -109,7 +108,6 @@ public final class Tiles implements Plan {
         cut = stages.kernel("contacts_cutTiles");
         link = stages.kernel("contacts_link");
         arrange = stages.kernel("contacts_arrange");
-        orderListed = stages.kernel("contacts_orderListed");
         solve = stages.kernel("solver_solveTile");
         relax = stages.kernel("solver_relaxTile");
         levels = new LevelPasses(stages);
@@ -138,7 +136,7 @@ public final class Tiles implements Plan {
             cut.run(steps.levels().buckets() / CELLS_OF_SMALLEST);
         }
         link.run(2L * steps.circles());
-        stages.record(sizes.cut() ? orderListed : arrange, 0).run(items, TileRecord.GROUP);
+        stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items, TileRecord.GROUP);
         if (steps.sharePasses()) {
             levels.make(steps, sizes.tiles());
         } else {
