@@ -184,19 +184,49 @@ public final class PieceGap {
         return CircleMath.min(start, end);
     }
 
-    /** Whether a vertex, at o and as thick as its piece, is no higher than a slack over the face of a piece, between its ends. */
+    /**
+     * Whether the face of a piece hides a vertex from a circle: it is no higher than a slack over the face, between its ends, and not at the end that the
+     * circle is beyond. (x, y) is the vertex, as thick as its piece, against (X, Y) of the piece that may cover it. A free end is drawn by hand; the
+     * joint of a chain (free: false) has to be flush but for rounding, since what it is higher is a step.
+     */
     public static boolean covers(
-            float[] rows, int row, int shape, float side, float ox, float oy, float thickness, float slack) {
+            float[] rows,
+            int row,
+            int shape,
+            float ox,
+            float oy,
+            float side,
+            float x,
+            float y,
+            float thickness,
+            boolean free,
+            float r) {
+        float slack = Tuning.COVER * r;
+        float rounded = Tuning.ROUNDED * (Math.abs(rows[row + PieceRow.X]) + Math.abs(rows[row + PieceRow.Y]));
+        float step = free ? slack : CircleMath.clamp(rounded, Tuning.FLUSH * r, slack);
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];
         float length = rows[row + PieceRow.LENGTH];
-        float cos = ox * tx + oy * ty;
-        if (PieceRow.form(shape) != PieceRow.ARC) {
-            float height = side * (ox * ty - oy * tx) - rows[row + PieceRow.THICKNESS];
-            return cos >= -slack && cos <= length + slack && height + thickness <= slack;
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            float spread = rows[row + PieceRow.SPREAD];
+            float d = CircleMath.length(x, y);
+            float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
+            return ox * tx + oy * ty >= spread * CircleMath.length(ox, oy)
+                    && x * tx + y * ty >= spread * d - slack
+                    && out * (d - length) + thickness <= step;
         }
-        float d = CircleMath.length(ox, oy);
-        float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
-        return cos >= rows[row + PieceRow.SPREAD] * d - slack && out * (d - length) + thickness <= slack;
+        float t = along(tx, ty, x, y);
+        float higher = (side * height(tx, ty, x, y) - rows[row + PieceRow.THICKNESS]) + thickness;
+        if (!(t >= -slack && t <= length + slack && higher <= step)) {
+            return false;
+        }
+        float at = along(tx, ty, ox, oy);
+        if (at < 0f && PieceRow.startJoint(shape) != PieceRow.CONCAVE) {
+            return t > slack && side * height(tx, ty, ox, oy) >= 0f;
+        }
+        if (at > length && PieceRow.endJoint(shape) != PieceRow.CONCAVE) {
+            return t < length - slack && side * height(tx, ty, ox, oy) >= 0f;
+        }
+        return true;
     }
 }
