@@ -163,7 +163,7 @@ float distanceOfPiece(global const float *row, int shape, float ox, float oy) {
     return minf(start, end);
 }
 
-// Whether the face of a piece hides a vertex from a circle: it is no higher than a slack over the face, between its ends, and not at the end that
+// Whether the face of a piece hides a vertex from a circle in front of it: it is no higher than a slack over the face, between its ends, and not at the end that
 // the circle is beyond. v: the vertex, as thick as its piece, against x and y of the piece that may cover it; free: whether it is no joint.
 bool coversVertex(global const float *row, int shape, float ox, float oy, float side, float vx, float vy, float thickness, bool free, float r) {
     float slack = COVER * r;
@@ -175,17 +175,19 @@ bool coversVertex(global const float *row, int shape, float ox, float oy, float 
     if (formOf(shape) == FORM_ARC) {
         float d = lengthf(vx, vy);
         float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
-        return ox * tx + oy * ty >= row[PIECE_SPREAD] * lengthf(ox, oy) &&
+        float far = lengthf(ox, oy);
+        return ox * tx + oy * ty >= row[PIECE_SPREAD] * far && out * (far - length) >= 0.0f &&
                vx * tx + vy * ty >= row[PIECE_SPREAD] * d - slack && out * (d - length) + thickness <= step;
     }
     float t = vx * tx + vy * ty;
     float higher = (side * (vx * ty - vy * tx) - row[PIECE_THICKNESS]) + thickness;
-    if (!(t >= -slack && t <= length + slack && higher <= step)) return false;
+    bool inFront = side * (ox * ty - oy * tx) >= 0.0f;
+    if (!(t >= -slack && t <= length + slack && higher <= step && inFront)) return false;
     float at = ox * tx + oy * ty;
     bool before = at < 0.0f;
     if (!before && !(at > length)) return true;
     if ((before ? startJoint(shape) : endJoint(shape)) == JOINT_CONCAVE) return true;
-    return (before ? t > slack : t < length - slack) && side * (ox * ty - oy * tx) >= 0.0f;
+    return before ? t > slack : t < length - slack;
 }
 
 #define NEVER_TOUCHES 2.0f

@@ -197,7 +197,8 @@ class WorldTerrainGatesTest {
             for (int way : List.of(1, -1)) {
                 try (World world = world()) {
                     world.kind(GATE).setOneWay(false);
-                    world.terrain().addChain(Chain.of(-2, -2, 2, -2, 2, 2, -2, 2).close(), GATE, null);
+                    world.terrain()
+                            .addChain(Chain.of(-2, -2, 2, -2, 2, 2, -2, 2).close(), GATE, null);
                     float far = way > 0 ? 0 : 4;
                     long ball = world.add(far * x, far * y, 0.4f, 1, way * 5 * x, way * 5 * y);
                     world.step(STEP, 48);

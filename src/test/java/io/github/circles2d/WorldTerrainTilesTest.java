@@ -42,8 +42,7 @@ class WorldTerrainTilesTest {
         }
 
         private World.Builder world(double restitution, double friction) {
-            return TerrainBall.builder(10, friction, restitution)
-                    .gravity((float) (10 * sin()), (float) (-10 * cos()));
+            return TerrainBall.builder(10, friction, restitution).gravity((float) (10 * sin()), (float) (-10 * cos()));
         }
 
         /** Clockwise boxes are hollow: circles are inside. */
@@ -65,8 +64,7 @@ class WorldTerrainTilesTest {
         }
 
         private long ball(World world, float r, double at, double v) {
-            long ball = world.add(
-                    worldX(at, r), worldY(at, r), r, 1, (float) (cos() * v), (float) (sin() * v));
+            long ball = world.add(worldX(at, r), worldY(at, r), r, 1, (float) (cos() * v), (float) (sin() * v));
             world.setAngularVelocity(ball, (float) (-v / r));
             return ball;
         }
@@ -90,8 +88,15 @@ class WorldTerrainTilesTest {
     /** Of fast ones, the stops let none be caught. */
     @ParameterizedTest
     @CsvSource({
-        "60, 1, 0.5, 20, 0.5", "60, 1, 0.5, 20, 0", "60, 1, 0.5, 0.5, 1", "60, 1, 0.5, 3, 1", "60, 1, 0.5, 200, 0.5",
-        "120, 0.5, 0.5, 20, 0.5", "300, 0.1, 0.5, 20, 0.5", "10, 6, 0.5, 20, 0.5", "10, 6, 0.05, 200, 1"
+        "60, 1, 0.5, 20, 0.5",
+        "60, 1, 0.5, 20, 0",
+        "60, 1, 0.5, 0.5, 1",
+        "60, 1, 0.5, 3, 1",
+        "60, 1, 0.5, 200, 0.5",
+        "120, 0.5, 0.5, 20, 0.5",
+        "300, 0.1, 0.5, 20, 0.5",
+        "10, 6, 0.5, 20, 0.5",
+        "10, 6, 0.05, 200, 1"
     })
     void aBallSlidesOverBoxesAsOverALine(int boxes, double width, float r, double v, double restitution) {
         try (World world = level(boxes, width).world(restitution, 0).build()) {
@@ -149,7 +154,8 @@ class WorldTerrainTilesTest {
                 if (k % 3 == 0) {
                     world.terrain().addChain(level(60, 1).box(k, 0));
                 } else if (k % 3 == 1) {
-                    lift.addChain(Chain.of(x - 3.2f, 6, x - 1.8f, 6, x - 1.8f, 7, x - 3.2f, 7).close());
+                    lift.addChain(Chain.of(x - 3.2f, 6, x - 1.8f, 6, x - 1.8f, 7, x - 3.2f, 7)
+                            .close());
                 } else {
                     // turned by a quarter to the left: (x, y) is at (-5 - y, 9 + x)
                     other.addChain(Chain.of(-10, -4.8f - x, -10, -6.2f - x, -9, -6.2f - x, -9, -4.8f - x)
@@ -213,7 +219,9 @@ class WorldTerrainTilesTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.2, 1, 3, 20})
     void theLastEdgeIsExact(double v) {
-        List<Float> alone = edge(v, terrain -> terrain.addChain(Chain.of(-9, -1, 0, -1, 0, 0, -9, 0).close()));
+        List<Float> alone = edge(
+                v,
+                terrain -> terrain.addChain(Chain.of(-9, -1, 0, -1, 0, 0, -9, 0).close()));
         List<Float> tiles = edge(v, terrain -> {
             for (int k = -9; k < 0; k++) {
                 terrain.addChain(Chain.of(k, -1, k + 1, -1, k + 1, 0, k, 0).close());

@@ -167,7 +167,7 @@ final class ArcPiece extends Piece {
     @Override
     boolean covers(float[] o, float side, float[] vertex, float thicknessOfVertex, float slack, float step) {
         boolean flush = isInside(vertex, slack) && out() * (length(vertex) - size) + thicknessOfVertex <= step;
-        return flush && isInside(o, 0f);
+        return flush && isInside(o, 0f) && out() * (length(o) - size) >= 0f;
     }
 
     @Override

@@ -141,11 +141,11 @@ final class LinePiece extends Piece {
         boolean flush = place >= -slack && place <= size + slack && above + thicknessOfVertex <= step;
         float along = dot(o, t);
         boolean beyond = along < 0f || along > size;
-        if (!flush || !beyond || joint(along < 0f) == Joint.CONCAVE) {
-            return flush;
+        boolean covered = flush && side * height(o) >= 0f;
+        if (!covered || !beyond || joint(along < 0f) == Joint.CONCAVE) {
+            return covered;
         }
-        boolean atOtherEnd = along < 0f ? place > slack : place < size - slack;
-        return atOtherEnd && side * height(o) >= 0f;
+        return along < 0f ? place > slack : place < size - slack;
     }
 
     @Override

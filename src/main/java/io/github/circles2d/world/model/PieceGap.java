@@ -185,7 +185,7 @@ public final class PieceGap {
     }
 
     /**
-     * Whether the face of a piece hides a vertex from a circle: it is no higher than a slack over the face, between its ends, and not at the end that the
+     * Whether the face of a piece hides a vertex from a circle in front of it: it is no higher than a slack over the face, between its ends, and not at the end that the
      * circle is beyond. (x, y) is the vertex, as thick as its piece, against (X, Y) of the piece that may cover it. A free end is drawn by hand; the
      * joint of a chain (free: false) has to be flush but for rounding, since what it is higher is a step.
      */
@@ -211,21 +211,24 @@ public final class PieceGap {
             float spread = rows[row + PieceRow.SPREAD];
             float d = CircleMath.length(x, y);
             float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
-            return ox * tx + oy * ty >= spread * CircleMath.length(ox, oy)
+            float far = CircleMath.length(ox, oy);
+            return ox * tx + oy * ty >= spread * far
+                    && out * (far - length) >= 0f
                     && x * tx + y * ty >= spread * d - slack
                     && out * (d - length) + thickness <= step;
         }
         float t = along(tx, ty, x, y);
         float higher = (side * height(tx, ty, x, y) - rows[row + PieceRow.THICKNESS]) + thickness;
-        if (!(t >= -slack && t <= length + slack && higher <= step)) {
+        boolean inFront = side * height(tx, ty, ox, oy) >= 0f;
+        if (!(t >= -slack && t <= length + slack && higher <= step && inFront)) {
             return false;
         }
         float at = along(tx, ty, ox, oy);
         if (at < 0f && PieceRow.startJoint(shape) != PieceRow.CONCAVE) {
-            return t > slack && side * height(tx, ty, ox, oy) >= 0f;
+            return t > slack;
         }
         if (at > length && PieceRow.endJoint(shape) != PieceRow.CONCAVE) {
-            return t < length - slack && side * height(tx, ty, ox, oy) >= 0f;
+            return t < length - slack;
         }
         return true;
     }
