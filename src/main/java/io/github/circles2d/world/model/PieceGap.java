@@ -202,25 +202,26 @@ public final class PieceGap {
             boolean free,
             float r) {
         float slack = Tuning.COVER * r;
-        float rounded = Tuning.ROUNDED * (Math.abs(rows[row + PieceRow.X]) + Math.abs(rows[row + PieceRow.Y]));
-        float step = free ? slack : CircleMath.clamp(rounded, Tuning.FLUSH * r, slack);
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];
         float length = rows[row + PieceRow.LENGTH];
         if (PieceRow.form(shape) == PieceRow.ARC) {
             float spread = rows[row + PieceRow.SPREAD];
+            float far = CircleMath.length(ox, oy);
             float d = CircleMath.length(x, y);
             float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
-            float far = CircleMath.length(ox, oy);
             return ox * tx + oy * ty >= spread * far
                     && out * (far - length) >= 0f
                     && x * tx + y * ty >= spread * d - slack
-                    && out * (d - length) + thickness <= step;
+                    && out * (d - length) + thickness <= step(rows, row, free, r, slack);
         }
+        // nearly all are not between the ends
         float t = along(tx, ty, x, y);
+        if (!(t >= -slack && t <= length + slack) || !(side * height(tx, ty, ox, oy) >= 0f)) {
+            return false;
+        }
         float higher = (side * height(tx, ty, x, y) - rows[row + PieceRow.THICKNESS]) + thickness;
-        boolean inFront = side * height(tx, ty, ox, oy) >= 0f;
-        if (!(t >= -slack && t <= length + slack && higher <= step && inFront)) {
+        if (!(higher <= step(rows, row, free, r, slack))) {
             return false;
         }
         float at = along(tx, ty, ox, oy);
@@ -231,5 +232,10 @@ public final class PieceGap {
             return t < length - slack;
         }
         return true;
+    }
+
+    private static float step(float[] rows, int row, boolean free, float r, float slack) {
+        float rounded = Tuning.ROUNDED * (Math.abs(rows[row + PieceRow.X]) + Math.abs(rows[row + PieceRow.Y]));
+        return free ? slack : CircleMath.clamp(rounded, Tuning.FLUSH * r, slack);
     }
 }
