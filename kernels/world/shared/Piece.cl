@@ -163,19 +163,31 @@ float distanceOfPiece(global const float *row, int shape, float ox, float oy) {
     return minf(start, end);
 }
 
-// Whether a vertex, at o and as thick as its piece, is no higher than a slack over the face of a piece, between its ends.
-bool coversVertex(global const float *row, int shape, float side, float ox, float oy, float thickness, float slack) {
+// Whether the face of a piece hides a vertex from a circle in front of it: it is no higher than a slack over the face, between its ends, and not at the end that
+// the circle is beyond. v: the vertex, as thick as its piece, against x and y of the piece that may cover it; free: whether it is no joint.
+bool coversVertex(global const float *row, int shape, float ox, float oy, float side, float vx, float vy, float thickness, bool free, float r) {
+    float slack = COVER * r;
+    float rounded = ROUNDED * (fabs(row[PIECE_X]) + fabs(row[PIECE_Y]));
+    float step = free ? slack : clampf(rounded, FLUSH * r, slack);
     float tx = row[PIECE_TX];
     float ty = row[PIECE_TY];
     float length = row[PIECE_LENGTH];
-    float cos_ = ox * tx + oy * ty;
-    if (formOf(shape) != FORM_ARC) {
-        float height = side * (ox * ty - oy * tx) - row[PIECE_THICKNESS];
-        return cos_ >= -slack && cos_ <= length + slack && height + thickness <= slack;
+    if (formOf(shape) == FORM_ARC) {
+        float d = lengthf(vx, vy);
+        float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
+        float far = lengthf(ox, oy);
+        return ox * tx + oy * ty >= row[PIECE_SPREAD] * far && out * (far - length) >= 0.0f &&
+               vx * tx + vy * ty >= row[PIECE_SPREAD] * d - slack && out * (d - length) + thickness <= step;
     }
-    float d = lengthf(ox, oy);
-    float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
-    return cos_ >= row[PIECE_SPREAD] * d - slack && out * (d - length) + thickness <= slack;
+    float t = vx * tx + vy * ty;
+    float higher = (side * (vx * ty - vy * tx) - row[PIECE_THICKNESS]) + thickness;
+    bool inFront = side * (ox * ty - oy * tx) >= 0.0f;
+    if (!(t >= -slack && t <= length + slack && higher <= step && inFront)) return false;
+    float at = ox * tx + oy * ty;
+    bool before = at < 0.0f;
+    if (!before && !(at > length)) return true;
+    if ((before ? startJoint(shape) : endJoint(shape)) == JOINT_CONCAVE) return true;
+    return before ? t > slack : t < length - slack;
 }
 
 #define NEVER_TOUCHES 2.0f
@@ -235,19 +247,17 @@ float timeOfArc(global const float *row, int shape, float ox, float oy, float ux
 }
 
 // As a share of a motion u; more than 1 if it does not touch, or gets no deeper than a graze.
-float timeOfPiece(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
+float timeOfFace(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
     float reach = r + row[PIECE_THICKNESS];
-    float t = formOf(shape) == FORM_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
-                                        : timeOfLine(row, shape, ox, oy, ux, uy, r, reach, side);
-    int start = startJoint(shape);
-    int end = endJoint(shape);
-#pragma unroll 1
-    for (int vertex = 0; vertex < 2; vertex++) {
-        if ((vertex == 0 ? start : end) == JOINT_CONCAVE) continue;
-        float dx = row[vertex == 0 ? PIECE_START_X : PIECE_END_X] - ox;
-        float dy = row[vertex == 0 ? PIECE_START_Y : PIECE_END_Y] - oy;
-        t = minf(timeOfImpact(dx, dy, ux, uy, reach), t);
-    }
-    return t;
+    return formOf(shape) == FORM_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
+                                     : timeOfLine(row, shape, ox, oy, ux, uy, r, reach, side);
+}
+
+// Of an end that is not concave.
+float timeOfVertex(global const float *row, int shape, bool start, float ox, float oy, float ux, float uy, float r) {
+    if ((start ? startJoint(shape) : endJoint(shape)) == JOINT_CONCAVE) return NEVER_TOUCHES;
+    float dx = row[start ? PIECE_START_X : PIECE_END_X] - ox;
+    float dy = row[start ? PIECE_START_Y : PIECE_END_Y] - oy;
+    return timeOfImpact(dx, dy, ux, uy, r + row[PIECE_THICKNESS]);
 }
 #endif

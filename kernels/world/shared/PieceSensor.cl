@@ -53,4 +53,11 @@ float timeOfSensing(global const float *row, int shape, float ox, float oy, floa
     float atEnd = timeOfTouch(row[PIECE_END_X] - ox, row[PIECE_END_Y] - oy, ux, uy, reach);
     return minf(minf(atStart, atEnd), t);
 }
+
+// Of a circle that comes from behind a piece with a front: right through a bowl it comes to the front within its motion.
+float timeOfReturn(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
+    if (formOf(shape) != FORM_ARC || (shape & SOLID_OUTSIDE) == 0) return NEVER_TOUCHES;
+    float t = timeOfLeaving(ox, oy, ux, uy, row[PIECE_LENGTH] - r);
+    return opensTo(row, ox + t * ux, oy + t * uy) ? t : NEVER_TOUCHES;
+}
 #endif

@@ -76,6 +76,14 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
     float2 o = inFrame(w, row, traits.TRAIT_MOTION, offsetOf(w, c, row), d, boundary);
     w->standing[k].STANDING_PLACE = o;
+    if (touched.TOUCHED_RESPONSE == PAIR_SENSE && !isTwoSided(w, traits)) {
+        // As the step begins: where the circle comes from. Who touches the piece is on its way.
+        if (boundary == 0 && !(distanceOfPiece(row, traits.TRAIT_SHAPE, o.x, o.y) <= c.RADIUS)) {
+            w->push[k].PUSH_SIDE = isInFront(row, traits.TRAIT_SHAPE, o.x, o.y) ? 1.0f : 0.0f;
+        }
+        leavePiece(w, k);
+        return false;
+    }
     if (side == 0.0f) {
         leavePiece(w, k);
         return false;
@@ -112,29 +120,59 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     return true;
 }
 
-// A free vertex under which another piece has its face is no constraint.
-void coverTouched(const World *w, int k, int2 own, float r) {
+// A way from the frame of a body to that of another one.
+float2 turnedWayTo(const World *w, int motion, int to, float2 d, int boundary) {
+    if (motion == to) return d;
+    if (motion != 0) {
+        global const float *pose = poseOf(bodyOf(w, motion), boundary);
+        float cos_ = pose[POSE_COS];
+        float sin_ = pose[POSE_SIN];
+        d = (float2)(cos_ * d.x - sin_ * d.y, sin_ * d.x + cos_ * d.y);
+    }
+    if (to != 0) {
+        global const float *pose = poseOf(bodyOf(w, to), boundary);
+        float cos_ = pose[POSE_COS];
+        float sin_ = pose[POSE_SIN];
+        d = (float2)(cos_ * d.x + sin_ * d.y, cos_ * d.y - sin_ * d.x);
+    }
+    return d;
+}
+
+// Whether a piece is solid, and a circle on a side of it.
+bool mayCover(const World *w, int k) {
+    return w->piece[k].TOUCHED_RESPONSE == PAIR_SOLID && w->push[k].PUSH_SIDE != 0.0f;
+}
+
+float2 vertexOf(global const float *row, bool start) {
+    return (float2)(row[start ? PIECE_START_X : PIECE_END_X], row[start ? PIECE_START_Y : PIECE_END_Y]);
+}
+
+// Whether a piece hides a vertex of another one's from a circle at o, which is e away from the vertex.
+bool coversOther(const World *w, int other, float2 o, float2 e, float thickness, bool free, float r) {
+    int piece = w->piece[other].TOUCHED_PIECE;
+    return coversVertex(pieceRow(w, piece), pieceTraits(w, piece).TRAIT_SHAPE, o.x, o.y, w->push[other].PUSH_SIDE, o.x - e.x, o.y - e.y,
+                        thickness, free, r);
+}
+
+bool isFree(int shape, bool start) { return (start ? startJoint(shape) : endJoint(shape)) == JOINT_FREE; }
+
+// A vertex under which another piece has its face is no constraint.
+void coverTouched(const World *w, int k, int2 own, float r, int boundary) {
     int4 touched = w->piece[k];
     int feature = touched.TOUCHED_FEATURE;
     if (feature <= AT_FACE || touched.TOUCHED_RESPONSE != PAIR_SOLID) return;
     int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
     bool start = feature == AT_START;
-    if ((start ? startJoint(traits.TRAIT_SHAPE) : endJoint(traits.TRAIT_SHAPE)) != JOINT_FREE) return;
     global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
     float2 place = w->standing[k].STANDING_PLACE;
-    float ex = row[start ? PIECE_START_X : PIECE_END_X];
-    float ey = row[start ? PIECE_START_Y : PIECE_END_Y];
+    float2 vertex = vertexOf(row, start);
+    float2 e = (float2)(place.x - vertex.x, place.y - vertex.y);
+    bool free = isFree(traits.TRAIT_SHAPE, start);
 #pragma unroll 1
     for (int other = own.PIECES_FIRST; other < own.PIECES_FIRST + own.PIECES_COUNT; other++) {
-        int4 under = w->piece[other];
-        if (under.TOUCHED_FEATURE != AT_FACE || under.TOUCHED_RESPONSE != PAIR_SOLID) continue;
-        int4 traitsUnder = pieceTraits(w, under.TOUCHED_PIECE);
-        if (traitsUnder.TRAIT_MOTION != traits.TRAIT_MOTION) continue;
-        float2 from = w->standing[other].STANDING_PLACE;
-        float x = (from.x - place.x) + ex;
-        float y = (from.y - place.y) + ey;
-        if (coversVertex(pieceRow(w, under.TOUCHED_PIECE), traitsUnder.TRAIT_SHAPE, w->push[other].PUSH_SIDE, x, y,
-                         row[PIECE_THICKNESS], COVER * r)) {
+        if (other == k || !mayCover(w, other)) continue;
+        float2 d = turnedWayTo(w, traits.TRAIT_MOTION, pieceTraits(w, w->piece[other].TOUCHED_PIECE).TRAIT_MOTION, e, boundary);
+        if (coversOther(w, other, w->standing[other].STANDING_PLACE, d, row[PIECE_THICKNESS], free, r)) {
             leavePiece(w, k);
             return;
         }
@@ -149,7 +187,7 @@ void measurePieces(const World *w, int2 own, float4 c, float2 d, int boundary) {
     for (int k = own.PIECES_FIRST; k < end; k++) vertices |= measureTouched(w, k, c, d, boundary);
     if (!vertices || own.PIECES_COUNT == 1) return;
 #pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS);
+    for (int k = own.PIECES_FIRST; k < end; k++) coverTouched(w, k, own, c.RADIUS, boundary);
 }
 
 // How fast the surface of a piece moves where a circle is nearest to it.
@@ -372,7 +410,38 @@ typedef struct {
     float2 place; // against x and y of the piece, in the frame of the start of the step
 } Stop;
 
-// from, to: displacements; moving: whether pieces that move count.
+// Of a body: 0 if it does not turn in the step.
+float omegaOf(const World *w, int motion) { return motion == 0 ? 0.0f : bodyOf(w, motion)[BODY_OMEGA]; }
+
+// A move in the frame of the body of a piece: from x, y by z, w. from, to: displacements.
+float4 wayTo(const World *w, global const float *row, int motion, float4 c, float2 from, float2 to) {
+    float2 o = offsetOf(w, c, row);
+    float2 at = inFrame(w, row, motion, o, from, w->subStep);
+    if (motion == 0) return (float4)(at.x, at.y, to.x - from.x, to.y - from.y);
+    float2 then = inFrame(w, row, motion, o, to, w->subStep + 1);
+    return (float4)(at.x, at.y, then.x - at.x, then.y - at.y);
+}
+
+// Whether a vertex is covered that a circle touches after a share t of its move. e: from the vertex to the circle then.
+bool isCovered(const World *w, int2 own, float4 c, float2 from, float2 to, int k, bool start, float2 e, float t) {
+    int piece = w->piece[k].TOUCHED_PIECE;
+    float thickness = pieceRow(w, piece)[PIECE_THICKNESS];
+    int4 traits = pieceTraits(w, piece);
+    bool free = isFree(traits.TRAIT_SHAPE, start);
+#pragma unroll 1
+    for (int other = own.PIECES_FIRST; other < own.PIECES_FIRST + own.PIECES_COUNT; other++) {
+        if (other == k || !mayCover(w, other)) continue;
+        int under = w->piece[other].TOUCHED_PIECE;
+        int motion = pieceTraits(w, under).TRAIT_MOTION;
+        // Frames that are one, or stay parallel within the step.
+        if (motion != traits.TRAIT_MOTION && !(omegaOf(w, motion) == 0.0f && omegaOf(w, traits.TRAIT_MOTION) == 0.0f)) continue;
+        float4 way = wayTo(w, pieceRow(w, under), motion, c, from, to);
+        if (coversOther(w, other, (float2)(way.x + t * way.z, way.y + t * way.w), e, thickness, free, c.RADIUS)) return true;
+    }
+    return false;
+}
+
+// from, to: displacements; moving: whether pieces that move count. A vertex that is covered stops nobody.
 Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool moving) {
     Stop stop = {NONE, 1.0f, (float2)(0.0f)};
     bool fast = isLonger(to.x - from.x, to.y - from.y, CAP * c.RADIUS);
@@ -385,17 +454,24 @@ Stop firstStop(const World *w, int2 own, float4 c, float2 from, float2 to, bool 
         int motion = traits.TRAIT_MOTION;
         if (side == 0.0f || touched.TOUCHED_RESPONSE != PAIR_SOLID || (motion == 0 ? !fast : !moving)) continue;
         global const float *row = pieceRow(w, touched.TOUCHED_PIECE);
-        float2 o = offsetOf(w, c, row);
-        float2 at = inFrame(w, row, motion, o, from, w->subStep);
-        float2 then = inFrame(w, row, motion, o, to, w->subStep + 1);
-        float ux = motion == 0 ? to.x - from.x : then.x - at.x;
-        float uy = motion == 0 ? to.y - from.y : then.y - at.y;
-        if (motion != 0 && !isLonger(ux, uy, CAP * c.RADIUS)) continue;
-        float t = timeOfPiece(row, traits.TRAIT_SHAPE, at.x, at.y, ux, uy, c.RADIUS, side);
-        if (t < stop.share) {
+        float4 way = wayTo(w, row, motion, c, from, to);
+        if (motion != 0 && !isLonger(way.z, way.w, CAP * c.RADIUS)) continue;
+#pragma unroll 1
+        for (int feature = AT_FACE; feature <= AT_END; feature++) {
+            bool start = feature == AT_START;
+            float t = feature == AT_FACE
+                          ? timeOfFace(row, traits.TRAIT_SHAPE, way.x, way.y, way.z, way.w, c.RADIUS, side)
+                          : timeOfVertex(row, traits.TRAIT_SHAPE, start, way.x, way.y, way.z, way.w, c.RADIUS);
+            if (!(t < stop.share)) continue;
+            float2 place = (float2)(way.x + t * way.z, way.y + t * way.w);
+            if (feature != AT_FACE) {
+                float2 vertex = vertexOf(row, start);
+                float2 e = (float2)(place.x - vertex.x, place.y - vertex.y);
+                if (isCovered(w, own, c, from, to, k, start, e, t)) continue;
+            }
             stop.share = t;
             stop.contact = k;
-            stop.place = (float2)(at.x + t * ux, at.y + t * uy);
+            stop.place = place;
         }
     }
     return stop;

@@ -127,7 +127,9 @@ void goOnTouching(const World *w, const PieceSeeker *s, int2 old) {
                 push = w->homePush[from];
             }
         }
-        if (push.PUSH_SIDE == 0.0f) push.PUSH_SIDE = sideOfPiece(w, s->c, touched.TOUCHED_PIECE);
+        // measurePieces finds the side of a piece with a front that only senses.
+        bool sought = touched.TOUCHED_RESPONSE == PAIR_SOLID || isTwoSided(w, pieceTraits(w, touched.TOUCHED_PIECE));
+        if (push.PUSH_SIDE == 0.0f && sought) push.PUSH_SIDE = sideOfPiece(w, s->c, touched.TOUCHED_PIECE);
         w->push[k] = push;
         w->standing[k] = (float4)(0.0f);
     }

@@ -283,19 +283,21 @@ void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
     float2 end = w->standing[k].STANDING_PLACE;
     float ux = end.x - o.x;
     float uy = end.y - o.y;
-    bool front = isInFront(row, traits.TRAIT_SHAPE, o.x, o.y);
-    if (!front && !isTwoSided(w, traits)) return; // it comes from behind
-    float time = timeOfSensing(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS);
+    bool twoSided = isTwoSided(w, traits);
+    bool behind = !twoSided && !(w->push[k].PUSH_SIDE > 0.0f);
+    float side = twoSided && !isInFront(row, traits.TRAIT_SHAPE, o.x, o.y) ? -1.0f : 1.0f;
+    float time = behind ? timeOfReturn(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS)
+                        : timeOfSensing(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS);
     bool touching = time <= 1.0f;
     if (!touching) {
         float gap = distanceOfPiece(row, traits.TRAIT_SHAPE, end.x, end.y) - c.RADIUS;
-        if (!staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS)) return;
+        if (behind || !staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS)) return;
         time = 1.0f;
     }
     float x = o.x + time * ux;
     float y = o.y + time * uy;
     PieceGap g;
-    measurePiece(row, traits.TRAIT_SHAPE, x, y, c.RADIUS, front ? 1.0f : -1.0f, &g);
+    measurePiece(row, traits.TRAIT_SHAPE, x, y, c.RADIUS, side, &g);
     float vn = (g.nx * ux + g.ny * uy) / w->k.dt;
     float away = c.RADIUS + 0.5f * g.gap;
     float4 at = placeSensed(w, row, traits.TRAIT_MOTION, &g, x - away * g.nx, y - away * g.ny);

@@ -38,7 +38,8 @@ import io.github.circles2d.world.events.EventRows;
  *
  * <p><b>Terrain:</b> a circle and a piece are a pair, as a circle and a wall are, with the gap of a wall. Who rolls along a chain ends with
  * one piece and begins with the next. A piece that moves with its body counts as a wall that moves does. A piece that only senses a circle
- * notices it as a sensor does, if it comes from the free side of a piece that has one. If a piece is removed, its pairs end with the next
+ * notices it as a sensor does. A line of a chain, an arc and a one-way segment notice who comes from their free side alone: who was wholly there
+ * when it last did not touch them. So a pass from there begins once, at any speed, and a pass from behind never. If a piece is removed, its pairs end with the next
  * step, under its old handle. Static circles touch no terrain.
  *
  * <p><b>Kinds decide</b> which pairs are reported: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for

@@ -644,7 +644,7 @@ class ReferenceFuzzTest {
         // -----------------------------------------------------------------------------------------------
 
         private void changeTerrain() {
-            switch (random.nextInt(16)) {
+            switch (random.nextInt(17)) {
                 case 0, 1 -> addSegment();
                 case 2, 3 -> addArc();
                 case 4, 5 -> addChain();
@@ -655,6 +655,7 @@ class ReferenceFuzzTest {
                 case 11 -> withSomeBody(this::teleportBody);
                 case 12 -> withSomeBody(this::moveBodyTo);
                 case 13 -> removeBodyOrAll();
+                case 14 -> addTiles();
                 default -> withSomeBody(this::setBodyVelocity);
             }
         }
@@ -731,6 +732,26 @@ class ReferenceFuzzTest {
             ChainShape shape = new ChainShape(x, y, ways, random.nextInt(3) == 0);
             int kind = random.nextInt(3) == 0 ? 0 : kind();
             bothIfAllowed("addChain", c -> c.addChain(body, shape, kind, new long[ways.length + 1]));
+        }
+
+        /** Flush boxes, on one body or on two. */
+        private void addTiles() {
+            long body = someBody();
+            long other = random.nextBoolean() ? body : someBody();
+            float x = x(body);
+            float y = y(body);
+            float edge = value(0.01f * size, 0.2f * size);
+            float high = random.nextInt(4) == 0 ? value(-0.001f, 0.001f) * size : 0f;
+            int kind = random.nextInt(3) == 0 ? 0 : kind();
+            for (int k = 0; k < 4; k++) {
+                float left = x + k * edge;
+                float right = x + (k + 1) * edge;
+                float up = k % 2 == 0 ? y : y + high;
+                float[][] ways = {{right, y - edge}, {right, up}, {left, up}};
+                ChainShape shape = new ChainShape(left, y - edge, ways, true);
+                long of = k % 2 == 0 ? body : other;
+                bothIfAllowed("addTiles", c -> c.addChain(of, shape, kind, new long[ways.length + 1]));
+            }
         }
 
         private void addBody() {

@@ -165,8 +165,9 @@ final class ArcPiece extends Piece {
     }
 
     @Override
-    boolean covers(float side, float[] vertex, float thicknessOfVertex, float slack) {
-        return isInside(vertex, slack) && out() * (length(vertex) - size) + thicknessOfVertex <= slack;
+    boolean covers(float[] o, float side, float[] vertex, float thicknessOfVertex, float slack, float step) {
+        boolean flush = isInside(vertex, slack) && out() * (length(vertex) - size) + thicknessOfVertex <= step;
+        return flush && isInside(o, 0f) && out() * (length(o) - size) >= 0f;
     }
 
     @Override
@@ -180,7 +181,7 @@ final class ArcPiece extends Piece {
         if (!solidOutside || !isInside(Numbers.plus(o, u), 0f)) {
             return 2f;
         }
-        return min(timeOfEnd(end, o, u, time), timeOfEnd(start, o, u, time));
+        return min(timeBeside(end, o, u, time), timeBeside(start, o, u, time));
     }
 
     @Override
@@ -191,6 +192,12 @@ final class ArcPiece extends Piece {
         float time = isInside(at(o, u, outer), 0f) ? outer : 2f;
         float inner = timeOfLeaving(o, u, size - r);
         return inner < time && isInside(at(o, u, inner), 0f) ? inner : time;
+    }
+
+    @Override
+    float timeOfReturn(float[] o, float[] u, float r) {
+        float time = timeOfLeaving(o, u, size - r);
+        return solidOutside && isInside(at(o, u, time), 0f) ? time : 2f;
     }
 
     /** When a point leaves a circle around 0, perhaps after it has come into it. */
@@ -211,7 +218,7 @@ final class ArcPiece extends Piece {
     }
 
     /** When a point comes from beside the arc to the radius of an end, in front of the arc; 2 if it does not, or not after a time. */
-    private float timeOfEnd(float[] e, float[] o, float[] u, float after) {
+    private float timeBeside(float[] e, float[] o, float[] u, float after) {
         float time = (e[1] * o[0] - e[0] * o[1]) / (e[0] * u[1] - e[1] * u[0]);
         if (!(time >= after && time < 1f)) {
             return 2f;

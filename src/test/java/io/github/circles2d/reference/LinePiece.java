@@ -135,10 +135,17 @@ final class LinePiece extends Piece {
     }
 
     @Override
-    boolean covers(float side, float[] vertex, float thicknessOfVertex, float slack) {
-        float along = dot(vertex, t);
+    boolean covers(float[] o, float side, float[] vertex, float thicknessOfVertex, float slack, float step) {
+        float place = dot(vertex, t);
         float above = side * height(vertex) - thickness;
-        return along >= -slack && along <= size + slack && above + thicknessOfVertex <= slack;
+        boolean flush = place >= -slack && place <= size + slack && above + thicknessOfVertex <= step;
+        float along = dot(o, t);
+        boolean beyond = along < 0f || along > size;
+        boolean covered = flush && side * height(o) >= 0f;
+        if (!covered || !beyond || joint(along < 0f) == Joint.CONCAVE) {
+            return covered;
+        }
+        return along < 0f ? place > slack : place < size - slack;
     }
 
     @Override

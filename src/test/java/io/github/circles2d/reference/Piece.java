@@ -140,23 +140,23 @@ abstract class Piece {
     /** From a place to the nearest point. */
     abstract float distance(float[] o);
 
-    /** Whether a vertex is hardly higher than the face, between its ends. */
-    abstract boolean covers(float side, float[] vertex, float thicknessOfVertex, float slack);
+    /** Whether the face hides a vertex from a circle: hardly higher, between its ends, but not at the end that the circle is beyond. */
+    abstract boolean covers(float[] o, float side, float[] vertex, float thicknessOfVertex, float slack, float step);
+
+    /** Of the coordinates of terrain. */
+    final float rounding() {
+        return 0x1p-22f * (Math.abs(origin[0]) + Math.abs(origin[1]));
+    }
 
     /** After which share of its motion u a circle touches the face; 2 if it does not. */
     abstract float timeOfFace(float[] o, float[] u, float r, float side);
 
-    /** The same of the face and of the ends that are not concave. */
-    final float timeOfTouch(float[] o, float[] u, float r, float side) {
-        float time = timeOfFace(o, u, r, side);
-        float reach = r + thickness();
-        if (startJoint != Joint.CONCAVE) {
-            time = Numbers.min(ContinuousCollision.timeOfImpact(minus(start, o), u, reach), time);
-        }
-        if (endJoint != Joint.CONCAVE) {
-            time = Numbers.min(ContinuousCollision.timeOfImpact(minus(end, o), u, reach), time);
-        }
-        return time;
+    /** The same of an end; a concave one is not touched. */
+    final float timeOfEnd(boolean first, float[] o, float[] u, float r) {
+        float[] vertex = first ? start : end;
+        return joint(first) == Joint.CONCAVE
+                ? 2f
+                : ContinuousCollision.timeOfImpact(minus(vertex, o), u, r + thickness());
     }
 
     /** After which share of its motion a circle touches the face, from any side; 2 if it does not. */
@@ -179,6 +179,11 @@ abstract class Piece {
         float first = ContinuousCollision.timeOfTouch(minus(start, o), u, reach);
         float last = ContinuousCollision.timeOfTouch(minus(end, o), u, reach);
         return Numbers.min(Numbers.min(first, last), time);
+    }
+
+    /** When a circle from behind touches the face from its front; 2 if it does not. */
+    float timeOfReturn(float[] o, float[] u, float r) {
+        return 2f;
     }
 
     final Joint joint(boolean atStart) {

@@ -13,6 +13,7 @@ import java.util.function.Function;
 final class PieceContact extends Constraint {
     private static final float WALL_STIFFNESS = 2f;
     private static final float COVER = 0.02f;
+    private static final float FLUSH = 0.002f;
     private static final float JAMMED = 0.01f;
     private static final int ROUNDS = 6;
 
@@ -112,7 +113,7 @@ final class PieceContact extends Constraint {
             friction = last.friction;
             rolling = last.rolling;
         }
-        if (side == 0f) {
+        if (side == 0f && !noticesFromFront()) {
             float[] at = offset(c, piece);
             boolean front = piece.isInFront(at);
             if (hasTwoSides()) {
@@ -149,14 +150,17 @@ final class PieceContact extends Constraint {
     /** Measures all contacts of a circle at a boundary of sub-steps; those that are no constraints forget their impulses. */
     static void measure(List<PieceContact> all, int boundary) {
         all.forEach(contact -> contact.measure(boundary));
-        all.forEach(contact -> contact.leaveToFaces(all));
+        all.forEach(contact -> contact.leaveToFaces(all, boundary));
         all.stream().filter(contact -> contact.feature == Piece.Feature.NONE).forEach(PieceContact::forget);
     }
 
     private void measure(int boundary) {
         o = local(c.displacement, boundary);
-        start = start == null ? o : start;
-        if (side == 0f) {
+        if (start == null) {
+            start = o;
+            beginNotice();
+        }
+        if (side == 0f || noticesFromFront()) {
             feature = Piece.Feature.NONE;
             return;
         }
@@ -199,22 +203,57 @@ final class PieceContact extends Constraint {
         return feature == Piece.Feature.START || feature == Piece.Feature.END;
     }
 
-    /** A free vertex with the face of another piece under it is no constraint. */
-    private void leaveToFaces(List<PieceContact> all) {
-        boolean atStart = feature == Piece.Feature.START;
-        if (!isAtVertex() || sensed || piece.joint(atStart) != Piece.Joint.FREE) {
+    /** Whether it notices only circles that come from the front of the piece. */
+    private boolean noticesFromFront() {
+        return sensed && !hasTwoSides();
+    }
+
+    /** Where the circle comes from, if it does not touch the piece as the step begins. */
+    private void beginNotice() {
+        if (noticesFromFront() && !(piece.distance(start) <= c.radius)) {
+            side = piece.isInFront(start) ? 1f : 0f;
+        }
+    }
+
+    /** A vertex with the face of another piece under it is no constraint. */
+    private void leaveToFaces(List<PieceContact> all, int boundary) {
+        if (!isAtVertex() || sensed) {
             return;
         }
-        float[] vertex = atStart ? piece.start : piece.end;
+        boolean atStart = feature == Piece.Feature.START;
+        float[] away = minus(o, atStart ? piece.start : piece.end);
         for (PieceContact other : all) {
-            if (other.feature == Piece.Feature.FACE && !other.sensed && other.piece.body.motion == piece.body.motion) {
-                float[] place = plus(minus(other.o, o), vertex);
-                if (other.piece.covers(other.side, place, piece.thickness(), COVER * c.radius)) {
-                    feature = Piece.Feature.NONE;
-                    return;
-                }
+            float[] there = other.piece.body.motion == piece.body.motion
+                    ? away
+                    : toFrame(other.piece.body.motion, fromFrame(piece.body.motion, away, boundary), boundary);
+            if (other.hides(this, atStart, other.o, there)) {
+                feature = Piece.Feature.NONE;
+                return;
             }
         }
+    }
+
+    /** Whether this piece hides a vertex of another contact from the circle at a place, which is so far away from the vertex. */
+    private boolean hides(PieceContact other, boolean atStart, float[] place, float[] away) {
+        if (other == this || sensed || side == 0f) {
+            return false;
+        }
+        float slack = COVER * c.radius;
+        boolean free = other.piece.joint(atStart) == Piece.Joint.FREE;
+        float step = free ? slack : Numbers.clamp(piece.rounding(), FLUSH * c.radius, slack);
+        return piece.covers(place, side, minus(place, away), other.piece.thickness(), slack, step);
+    }
+
+    private static float[] fromFrame(Body.Motion motion, float[] d, int boundary) {
+        return motion == null ? d : turned(d, motion.cosines()[boundary], motion.sines()[boundary]);
+    }
+
+    private static float[] toFrame(Body.Motion motion, float[] d, int boundary) {
+        return motion == null ? d : turned(d, motion.cosines()[boundary], -motion.sines()[boundary]);
+    }
+
+    private static float[] turned(float[] d, float cos, float sin) {
+        return new float[] {cos * d[0] - sin * d[1], sin * d[0] + cos * d[1]};
     }
 
     private void forget() {
@@ -334,7 +373,7 @@ final class PieceContact extends Constraint {
     Touch touchAfterStep() {
         touch.slack = Touch.SLACK * radii;
         if (sensed) {
-            return hasTwoSides() || piece.isInFront(start) ? sense() : null;
+            return sense();
         }
         touch.separation = separation;
         if (touch.approach < 0f) {
@@ -352,14 +391,18 @@ final class PieceContact extends Constraint {
     /** The circle has moved evenly, in the frame of the piece. */
     private Touch sense() {
         float[] u = minus(o, start);
-        float time = piece.timeOfNotice(start, u, c.radius);
+        boolean fromBehind = !hasTwoSides() && side != 1f;
+        float time = fromBehind ? piece.timeOfReturn(start, u, c.radius) : piece.timeOfNotice(start, u, c.radius);
+        if (fromBehind && !(time <= 1f)) {
+            return null;
+        }
         touch.separation = time <= 1f ? 0f : piece.distance(o) - c.radius;
         if (!touch.staysInTouch()) {
             return null;
         }
         time = Numbers.min(time, 1f);
         float[] at = {start[0] + time * u[0], start[1] + time * u[1]};
-        Piece.Stand then = piece.measure(at, c.radius, piece.isInFront(start) ? 1f : -1f);
+        Piece.Stand then = piece.measure(at, c.radius, hasTwoSides() && !piece.isInFront(start) ? -1f : 1f);
         float vn = dot(then.normal(), u) / step.dt();
         touch.sensedSpeed = max(-vn, 0f);
         float away = c.radius + 0.5f * then.gap();
@@ -522,18 +565,60 @@ final class PieceContact extends Constraint {
             if (contact.side == 0f || contact.sensed || !looks) {
                 continue;
             }
-            float[] start = contact.local(from, subStep);
-            boolean rests = contact.piece.body.motion == null;
-            float[] u = rests ? minus(c.displacement, from) : minus(contact.local(c.displacement, subStep + 1), start);
+            Way way = contact.way(from, subStep);
             float most = Circle.CAP * c.radius;
-            if (dot(u, u) > most * most) {
-                float time = contact.piece.timeOfTouch(start, u, c.radius, contact.side);
-                if (time < (first == null ? 1f : first.share)) {
-                    first = new Stop(contact, time, new float[] {start[0] + time * u[0], start[1] + time * u[1]});
-                }
+            if (dot(way.u, way.u) > most * most) {
+                first = contact.firstStop(way, from, subStep, first);
             }
         }
         return first;
+    }
+
+    /** A move in the frame of a piece. */
+    private record Way(float[] from, float[] u) {
+        float[] at(float share) {
+            return new float[] {from[0] + share * u[0], from[1] + share * u[1]};
+        }
+    }
+
+    /** From a displacement to that of the circle. */
+    private Way way(float[] from, int subStep) {
+        float[] first = local(from, subStep);
+        boolean rests = piece.body.motion == null;
+        return new Way(first, rests ? minus(c.displacement, from) : minus(local(c.displacement, subStep + 1), first));
+    }
+
+    /** The face, and the ends that are not covered. */
+    private Stop firstStop(Way way, float[] from, int subStep, Stop before) {
+        Stop first = before;
+        float time = piece.timeOfFace(way.from, way.u, c.radius, side);
+        if (time < (first == null ? 1f : first.share)) {
+            first = new Stop(this, time, way.at(time));
+        }
+        for (boolean atStart : new boolean[] {true, false}) {
+            time = piece.timeOfEnd(atStart, way.from, way.u, c.radius);
+            if (time < (first == null ? 1f : first.share) && !isHidden(atStart, way, time, from, subStep)) {
+                first = new Stop(this, time, way.at(time));
+            }
+        }
+        return first;
+    }
+
+    /** Whether the circle touches an end under which there is a face, of a body whose frame stays parallel to that of this one. */
+    private boolean isHidden(boolean atStart, Way way, float time, float[] from, int subStep) {
+        float[] away = minus(way.at(time), atStart ? piece.start : piece.end);
+        for (PieceContact other : c.pieceContacts) {
+            boolean oneFrame = other.piece.body.motion == piece.body.motion
+                    || !turns(other.piece.body.motion) && !turns(piece.body.motion);
+            if (oneFrame && other.hides(this, atStart, other.way(from, subStep).at(time), away)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean turns(Body.Motion motion) {
+        return motion != null && motion.omega() != 0f;
     }
 
     /** Brings the circle to a place in the piece's frame, as the piece stands at a boundary. */

@@ -31,7 +31,6 @@ import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
-import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Wrapping;
 
 /**
@@ -133,7 +132,7 @@ final class PieceMeasure {
         }
         if (vertices && to - from > 1) {
             for (int c = from; c < to; c++) {
-                cover(c, from, to, r);
+                cover(c, from, to, boundary, r);
             }
         }
     }
@@ -168,6 +167,13 @@ final class PieceMeasure {
         toFrame(row, motion, rows[k + BASE_X], rows[k + BASE_Y], dx, dy, boundary);
         rows[k + OX] = localX;
         rows[k + OY] = localY;
+        if (contacts.numbers[number + RESPONSE] == PairTable.SENSE && !isTwoSided(c, shape)) {
+            if (boundary == 0) {
+                rows[k + SIDE] = sensedSide(row, shape, r, side);
+            }
+            leave(c);
+            return false;
+        }
         if (side == 0f) {
             leave(c);
             return false;
@@ -224,39 +230,93 @@ final class PieceMeasure {
                 && terrain.kinds.rows[KindTerrain.of(kind) + KindTerrain.ONE_WAY] == 0f;
     }
 
-    /** A free vertex under which another piece has its face is no constraint. */
-    private void cover(int c, int from, int to, float r) {
+    /** As the step begins: where a circle comes from, which a piece with a front only senses. Who touches it is on its way. */
+    private float sensedSide(int row, int shape, float r, float side) {
+        if (PieceGap.distance(contacts.pieces, row, shape, localX, localY) <= r) {
+            return side;
+        }
+        return PieceGap.isInFront(contacts.pieces, row, shape, localX, localY) ? 1f : 0f;
+    }
+
+    /** A vertex under which another piece has its face is no constraint. */
+    private void cover(int c, int from, int to, int boundary, float r) {
         int number = PieceContactRow.numbers(c);
         int feature = contacts.numbers[number + FEATURE];
         if (feature <= PieceGap.FACE || contacts.numbers[number + RESPONSE] != PairTable.SOLID) {
             return;
         }
-        int shape = shape(c);
         boolean start = feature == PieceGap.AT_START;
-        if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) != PieceRow.FREE) {
-            return;
-        }
-        int row = PieceRow.of(c);
         int k = PieceContactRow.of(c);
-        float ex = contacts.pieces[row + (start ? PieceRow.START_X : PieceRow.END_X)];
-        float ey = contacts.pieces[row + (start ? PieceRow.START_Y : PieceRow.END_Y)];
+        float ex = contacts.rows[k + OX] - vertexX(c, start);
+        float ey = contacts.rows[k + OY] - vertexY(c, start);
         for (int other = from; other < to; other++) {
-            int o = PieceContactRow.numbers(other);
-            if (contacts.numbers[o + FEATURE] == PieceGap.FACE
-                    && contacts.numbers[o + RESPONSE] == PairTable.SOLID
-                    && motion(other) == motion(c)) {
+            if (other != c && mayCover(other)) {
+                turn(motion(c), motion(other), ex, ey, boundary);
                 int j = PieceContactRow.of(other);
-                float x = (contacts.rows[j + OX] - contacts.rows[k + OX]) + ex;
-                float y = (contacts.rows[j + OY] - contacts.rows[k + OY]) + ey;
-                float thickness = contacts.pieces[row + PieceRow.THICKNESS];
-                float side = contacts.rows[j + SIDE];
-                if (PieceGap.covers(
-                        contacts.pieces, PieceRow.of(other), shape(other), side, x, y, thickness, Tuning.COVER * r)) {
+                if (covers(c, start, other, contacts.rows[j + OX], contacts.rows[j + OY], localX, localY, r)) {
                     leave(c);
                     return;
                 }
             }
         }
+    }
+
+    /** Whether a piece is solid, and a circle on a side of it. */
+    boolean mayCover(int c) {
+        return contacts.rows[PieceContactRow.of(c) + SIDE] != 0f
+                && contacts.numbers[PieceContactRow.numbers(c) + RESPONSE] == PairTable.SOLID;
+    }
+
+    float vertexX(int c, boolean start) {
+        return contacts.pieces[PieceRow.of(c) + (start ? PieceRow.START_X : PieceRow.END_X)];
+    }
+
+    float vertexY(int c, boolean start) {
+        return contacts.pieces[PieceRow.of(c) + (start ? PieceRow.START_Y : PieceRow.END_Y)];
+    }
+
+    /** Whether a piece hides a vertex of another one's from a circle at o, which is (ex, ey) away from the vertex. */
+    boolean covers(int c, boolean start, int other, float ox, float oy, float ex, float ey, float r) {
+        float thickness = contacts.pieces[PieceRow.of(c) + PieceRow.THICKNESS];
+        boolean free = (start ? PieceRow.startJoint(shape(c)) : PieceRow.endJoint(shape(c))) == PieceRow.FREE;
+        float side = contacts.rows[PieceContactRow.of(other) + SIDE];
+        int row = PieceRow.of(other);
+        return PieceGap.covers(contacts.pieces, row, shape(other), ox, oy, side, ox - ex, oy - ey, thickness, free, r);
+    }
+
+    /** Turns a way from the frame of a body to that of another one. */
+    private void turn(int motion, int to, float x, float y, int boundary) {
+        localX = x;
+        localY = y;
+        if (motion == to) {
+            return;
+        }
+        float[] bodies = terrain.motion;
+        if (motion != 0) {
+            int pose = BodyRow.of(motion, subSteps) + BodyRow.pose(boundary);
+            float cos = bodies[pose + BodyRow.COS];
+            float sin = bodies[pose + BodyRow.SIN];
+            localX = cos * x - sin * y;
+            localY = sin * x + cos * y;
+        }
+        if (to != 0) {
+            int pose = BodyRow.of(to, subSteps) + BodyRow.pose(boundary);
+            float cos = bodies[pose + BodyRow.COS];
+            float sin = bodies[pose + BodyRow.SIN];
+            float worldX = localX;
+            float worldY = localY;
+            localX = cos * worldX + sin * worldY;
+            localY = cos * worldY - sin * worldX;
+        }
+    }
+
+    /** Whether the frames of two bodies stay parallel within a step, or are one. */
+    boolean areParallel(int motion, int other) {
+        return motion == other || omega(motion) == 0f && omega(other) == 0f;
+    }
+
+    private float omega(int motion) {
+        return motion == 0 ? 0f : terrain.motion[BodyRow.of(motion, subSteps) + BodyRow.OMEGA];
     }
 
     /** How fast the surface of a piece moves where a circle is nearest to it. */

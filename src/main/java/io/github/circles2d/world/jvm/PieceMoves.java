@@ -38,6 +38,14 @@ final class PieceMoves {
     private float stopX;
 
     private float stopY;
+
+    /** A circle's place before its move, and its move, in the frame of a piece. */
+    private float atX;
+
+    private float atY;
+    private float wayX;
+    private float wayY;
+
     private float share;
 
     /** The contact at rest that has stopped a circle, or -1, and what is left of its move. */
@@ -242,26 +250,74 @@ final class PieceMoves {
                     || (motion == 0 ? !fast : !moving)) {
                 continue;
             }
-            int row = PieceRow.of(c);
-            float ox = contacts.rows[PieceContactRow.of(c) + BASE_X];
-            float oy = contacts.rows[PieceContactRow.of(c) + BASE_Y];
-            measure.toFrame(row, motion, ox, oy, fromX, fromY, sub);
-            float x = measure.localX;
-            float y = measure.localY;
-            measure.toFrame(row, motion, ox, oy, dx, dy, sub + 1);
-            float ux = motion == 0 ? dx - fromX : measure.localX - x;
-            float uy = motion == 0 ? dy - fromY : measure.localY - y;
-            if (motion == 0 || CircleMath.isLonger(ux, uy, Tuning.CAP * r)) {
-                float t = PieceSweep.time(contacts.pieces, row, measure.shape(c), x, y, ux, uy, r, side);
-                if (t < share) {
-                    share = t;
-                    first = c;
-                    stopX = x + t * ux;
-                    stopY = y + t * uy;
-                }
+            way(c, fromX, fromY, dx, dy, sub);
+            if (motion == 0 || CircleMath.isLonger(wayX, wayY, Tuning.CAP * r)) {
+                first = firstStop(slot, c, fromX, fromY, sub, first);
             }
         }
         return first;
+    }
+
+    /** Finds a circle's move in the frame of the body of a piece. */
+    private void way(int c, float fromX, float fromY, float dx, float dy, int sub) {
+        int row = PieceRow.of(c);
+        int motion = measure.motion(c);
+        float ox = contacts.rows[PieceContactRow.of(c) + BASE_X];
+        float oy = contacts.rows[PieceContactRow.of(c) + BASE_Y];
+        measure.toFrame(row, motion, ox, oy, fromX, fromY, sub);
+        atX = measure.localX;
+        atY = measure.localY;
+        measure.toFrame(row, motion, ox, oy, dx, dy, sub + 1);
+        wayX = motion == 0 ? dx - fromX : measure.localX - atX;
+        wayY = motion == 0 ? dy - fromY : measure.localY - atY;
+    }
+
+    /** Along the way that was found. A vertex that is covered stops nobody. */
+    private int firstStop(int slot, int c, float fromX, float fromY, int sub, int firstBefore) {
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        int row = PieceRow.of(c);
+        int shape = measure.shape(c);
+        float side = contacts.rows[PieceContactRow.of(c) + SIDE];
+        float x = atX;
+        float y = atY;
+        float ux = wayX;
+        float uy = wayY;
+        int first = firstBefore;
+        for (int feature = PieceGap.FACE; feature <= PieceGap.AT_END; feature++) {
+            boolean start = feature == PieceGap.AT_START;
+            float t = feature == PieceGap.FACE
+                    ? PieceSweep.timeOfFace(contacts.pieces, row, shape, x, y, ux, uy, r, side)
+                    : PieceSweep.timeOfVertex(contacts.pieces, row, shape, start, x, y, ux, uy, r);
+            if (t < share
+                    && (feature == PieceGap.FACE
+                            || !isCovered(slot, c, start, x + t * ux, y + t * uy, t, fromX, fromY, sub))) {
+                share = t;
+                first = c;
+                stopX = x + t * ux;
+                stopY = y + t * uy;
+            }
+        }
+        return first;
+    }
+
+    /** Whether a vertex is covered that a circle touches at a place, after a share of its move. */
+    private boolean isCovered(
+            int slot, int c, boolean start, float x, float y, float t, float fromX, float fromY, int sub) {
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + RADIUS];
+        float ex = x - measure.vertexX(c, start);
+        float ey = y - measure.vertexY(c, start);
+        for (int other = contacts.first[slot]; other < contacts.first[slot] + contacts.count[slot]; other++) {
+            if (other != c
+                    && measure.mayCover(other)
+                    && measure.areParallel(measure.motion(c), measure.motion(other))) {
+                way(other, fromX, fromY, state.motion[s + DX], state.motion[s + DY], sub);
+                if (measure.covers(c, start, other, atX + t * wayX, atY + t * wayY, ex, ey, r)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Sets a circle's displacement to the place where a piece that moves has met it, as the piece has it at a boundary. */

@@ -246,7 +246,11 @@ final class PieceSearch {
                         PieceMeasure.offsetY(state, slot, terrain.rows, PieceRow.of(piece));
                 rows[row + PieceContactRow.RESTITUTION] =
                         CircleMath.max(state.traits[CircleRow.of(slot) + RESTITUTION], ofKind);
-                if (rows[row + PieceContactRow.SIDE] == 0f) {
+                boolean solid = response == PairTable.SOLID; // PieceMeasure finds the side of others
+                if (rows[row + PieceContactRow.SIDE] == 0f
+                        && (solid
+                                || PieceMeasure.isTwoSided(
+                                        terrain, piece, terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE]))) {
                     rows[row + PieceContactRow.SIDE] = side(slot, piece, terrain);
                 }
                 numbers[number + PieceContactRow.PIECE] = piece;

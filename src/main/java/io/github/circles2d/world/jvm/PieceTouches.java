@@ -203,22 +203,23 @@ final class PieceTouches {
         float endY = contacts.rows[row + PieceContactRow.OY];
         float ux = endX - ox;
         float uy = endY - oy;
-        boolean front = PieceGap.isInFront(terrain.rows, at, shape, ox, oy);
-        if (!front && !PieceMeasure.isTwoSided(terrain, piece, shape)) {
-            return; // it comes from behind
-        }
-        float time = PieceSensor.timeOfTouch(terrain.rows, at, shape, ox, oy, ux, uy, r);
+        boolean twoSided = PieceMeasure.isTwoSided(terrain, piece, shape);
+        boolean behind = !twoSided && !(contacts.rows[row + PieceContactRow.SIDE] > 0f);
+        float side = twoSided && !PieceGap.isInFront(terrain.rows, at, shape, ox, oy) ? -1f : 1f;
+        float time = behind
+                ? PieceSensor.timeOfReturn(terrain.rows, at, shape, ox, oy, ux, uy, r)
+                : PieceSensor.timeOfTouch(terrain.rows, at, shape, ox, oy, ux, uy, r);
         boolean touches = time <= 1f;
         if (!touches) {
             float gap = PieceGap.distance(terrain.rows, at, shape, endX, endY) - r;
-            if (!TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
+            if (behind || !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
                 return;
             }
             time = 1f;
         }
         float x = ox + time * ux;
         float y = oy + time * uy;
-        found.measure(terrain.rows, at, shape, x, y, r, front ? 1f : -1f);
+        found.measure(terrain.rows, at, shape, x, y, r, side);
         float vn = (found.nx * ux + found.ny * uy) / k.dt;
         float away = r + 0.5f * found.gap;
         rows[t + APPROACH] = TouchRule.approach(vn);

@@ -184,19 +184,58 @@ public final class PieceGap {
         return CircleMath.min(start, end);
     }
 
-    /** Whether a vertex, at o and as thick as its piece, is no higher than a slack over the face of a piece, between its ends. */
+    /**
+     * Whether the face of a piece hides a vertex from a circle in front of it: it is no higher than a slack over the face, between its ends, and not at the end that the
+     * circle is beyond. (x, y) is the vertex, as thick as its piece, against (X, Y) of the piece that may cover it. A free end is drawn by hand; the
+     * joint of a chain (free: false) has to be flush but for rounding, since what it is higher is a step.
+     */
     public static boolean covers(
-            float[] rows, int row, int shape, float side, float ox, float oy, float thickness, float slack) {
+            float[] rows,
+            int row,
+            int shape,
+            float ox,
+            float oy,
+            float side,
+            float x,
+            float y,
+            float thickness,
+            boolean free,
+            float r) {
+        float slack = Tuning.COVER * r;
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];
         float length = rows[row + PieceRow.LENGTH];
-        float cos = ox * tx + oy * ty;
-        if (PieceRow.form(shape) != PieceRow.ARC) {
-            float height = side * (ox * ty - oy * tx) - rows[row + PieceRow.THICKNESS];
-            return cos >= -slack && cos <= length + slack && height + thickness <= slack;
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            float spread = rows[row + PieceRow.SPREAD];
+            float far = CircleMath.length(ox, oy);
+            float d = CircleMath.length(x, y);
+            float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
+            return ox * tx + oy * ty >= spread * far
+                    && out * (far - length) >= 0f
+                    && x * tx + y * ty >= spread * d - slack
+                    && out * (d - length) + thickness <= step(rows, row, free, r, slack);
         }
-        float d = CircleMath.length(ox, oy);
-        float out = (shape & PieceRow.SOLID_OUTSIDE) != 0 ? -1f : 1f;
-        return cos >= rows[row + PieceRow.SPREAD] * d - slack && out * (d - length) + thickness <= slack;
+        // nearly all are not between the ends
+        float t = along(tx, ty, x, y);
+        if (!(t >= -slack && t <= length + slack) || !(side * height(tx, ty, ox, oy) >= 0f)) {
+            return false;
+        }
+        float higher = (side * height(tx, ty, x, y) - rows[row + PieceRow.THICKNESS]) + thickness;
+        if (!(higher <= step(rows, row, free, r, slack))) {
+            return false;
+        }
+        float at = along(tx, ty, ox, oy);
+        if (at < 0f && PieceRow.startJoint(shape) != PieceRow.CONCAVE) {
+            return t > slack;
+        }
+        if (at > length && PieceRow.endJoint(shape) != PieceRow.CONCAVE) {
+            return t < length - slack;
+        }
+        return true;
+    }
+
+    private static float step(float[] rows, int row, boolean free, float r, float slack) {
+        float rounded = Tuning.ROUNDED * (Math.abs(rows[row + PieceRow.X]) + Math.abs(rows[row + PieceRow.Y]));
+        return free ? slack : CircleMath.clamp(rounded, Tuning.FLUSH * r, slack);
     }
 }

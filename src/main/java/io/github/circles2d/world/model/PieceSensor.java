@@ -28,6 +28,16 @@ public final class PieceSensor {
         return CircleMath.min(CircleMath.min(atStart, atEnd), t);
     }
 
+    /** Of a circle that comes from behind a piece with a front: right through a bowl it comes to the front within its motion. */
+    public static float timeOfReturn(
+            float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
+        if (PieceRow.form(shape) != PieceRow.ARC || (shape & PieceRow.SOLID_OUTSIDE) == 0) {
+            return NEVER;
+        }
+        float t = timeOfLeaving(ox, oy, ux, uy, rows[row + PieceRow.LENGTH] - r);
+        return opens(rows, row, ox + t * ux, oy + t * uy) ? t : NEVER;
+    }
+
     private static float timeOfLine(float[] rows, int row, float ox, float oy, float ux, float uy, float reach) {
         float tx = rows[row + PieceRow.TX];
         float ty = rows[row + PieceRow.TY];

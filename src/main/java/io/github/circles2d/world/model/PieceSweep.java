@@ -9,25 +9,23 @@ public final class PieceSweep {
 
     private PieceSweep() {}
 
-    public static float time(
+    public static float timeOfFace(
             float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
         float reach = r + rows[row + PieceRow.THICKNESS];
-        float face = PieceRow.form(shape) == PieceRow.ARC
+        return PieceRow.form(shape) == PieceRow.ARC
                 ? timeOfArc(rows, row, shape, ox, oy, ux, uy, r)
                 : timeOfLine(rows, row, shape, ox, oy, ux, uy, r, reach, side);
-        float t = face;
-        // of a tip, who comes from behind the piece that ends there is in front of the one that starts
-        if (PieceRow.startJoint(shape) != PieceRow.CONCAVE) {
-            float dx = rows[row + PieceRow.START_X] - ox;
-            float dy = rows[row + PieceRow.START_Y] - oy;
-            t = CircleMath.min(TimeOfImpact.timeOfImpact(dx, dy, ux, uy, reach), t);
+    }
+
+    /** Of an end that is not concave. Of a tip, who comes from behind the piece that ends there is in front of the one that starts. */
+    public static float timeOfVertex(
+            float[] rows, int row, int shape, boolean start, float ox, float oy, float ux, float uy, float r) {
+        if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) == PieceRow.CONCAVE) {
+            return NEVER;
         }
-        if (PieceRow.endJoint(shape) != PieceRow.CONCAVE) {
-            float dx = rows[row + PieceRow.END_X] - ox;
-            float dy = rows[row + PieceRow.END_Y] - oy;
-            t = CircleMath.min(TimeOfImpact.timeOfImpact(dx, dy, ux, uy, reach), t);
-        }
-        return t;
+        float dx = rows[row + (start ? PieceRow.START_X : PieceRow.END_X)] - ox;
+        float dy = rows[row + (start ? PieceRow.START_Y : PieceRow.END_Y)] - oy;
+        return TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + rows[row + PieceRow.THICKNESS]);
     }
 
     private static float timeOfLine(

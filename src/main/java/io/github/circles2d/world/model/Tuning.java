@@ -31,8 +31,14 @@ public final class Tuning {
     /** Circles that graze no deeper do not stop each other, in sums. */
     public static final float GRAZE = 0.01f;
 
-    /** A vertex of terrain no higher over the face of another piece is no constraint, in radii. */
+    /** A free vertex of terrain no higher over the face of another piece is no constraint, in radii. */
     public static final float COVER = 0.02f;
+
+    /** The same of a vertex at a joint of a chain, which is as exact as its points. */
+    public static final float FLUSH = 0.002f;
+
+    /** How far coordinates of terrain may be off by rounding, in shares of them. */
+    public static final float ROUNDED = 0x1p-22f;
 
     /** A circle so deep in a piece of terrain keeps no impulse of it, in radii: between pieces that jam it impulses would grow for ever. */
     public static final float JAMMED = 0.01f;

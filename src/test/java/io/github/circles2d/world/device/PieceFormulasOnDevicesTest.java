@@ -25,10 +25,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 class PieceFormulasOnDevicesTest {
     private static final int PIECES = 500;
 
-    /** Floats of an input: o, u, radius, side, thickness of a vertex, slack. */
+    /** Floats of an input: o, u (or a vertex), radius, side, thickness of the vertex, and what says whether it is free. */
     private static final int INPUT = 8;
 
-    private static final int OUTPUT = 12;
+    private static final int OUTPUT = 14;
 
     private static final String PROBE = """
             kernel void probe(global const float *rows, global const int *shapes, global const float *in, global int *out, int count) {
@@ -38,7 +38,7 @@ class PieceFormulasOnDevicesTest {
                 global const float *row = rows + PIECE_STRIDE * piece;
                 int shape = shapes[piece];
                 global const float *p = in + 8 * i;
-                global int *to = out + 12 * i;
+                global int *to = out + 14 * i;
                 PieceGap g;
                 g.nx = g.ny = g.gap = g.curve = 0.0f;
                 measurePiece(row, shape, p[0], p[1], p[4], p[5], &g);
@@ -50,10 +50,12 @@ class PieceFormulasOnDevicesTest {
                 to[5] = formOf(shape) == FORM_ARC ? 0 : as_int(g.height);
                 to[6] = isInFront(row, shape, p[0], p[1]);
                 to[7] = as_int(distanceOfPiece(row, shape, p[0], p[1]));
-                to[8] = coversVertex(row, shape, p[5], p[0], p[1], p[6], p[7]);
-                to[9] = as_int(timeOfPiece(row, shape, p[0], p[1], p[2], p[3], p[4], p[5]));
+                to[8] = coversVertex(row, shape, p[0], p[1], p[5], p[2], p[3], p[6], p[7] < 0.05f, p[4]);
+                to[9] = as_int(timeOfFace(row, shape, p[0], p[1], p[2], p[3], p[4], p[5]));
                 to[10] = as_int(turnedWay(g.curve, p[2], p[3]));
                 to[11] = as_int(sight(p[4], p[6]));
+                to[12] = as_int(timeOfVertex(row, shape, true, p[0], p[1], p[2], p[3], p[4]));
+                to[13] = as_int(timeOfVertex(row, shape, false, p[0], p[1], p[2], p[3], p[4]));
             }
             """;
 
@@ -81,11 +83,13 @@ class PieceFormulasOnDevicesTest {
         int[] inJava = new int[OUTPUT];
         int faces = 0;
         int touches = 0;
+        int covered = 0;
         for (int i = 0; i < count; i++) {
             int piece = i % PIECES;
             compute(rows, PieceRow.of(piece), shapes[piece], inputs, INPUT * i, inJava);
             faces += inJava[0] == PieceGap.FACE ? 1 : 0;
             touches += Float.intBitsToFloat(inJava[9]) < 1f ? 1 : 0;
+            covered += inJava[8];
             for (int k = 0; k < OUTPUT; k++) {
                 if (inJava[k] != onDevice[OUTPUT * i + k]) {
                     assertThat(onDevice[OUTPUT * i + k])
@@ -96,6 +100,7 @@ class PieceFormulasOnDevicesTest {
         }
         assertThat(faces).isBetween(count / 10, 9 * count / 10);
         assertThat(touches).isGreaterThan(count / 50);
+        assertThat(covered).isBetween(count / 50, count / 2);
     }
 
     /** A place near the piece, far away, or one of its own points. */
@@ -143,11 +148,19 @@ class PieceFormulasOnDevicesTest {
         to[5] = Float.floatToRawIntBits(PieceRow.form(shape) == PieceRow.ARC ? 0f : g.height);
         to[6] = PieceGap.isInFront(rows, row, shape, p[at], p[at + 1]) ? 1 : 0;
         to[7] = Float.floatToRawIntBits(PieceGap.distance(rows, row, shape, p[at], p[at + 1]));
-        to[8] = PieceGap.covers(rows, row, shape, p[at + 5], p[at], p[at + 1], p[at + 6], p[at + 7]) ? 1 : 0;
+        boolean free = p[at + 7] < 0.05f;
+        to[8] = PieceGap.covers(
+                        rows, row, shape, p[at], p[at + 1], p[at + 5], p[at + 2], p[at + 3], p[at + 6], free, p[at + 4])
+                ? 1
+                : 0;
         to[9] = Float.floatToRawIntBits(
-                PieceSweep.time(rows, row, shape, p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4], p[at + 5]));
+                PieceSweep.timeOfFace(rows, row, shape, p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4], p[at + 5]));
         to[10] = Float.floatToRawIntBits(PieceGap.turned(g.curve, p[at + 2], p[at + 3]));
         to[11] = Float.floatToRawIntBits(Paths.sight(p[at + 4], p[at + 6]));
+        for (int end = 0; end < 2; end++) {
+            to[12 + end] = Float.floatToRawIntBits(PieceSweep.timeOfVertex(
+                    rows, row, shape, end == 0, p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4]));
+        }
     }
 
     private static int[] run(Device device, float[] rows, int[] shapes, float[] inputs, int count) {

@@ -218,6 +218,13 @@ final class TerrainTwins {
         float x = between(random, bounds.minX(), bounds.maxX());
         float y = between(random, bounds.minY(), bounds.maxY());
         double angle = between(random, -3.1415f, 3.1415f);
+        if (row > 0 && random.nextInt(3) == 0) {
+            // where the one before ends, and in its direction, so that faces cover vertices
+            int before = row - PieceRow.STRIDE;
+            x = rows[before + PieceRow.X] + rows[before + PieceRow.END_X];
+            y = rows[before + PieceRow.Y] + rows[before + PieceRow.END_Y];
+            angle = Math.atan2(rows[before + PieceRow.TY], rows[before + PieceRow.TX]);
+        }
         float tx = (float) Math.cos(angle);
         float ty = (float) Math.sin(angle);
         float size = between(random, 0.2f, 1) * length;

@@ -56,6 +56,8 @@ public final class WorldSource {
                 .define("CORNER", Tuning.CORNER)
                 .define("JAMMED", Tuning.JAMMED)
                 .define("COVER", Tuning.COVER)
+                .define("FLUSH", Tuning.FLUSH)
+                .define("ROUNDED", Tuning.ROUNDED)
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)
                 .define("NEARLY_ELASTIC", Tuning.NEARLY_ELASTIC)
