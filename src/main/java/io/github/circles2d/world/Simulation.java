@@ -286,8 +286,8 @@ public final class Simulation implements AutoCloseable {
         }
         pending.apply();
         copies.forget();
-        log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
         Bounds start = WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
+        log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
         guard.changing = true;
         pipeline.confine(start.walls(), next.walls());
         nextStep.confine(next.walls());
@@ -352,12 +352,17 @@ public final class Simulation implements AutoCloseable {
         Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
         log.step(timeStep, steps);
         int made = 0;
-        while (made < steps && nextStepDiffers()) {
-            makeDifferentStep(timeStep);
-            made++;
-        }
-        if (made < steps) {
-            makeSteps(timeStep, steps - made);
+        try {
+            while (made < steps && nextStepDiffers()) {
+                makeDifferentStep(timeStep);
+                made++;
+            }
+            if (made < steps) {
+                makeSteps(timeStep, steps - made);
+            }
+        } catch (RuntimeException | Error e) {
+            guard.changing |= made > 0; // some of the steps have been made, and others never will
+            throw e;
         }
         log.stepped(steps);
         stepCount += steps;
@@ -375,7 +380,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
     private void makeDifferentStep(float timeStep) {
-        nextStep.prepare();
+        nextStep.makeRoom();
         guard.changing = true;
         nextStep.begin(timeStep, settings.bounds());
         log.skipCommands();
@@ -397,13 +402,14 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void makeSteps(float timeStep, int steps) {
-        pending.apply();
         if (timeStep != settings.lastStep()) {
             pending.settleJoints(); // the length of the step says by which force a joint broke
         }
         pending.prepareNeeds();
         terrain.makeRoom(settings.subSteps());
         joints.makeRoom(settings.subSteps());
+        pending.apply(); // last: a step that lacks memory before it takes its changes back, which the pipeline must
+        // not have
         guard.changing = true;
         boolean hasCircles = handles.size() > 0;
         state.figures().stepped(hasCircles);

@@ -278,11 +278,13 @@ public final class Readings {
     }
 
     private void request() {
-        positionsRequested = false;
         pending.apply();
-        requests++;
+        handles.makeRoomForSurvivors();
+        pipeline.makeRoomForPositions(handles);
+        positionsRequested = false; // what was requested before is lost if the pipeline fails
         handles.markSurvivors();
         pipeline.requestPositions(handles);
+        requests++;
         positionsRequested = true;
     }
 
@@ -323,11 +325,12 @@ public final class Readings {
     }
 
     private FloatBuffer take(IdMask shown) {
-        positionsRequested = false;
         if (!pipeline.positionsArrived()) {
             pending.finish();
         }
-        return pipeline.takePositions(shown);
+        FloatBuffer taken = pipeline.takePositions(shown);
+        positionsRequested = false;
+        return taken;
     }
 
     /** Values of ids whose circles of the last request have gone become NaN; each is 1 or 2 elements an id. */
