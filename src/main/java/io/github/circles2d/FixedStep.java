@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.model.Bounds;
@@ -157,8 +158,9 @@ public final class FixedStep {
     }
 
     /**
-     * Makes the steps that are due. If the Runnable throws, the step that it came before and those after it are not made, neither now nor
-     * later. The Runnable makes no steps of this world, unless it goes back in time, repeats steps and calls {@link #reset}. It may make
+     * Makes the steps that are due. If the Runnable throws, or memory is short, the step that it came before and those after it are not
+     * made, neither now nor later; those before it have been made. If memory is short, {@link #positions} are those of now until the next
+     * step. The Runnable makes no steps of this world, unless it goes back in time, repeats steps and calls {@link #reset}. It may make
      * those of other worlds.
      *
      * @param frameSeconds time since the last frame in seconds, at least 0 and finite
@@ -269,8 +271,7 @@ public final class FixedStep {
         world.requestPositions();
         keepBefore();
         world.step(timeStep);
-        keepAfter();
-        takeBoth();
+        showStep();
     }
 
     /** The same with the next step of a replay, the changes before which have been made. */
@@ -278,8 +279,17 @@ public final class FixedStep {
         world.requestPositions();
         keepBefore();
         replay.makeStep();
-        keepAfter();
-        takeBoth();
+        showStep();
+    }
+
+    /** Behind a step, which has been made: if its positions find no room, the next call for them gets those of then. */
+    private void showStep() {
+        try {
+            keepAfter();
+            takeBoth();
+        } catch (OutOfMemoryError | DeviceMemoryException e) {
+            forget();
+        }
     }
 
     private void keepBefore() {
@@ -548,12 +558,13 @@ public final class FixedStep {
     private void take() {
         if (after == null || before == after) {
             if (!requested) {
-                before = null;
                 request();
+                before = null;
+                after = null;
             }
             requireOwnRequest();
-            requested = false;
             after = world.takePositionsById(null);
+            requested = false;
             if (before == null) {
                 before = after;
             }
@@ -577,22 +588,28 @@ public final class FixedStep {
         if (to.length < length) {
             int room = length + (length >> 1);
             FloatBuffer larger = direct(room);
-            from = new float[room];
-            view = larger.asReadOnlyBuffer();
+            FloatBuffer newView = larger.asReadOnlyBuffer();
+            float[] newFrom = new float[room];
+            float[] newTo = new float[room];
             shown = larger;
-            to = new float[room];
+            view = newView;
+            from = newFrom;
+            to = newTo;
         }
     }
 
-    /** Makes room for radii, and keeps those that are there. The length of the array that grows last tells whether there is room. */
+    /** Makes room for radii, and keeps those that are there. All arrays are made before one is assigned: a growth that fails changes nothing. */
     private void ensureRadii(int ids) {
         if (radiiAfter.length < ids) {
             int room = ids + (ids >> 1);
             FloatBuffer larger = direct(room);
-            radiiBefore = Arrays.copyOf(radiiBefore, room);
-            viewOfRadii = larger.asReadOnlyBuffer();
+            FloatBuffer newView = larger.asReadOnlyBuffer();
+            float[] newBefore = Arrays.copyOf(radiiBefore, room);
+            float[] newAfter = Arrays.copyOf(radiiAfter, room);
             shownRadii = larger;
-            radiiAfter = Arrays.copyOf(radiiAfter, room);
+            viewOfRadii = newView;
+            radiiBefore = newBefore;
+            radiiAfter = newAfter;
         }
     }
 
@@ -601,10 +618,13 @@ public final class FixedStep {
         if (anglesAfter.length < ids) {
             int room = ids + (ids >> 1);
             FloatBuffer larger = direct(room);
-            anglesBefore = Arrays.copyOf(anglesBefore, room);
-            viewOfAngles = larger.asReadOnlyBuffer();
+            FloatBuffer newView = larger.asReadOnlyBuffer();
+            int[] newBefore = Arrays.copyOf(anglesBefore, room);
+            int[] newAfter = Arrays.copyOf(anglesAfter, room);
             shownAngles = larger;
-            anglesAfter = Arrays.copyOf(anglesAfter, room);
+            viewOfAngles = newView;
+            anglesBefore = newBefore;
+            anglesAfter = newAfter;
         }
     }
 

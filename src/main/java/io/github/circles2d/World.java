@@ -129,9 +129,10 @@ import java.util.Arrays;
  *
  * <p><b>Failures:</b> a call that throws an IllegalArgumentException has changed nothing. A call other than a step that finds too
  * little memory (OutOfMemoryError, {@link io.github.circles2d.opencl.DeviceMemoryException}) has changed nothing either, and may be
- * made again. The state may be lost if a step fails in another way. It is lost if any other error ends a change half-way, and if an
- * OpenCL device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later call but close throws
- * an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
+ * made again. A step that finds too little memory has changed nothing, or the state is lost, as it is if some of several steps have been
+ * made. The state may be lost if a step fails in another way. It is lost if any other error ends a change half-way, and if an OpenCL
+ * device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later call but close throws an
+ * IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
  * <p><b>Ranges.</b> Within them no sequence of calls leads to a state that is not finite:
  *

@@ -277,9 +277,9 @@ public final class Simulation implements AutoCloseable {
             }
             pending.apply();
             copies.forget();
-            log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
             Bounds start =
                     WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
+            log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
             guard.changing = true;
             pipeline.confine(start.walls(), next.walls());
             nextStep.confine(next.walls());
@@ -343,11 +343,11 @@ public final class Simulation implements AutoCloseable {
 
     public void step(float timeStep, int steps) {
         guard.enter();
+        int made = 0;
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             log.step(timeStep, steps);
-            int made = 0;
             while (made < steps && nextStepDiffers()) {
                 makeDifferentStep(timeStep);
                 made++;
@@ -358,6 +358,7 @@ public final class Simulation implements AutoCloseable {
             log.stepped(steps);
             stepCount += steps;
         } catch (RuntimeException | Error thrown) {
+            guard.changing |= made > 0; // some of the steps have been made, and others never will
             throw guard.failed(thrown);
         } finally {
             guard.user = null;
@@ -376,7 +377,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
     private void makeDifferentStep(float timeStep) {
-        nextStep.prepare();
+        nextStep.makeRoom();
         guard.changing = true;
         nextStep.begin(timeStep, settings.bounds());
         log.skipCommands();
@@ -398,13 +399,14 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void makeSteps(float timeStep, int steps) {
-        pending.apply();
         if (timeStep != settings.lastStep()) {
             pending.settleJoints(); // the length of the step says by which force a joint broke
         }
         pending.prepareNeeds();
         terrain.makeRoom(settings.subSteps());
         joints.makeRoom(settings.subSteps());
+        pending.apply(); // last: a step that lacks memory before it takes its changes back, which the pipeline must
+        // not have
         boolean hasCircles = handles.size() > 0;
         if (hasCircles) {
             pipeline.prepareSteps();

@@ -127,9 +127,13 @@ public final class Forces {
         return count == 0;
     }
 
-    /** Before the step: records what acts in it alone. */
+    /** The number of commands that {@link #begin} records at most. */
+    int most() {
+        return 3 * count;
+    }
+
+    /** Before the step: records what acts in it alone. There is room. */
     void begin() {
-        commands.ensure(3 * count);
         for (int k = 0; k < count; k++) {
             if (isForced(ids[k])) {
                 hand(ids[k], CircleField.FORCE_X, CircleField.APPLIED_X);

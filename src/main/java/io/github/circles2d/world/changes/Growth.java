@@ -132,8 +132,10 @@ public final class Growth {
     /** Makes room for {@link #begin}, except for its commands. */
     void makeRoom() {
         if (radiusBefore.length < count) {
-            growthBefore = new long[ids.length];
-            radiusBefore = new float[ids.length];
+            long[] newGrowthBefore = new long[ids.length];
+            float[] newRadiusBefore = new float[ids.length];
+            growthBefore = newGrowthBefore;
+            radiusBefore = newRadiusBefore;
         }
     }
 
@@ -155,9 +157,8 @@ public final class Growth {
         }
     }
 
-    /** The step has not begun for want of memory: all is as before it, and the last commands are taken back. */
+    /** The step has not begun for want of memory: all is as before it. */
     void undo() {
-        commands.drop(count);
         for (int k = 0; k < count; k++) {
             handles.setRadius(ids[k], radiusBefore[k]);
             fields.set(GROWTH, ids[k], growthBefore[k]);

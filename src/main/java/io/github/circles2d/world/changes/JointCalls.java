@@ -206,8 +206,10 @@ public final class JointCalls {
 
     private void ensureFound(int n) {
         if (foundOthers.length < n) {
-            found = new int[n];
-            foundOthers = new int[n];
+            int[] newFound = new int[n];
+            int[] newFoundOthers = new int[n];
+            found = newFound;
+            foundOthers = newFoundOthers;
         }
     }
 

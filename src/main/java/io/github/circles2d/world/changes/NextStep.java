@@ -14,6 +14,9 @@ public final class NextStep {
     final Travels travels;
     final Growth growth;
 
+    /** Commands that waited before those of the step. */
+    private int before;
+
     public NextStep(Commands commands, Forces forces, Travels travels, Growth growth) {
         this.commands = commands;
         this.forces = forces;
@@ -36,22 +39,24 @@ public final class NextStep {
         travels.confine(bounds);
     }
 
-    /** Records forces, which may be repeated, and makes room for {@link #begin}. */
-    public void prepare() {
-        forces.begin();
-        commands.ensure(growth.count() + travels.count());
+    /** Makes room for {@link #begin}. If there is none, nothing has changed. */
+    public void makeRoom() {
+        commands.ensure(forces.most() + growth.count() + travels.count());
         growth.makeRoom();
         travels.makeRoom();
     }
 
     /** Before the step. */
     public void begin(float timeStep, Bounds bounds) {
+        before = commands.count();
+        forces.begin();
         growth.begin();
         travels.depart(timeStep, bounds);
     }
 
     /** The step has not begun for want of memory: all is as before {@link #begin}, and its commands are taken back. */
     public void undo() {
+        commands.drop(commands.count() - before);
         travels.stay();
         growth.undo();
     }

@@ -123,9 +123,8 @@ public final class Travels {
         count = travelling;
     }
 
-    /** The step has not begun for want of memory: the circles have their targets again, and the last commands are taken back. */
+    /** The step has not begun for want of memory: the circles have their targets again. */
     void stay() {
-        commands.drop(count);
         for (int k = 0; k < count; k++) {
             fields.set(TARGET, ids[k], places[k]);
         }

@@ -81,6 +81,11 @@ public final class HandleTable {
         return copy;
     }
 
+    /** Makes room for {@link #markSurvivors}. If there is none, nothing has changed. */
+    public void makeRoomForSurvivors() {
+        survivors.makeRoom(this);
+    }
+
     /** From now on the circles of now count as survivors, until they are removed. */
     public void markSurvivors() {
         survivors.copy(this);
@@ -107,9 +112,6 @@ public final class HandleTable {
     /** How many circles have lower ids. */
     public int place(int id) {
         if (!livingBeforeCurrent) {
-            if (livingBefore.length < live.length) {
-                livingBefore = new int[live.length];
-            }
             int sum = 0;
             for (int word = 0; word < live.length; word++) {
                 livingBefore[word] = sum;
@@ -131,15 +133,23 @@ public final class HandleTable {
         fields.makeRoom(from.fields);
     }
 
-    /** Makes room for ids. The length of the array that grows last tells whether there is room. */
+    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
     private void ensureIds(int ids) {
         if (ids > generation.length) {
             int c = Math.max(ids, generation.length + (generation.length >> 1));
-            live = Arrays.copyOf(live, word(c) + 1);
-            isStatic = Arrays.copyOf(isStatic, live.length);
-            radius = Arrays.copyOf(radius, c);
-            restitution = Arrays.copyOf(restitution, c);
-            generation = Arrays.copyOf(generation, c);
+            long[] newLive = Arrays.copyOf(live, word(c) + 1);
+            long[] newIsStatic = Arrays.copyOf(isStatic, newLive.length);
+            int[] newLivingBefore = new int[newLive.length];
+            float[] newRadius = Arrays.copyOf(radius, c);
+            float[] newRestitution = Arrays.copyOf(restitution, c);
+            int[] newGeneration = Arrays.copyOf(generation, c);
+            live = newLive;
+            isStatic = newIsStatic;
+            livingBefore = newLivingBefore;
+            livingBeforeCurrent = false;
+            radius = newRadius;
+            restitution = newRestitution;
+            generation = newGeneration;
         }
     }
 

@@ -27,6 +27,13 @@ public final class IdMask {
         return (end + IDS_IN_WORD - 1) >>> WORD_SHIFT;
     }
 
+    /** Makes room for {@link #copy}; the ids stay. If there is none, nothing has changed. */
+    public void makeRoom(HandleTable handles) {
+        if (words.length < words(handles.end())) {
+            words = Arrays.copyOf(words, words(handles.end()) * 3 / 2);
+        }
+    }
+
     public void copy(HandleTable handles) {
         words = handles.copyLiving(words);
         end = handles.end();
@@ -55,8 +62,11 @@ public final class IdMask {
         Arrays.fill(to, used, to.length, 0);
     }
 
-    /** Moves the values of the ids in the set together, in place, each elements an id. */
+    /** Moves the values of the ids in the set together, in place, each elements an id. If there is too little memory, none has moved. */
     public void closeGaps(FloatBuffer values, int each) {
+        if (moving.length == 0) {
+            moving = new float[1024];
+        }
         int written = 0;
         for (int id = 0; id < end; ) {
             if (!has(id)) {
@@ -78,9 +88,6 @@ public final class IdMask {
             return;
         }
         if (length >= LONG_RUN) {
-            if (moving.length == 0) {
-                moving = new float[1024];
-            }
             BulkCopies.moveDown(values, from, to, length, moving);
         } else {
             for (int k = 0; k < length; k++) {

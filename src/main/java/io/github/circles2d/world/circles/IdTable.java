@@ -51,14 +51,16 @@ public final class IdTable {
         return (int) id;
     }
 
-    /** Ids that the arrays have room for. The array that is made last tells. */
+    /** Ids that the arrays have room for. */
     public int room() {
         return generation.length;
     }
 
     public void setRoom(int ids) {
-        live = Arrays.copyOf(live, ids);
-        generation = Arrays.copyOf(generation, ids);
+        boolean[] newLive = Arrays.copyOf(live, ids);
+        int[] newGeneration = Arrays.copyOf(generation, ids);
+        live = newLive;
+        generation = newGeneration;
     }
 
     public void save(int[] generations) {

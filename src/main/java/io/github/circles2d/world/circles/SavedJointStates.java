@@ -18,16 +18,20 @@ public final class SavedJointStates {
     public void begin(int count) {
         joints = count;
         if (serial.length < count) {
-            serial = new int[count + (count >> 1)];
-            rows = new float[JointState.of(serial.length)];
+            int[] newSerial = new int[count + (count >> 1)];
+            float[] newRows = new float[JointState.of(newSerial.length)];
+            serial = newSerial;
+            rows = newRows;
         }
     }
 
     /** Makes room for joints, and keeps those that there are; others have the serial 0 and no impulses. */
     public void extend(int count) {
         if (serial.length < count) {
-            serial = Arrays.copyOf(serial, count + (count >> 1));
-            rows = Arrays.copyOf(rows, JointState.of(serial.length));
+            int[] newSerial = Arrays.copyOf(serial, count + (count >> 1));
+            float[] newRows = Arrays.copyOf(rows, JointState.of(newSerial.length));
+            serial = newSerial;
+            rows = newRows;
         }
         if (joints < count) {
             for (int joint = joints; joint < count; joint++) {

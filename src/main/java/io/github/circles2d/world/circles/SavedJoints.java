@@ -96,17 +96,26 @@ public final class SavedJoints {
     /** Makes room, without the contents so far, and sets the number. */
     public void setIds(int joints) {
         if (values.length < VALUES * joints) {
-            // The length of the last one tells whether there is room.
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
             int c = Math.max(joints, form.length + (form.length >> 1));
-            generation = new int[c];
-            form = new int[c];
-            colour = new byte[c];
-            a = new int[c];
-            b = new int[c];
-            body = new int[c];
-            referenceA = new int[c];
-            referenceB = new int[c];
-            values = new float[VALUES * c];
+            int[] newGeneration = new int[c];
+            int[] newForm = new int[c];
+            byte[] newColour = new byte[c];
+            int[] newA = new int[c];
+            int[] newB = new int[c];
+            int[] newBody = new int[c];
+            int[] newReferenceA = new int[c];
+            int[] newReferenceB = new int[c];
+            float[] newValues = new float[VALUES * c];
+            generation = newGeneration;
+            form = newForm;
+            colour = newColour;
+            a = newA;
+            b = newB;
+            body = newBody;
+            referenceA = newReferenceA;
+            referenceB = newReferenceB;
+            values = newValues;
         }
         ids = joints;
     }

@@ -39,15 +39,22 @@ public final class SavedPieceContacts {
     /** Makes room without changing the number. */
     public void ensure(int contacts) {
         if (rolling.length < contacts) {
-            // The length of the last one tells whether there is room.
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
             int c = Math.max(contacts, rolling.length + (rolling.length >> 1));
-            circle = Arrays.copyOf(circle, c);
-            piece = Arrays.copyOf(piece, c);
-            serial = Arrays.copyOf(serial, c);
-            side = Arrays.copyOf(side, c);
-            impulse = Arrays.copyOf(impulse, c);
-            friction = Arrays.copyOf(friction, c);
-            rolling = Arrays.copyOf(rolling, c);
+            int[] newCircle = Arrays.copyOf(circle, c);
+            int[] newPiece = Arrays.copyOf(piece, c);
+            int[] newSerial = Arrays.copyOf(serial, c);
+            byte[] newSide = Arrays.copyOf(side, c);
+            float[] newImpulse = Arrays.copyOf(impulse, c);
+            float[] newFriction = Arrays.copyOf(friction, c);
+            float[] newRolling = Arrays.copyOf(rolling, c);
+            circle = newCircle;
+            piece = newPiece;
+            serial = newSerial;
+            side = newSide;
+            impulse = newImpulse;
+            friction = newFriction;
+            rolling = newRolling;
         }
     }
 

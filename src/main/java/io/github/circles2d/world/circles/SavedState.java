@@ -103,11 +103,15 @@ public final class SavedState {
     /** Makes room for circles and sets their number. */
     void setCircles(int count) {
         if (id.length < count) {
-            // The length of the last one tells whether there is room, in case memory runs out in between.
-            circle = new float[CircleRow.STRIDE * count];
-            motion = new float[CircleRow.STRIDE * count];
-            traits = new float[CircleRow.STRIDE * count];
-            id = new int[count];
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            float[] newCircle = new float[CircleRow.STRIDE * count];
+            float[] newMotion = new float[CircleRow.STRIDE * count];
+            float[] newTraits = new float[CircleRow.STRIDE * count];
+            int[] newId = new int[count];
+            circle = newCircle;
+            motion = newMotion;
+            traits = newTraits;
+            id = newId;
         }
         circles = count;
     }
@@ -116,13 +120,18 @@ public final class SavedState {
     void ensureImpulses(int count) {
         if (normalImpulse.length < count) {
             int c = Math.max(count, normalImpulse.length + (normalImpulse.length >> 1));
-            lo = Arrays.copyOf(lo, c);
-            hi = Arrays.copyOf(hi, c);
-            normalImpulse = Arrays.copyOf(normalImpulse, c);
+            int[] newLo = Arrays.copyOf(lo, c);
+            int[] newHi = Arrays.copyOf(hi, c);
+            float[] newNormalImpulse = Arrays.copyOf(normalImpulse, c);
+            lo = newLo;
+            hi = newHi;
+            normalImpulse = newNormalImpulse;
         }
         if (turns && rolling.length < normalImpulse.length) {
-            friction = Arrays.copyOf(friction, normalImpulse.length);
-            rolling = Arrays.copyOf(rolling, normalImpulse.length);
+            float[] newFriction = Arrays.copyOf(friction, normalImpulse.length);
+            float[] newRolling = Arrays.copyOf(rolling, normalImpulse.length);
+            friction = newFriction;
+            rolling = newRolling;
         }
     }
 
@@ -130,9 +139,12 @@ public final class SavedState {
     public void setTurns(boolean does) {
         turns = does;
         if (turns && wallGrip.length < CircleRow.STRIDE * circles) {
-            angle = new int[circles];
-            angularVelocity = new float[circles];
-            wallGrip = new float[CircleRow.STRIDE * circles];
+            int[] newAngle = new int[circles];
+            float[] newAngularVelocity = new float[circles];
+            float[] newWallGrip = new float[CircleRow.STRIDE * circles];
+            angle = newAngle;
+            angularVelocity = newAngularVelocity;
+            wallGrip = newWallGrip;
         }
     }
 

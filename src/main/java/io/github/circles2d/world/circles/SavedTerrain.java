@@ -84,30 +84,49 @@ public final class SavedTerrain {
     /** Makes room, without the contents so far, and sets the numbers. */
     public void setIds(int pieces, int bodies) {
         if (half.length < pieces) {
-            // The length of the last one tells whether there is room.
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
             int c = Math.max(pieces, half.length + (half.length >> 1));
-            pieceGeneration = new int[c];
-            shape = new byte[c];
-            kind = new byte[c];
-            body = new int[c];
-            after = new int[c];
-            form = new float[FORM * c];
-            half = new int[c];
+            int[] newPieceGeneration = new int[c];
+            byte[] newShape = new byte[c];
+            byte[] newKind = new byte[c];
+            int[] newBody = new int[c];
+            int[] newAfter = new int[c];
+            float[] newForm = new float[FORM * c];
+            int[] newHalf = new int[c];
+            pieceGeneration = newPieceGeneration;
+            shape = newShape;
+            kind = newKind;
+            body = newBody;
+            after = newAfter;
+            form = newForm;
+            half = newHalf;
         }
         if (targetAngle.length < bodies) {
             int c = Math.max(bodies, targetAngle.length + (targetAngle.length >> 1));
-            bodyGeneration = new int[c];
-            bodyLives = new boolean[c];
-            x = new double[c];
-            y = new double[c];
-            angle = new int[c];
-            vx = new float[c];
-            vy = new float[c];
-            omega = new float[c];
-            travels = new boolean[c];
-            targetX = new float[c];
-            targetY = new float[c];
-            targetAngle = new int[c];
+            int[] newBodyGeneration = new int[c];
+            boolean[] newBodyLives = new boolean[c];
+            double[] newX = new double[c];
+            double[] newY = new double[c];
+            int[] newAngle = new int[c];
+            float[] newVx = new float[c];
+            float[] newVy = new float[c];
+            float[] newOmega = new float[c];
+            boolean[] newTravels = new boolean[c];
+            float[] newTargetX = new float[c];
+            float[] newTargetY = new float[c];
+            int[] newTargetAngle = new int[c];
+            bodyGeneration = newBodyGeneration;
+            bodyLives = newBodyLives;
+            x = newX;
+            y = newY;
+            angle = newAngle;
+            vx = newVx;
+            vy = newVy;
+            omega = newOmega;
+            travels = newTravels;
+            targetX = newTargetX;
+            targetY = newTargetY;
+            targetAngle = newTargetAngle;
         }
         pieceIds = pieces;
         bodyIds = bodies;

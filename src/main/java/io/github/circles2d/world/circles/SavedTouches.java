@@ -67,14 +67,19 @@ public final class SavedTouches {
         }
         if (openPair.length < openCount) {
             int c = grown(openPair.length, openCount);
-            openValues = Arrays.copyOf(openValues, VALUES * c);
-            openPair = Arrays.copyOf(openPair, c);
+            float[] newOpenValues = Arrays.copyOf(openValues, VALUES * c);
+            int[] newOpenPair = Arrays.copyOf(openPair, c);
+            openValues = newOpenValues;
+            openPair = newOpenPair;
         }
         if (lateHandles.length < 2 * lateCount) {
             int c = grown(lateHandles.length / 2, lateCount);
-            lateInts = Arrays.copyOf(lateInts, LATE_INTS * c);
-            lateValues = Arrays.copyOf(lateValues, VALUES * c);
-            lateHandles = Arrays.copyOf(lateHandles, 2 * c);
+            int[] newLateInts = Arrays.copyOf(lateInts, LATE_INTS * c);
+            float[] newLateValues = Arrays.copyOf(lateValues, VALUES * c);
+            long[] newLateHandles = Arrays.copyOf(lateHandles, 2 * c);
+            lateInts = newLateInts;
+            lateValues = newLateValues;
+            lateHandles = newLateHandles;
         }
     }
 

@@ -161,11 +161,15 @@ final class CommandsStage {
         return nextSlot;
     }
 
-    /** Makes room for ids. The length of the array that grows last tells whether there is room. */
+    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
     private void ensureIds(int ids) {
-        batchOf = Arrays.copyOf(batchOf, ids);
-        given = Arrays.copyOf(given, ids);
-        orderOf = Arrays.copyOf(orderOf, ids);
-        last = Arrays.copyOf(last, ids);
+        int[] newBatchOf = Arrays.copyOf(batchOf, ids);
+        int[] newGiven = Arrays.copyOf(given, ids);
+        int[] newOrderOf = Arrays.copyOf(orderOf, ids);
+        int[] newLast = Arrays.copyOf(last, ids);
+        batchOf = newBatchOf;
+        given = newGiven;
+        orderOf = newOrderOf;
+        last = newLast;
     }
 }

@@ -99,17 +99,15 @@ final class RequestedPositions {
 
     /** By id, NaN for others, or all circles if shown is null. Valid until the request after the next. */
     FloatBuffer take(IdMask shown) {
-        requested = false;
         Target target = targets[current];
-        current = 1 - current;
         if (shown != null) {
             shown.markGaps(target.positions, 2);
-            return target.view.clear().limit(2 * living.end());
-        }
-        if (circles < living.end()) {
+        } else if (circles < living.end()) {
             living.closeGaps(target.positions, 2);
         }
-        return target.view.clear().limit(2 * circles);
+        requested = false;
+        current = 1 - current;
+        return target.view.clear().limit(2 * (shown == null ? circles : living.end()));
     }
 
     private void awaitCopy() {

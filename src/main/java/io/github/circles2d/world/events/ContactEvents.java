@@ -186,18 +186,35 @@ public final class ContactEvents {
     // ---- circles come and go
     // -----------------------------------------------------------------------------------------
 
-    /** Makes room for commands, so that {@link #apply} does not run out of memory. */
+    /** Makes room for commands, and for pieces, so that {@link #apply} and {@link #learnPieces} do not run out of memory. All steps have been made. */
     public void makeRoom(Commands commands) {
+        boolean gone = makeRoomForPieces();
         int ids = 0;
         for (int c = 0; c < commands.count(); c++) {
             ids = Math.max(ids, commands.id(c) + 1);
         }
         circles.ensure(ids);
         place.keepAll();
-        if (circles.markRemoved(commands)) {
+        boolean removed = circles.markRemoved(commands);
+        if (removed) {
             place.fetchOfRemoved(commands);
-            tracker.makeRoomForRemoved();
         }
+        if (removed || gone) {
+            tracker.makeRoomForEnds();
+        }
+    }
+
+    /** Returns whether a piece has gone, of whose pairs all are here then. */
+    private boolean makeRoomForPieces() {
+        if (knowsPieces()) {
+            return false;
+        }
+        pieces.ensure(pieces.idsNow());
+        boolean gone = pieces.anyGone();
+        if (gone) {
+            place.bringHere();
+        }
+        return gone;
     }
 
     /** Ends the pairs of circles that commands remove, and learns the handles of new ones, and kinds. */
@@ -238,15 +255,6 @@ public final class ContactEvents {
     /** Whether no piece has come or gone since {@link #learnPieces}, nor got another kind. */
     public boolean knowsPieces() {
         return pieces.isCurrent();
-    }
-
-    /** Makes room, so that {@link #learnPieces} does not run out of memory. All steps have been made. */
-    public void makeRoomForPieces() {
-        pieces.ensure(pieces.idsNow());
-        if (pieces.anyGone()) {
-            place.bringHere();
-            tracker.makeRoomForGone();
-        }
     }
 
     /** Ends the pairs of pieces that have gone, and learns the handles of new ones, and kinds. */

@@ -63,6 +63,7 @@ public final class EventQueue {
     /** The events of the request, which have arrived. They stay as they are until events are taken again. */
     public EventRows takeRequested() {
         long ofRequest = requested;
+        taken.ensure(events.countFrom(ofRequest)); // the list of those that stay: a call that finds no room takes none
         long stepsNow = steps;
         long askedNow = asked;
         EventRows all = take();

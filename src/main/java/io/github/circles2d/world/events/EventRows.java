@@ -35,14 +35,18 @@ public final class EventRows {
         count = 0;
     }
 
-    /** Makes room. The length of the array that grows last tells whether there is room. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int rows) {
         if (rows > step.length) {
             int c = Math.max(rows, Math.max(LEAST_ROWS, step.length + (step.length >> 1)));
-            words = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
-            a = Arrays.copyOf(a, c);
-            b = Arrays.copyOf(b, c);
-            step = Arrays.copyOf(step, c);
+            int[] newWords = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
+            long[] newA = Arrays.copyOf(a, c);
+            long[] newB = Arrays.copyOf(b, c);
+            long[] newStep = Arrays.copyOf(step, c);
+            words = newWords;
+            a = newA;
+            b = newB;
+            step = newStep;
         }
     }
 
@@ -127,12 +131,18 @@ public final class EventRows {
         step[to] = from.step[row];
     }
 
-    /** Moves the events from a step on, which are in the order of steps, into a list whose first step that is. */
-    void moveFrom(long firstStep, EventRows to) {
+    /** The number of events from a step on, which are in the order of steps. */
+    int countFrom(long firstStep) {
         int first = count;
         while (first > 0 && step[first - 1] >= firstStep) {
             first--;
         }
+        return count - first;
+    }
+
+    /** Moves the events from a step on into a list whose first step that is. */
+    void moveFrom(long firstStep, EventRows to) {
+        int first = count - countFrom(firstStep);
         to.ensure(to.count + count - first);
         for (int row = first; row < count; row++) {
             to.copy(this, row, to.count);

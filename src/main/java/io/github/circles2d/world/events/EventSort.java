@@ -16,14 +16,18 @@ final class EventSort {
     private int[] order = new int[0];
     private int[] orderNext = new int[0];
 
-    /** Makes room. The length of the array that grows last tells whether there is room. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int rows) {
         if (rows > orderNext.length) {
             int c = Math.max(rows, orderNext.length + (orderNext.length >> 1));
-            key = new long[c];
-            keyNext = new long[c];
-            order = new int[c];
-            orderNext = new int[c];
+            long[] newKey = new long[c];
+            long[] newKeyNext = new long[c];
+            int[] newOrder = new int[c];
+            int[] newOrderNext = new int[c];
+            key = newKey;
+            keyNext = newKeyNext;
+            order = newOrder;
+            orderNext = newOrderNext;
         }
     }
 

@@ -28,13 +28,16 @@ final class KnownCircles {
     /** Counts how often there came to be circles of a kind, or none. */
     private int kindsVersion;
 
-    /** Makes room. The length of the array that grows last tells whether there is room. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int ids) {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
-            changedIn = Arrays.copyOf(changedIn, c);
-            kindOf = Arrays.copyOf(kindOf, c);
-            handleOf = Arrays.copyOf(handleOf, c);
+            int[] newChangedIn = Arrays.copyOf(changedIn, c);
+            byte[] newKindOf = Arrays.copyOf(kindOf, c);
+            long[] newHandleOf = Arrays.copyOf(handleOf, c);
+            changedIn = newChangedIn;
+            kindOf = newKindOf;
+            handleOf = newHandleOf;
         }
     }
 

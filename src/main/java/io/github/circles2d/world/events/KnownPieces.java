@@ -39,12 +39,14 @@ final class KnownPieces {
         return table == null || names == table.names();
     }
 
-    /** Makes room. The length of the array that grows last tells whether there is room. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int ids) {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
-            kindOf = Arrays.copyOf(kindOf, c);
-            handleOf = Arrays.copyOf(handleOf, c);
+            byte[] newKindOf = Arrays.copyOf(kindOf, c);
+            long[] newHandleOf = Arrays.copyOf(handleOf, c);
+            kindOf = newKindOf;
+            handleOf = newHandleOf;
         }
     }
 

@@ -101,11 +101,11 @@ final class TouchTracker {
         }
     }
 
-    /** Makes room for the events of pairs that the batch of commands ends. */
-    void makeRoomForRemoved() {
+    /** Makes room for the events of pairs that {@link #endRemoved} and {@link #endGone} end. */
+    void makeRoomForEnds() {
         int ends = 0;
         for (int pair = 0; pair < pairs.count; pair++) {
-            ends += isOfRemoved(pair) ? 1 : 0;
+            ends += isOfRemoved(pair) || isOfGone(pair) ? 1 : 0;
         }
         step.ensure(step.count + 2 * ends);
     }
@@ -124,15 +124,6 @@ final class TouchTracker {
     private boolean isOfRemoved(int pair) {
         int higher = pairs.higher(pair);
         return circles.isRemoved(pairs.lower(pair)) || EventOrder.isCircle(higher) && circles.isRemoved(higher);
-    }
-
-    /** Makes room for the events of pairs that {@link #endGone} ends. */
-    void makeRoomForGone() {
-        int ends = 0;
-        for (int pair = 0; pair < pairs.count; pair++) {
-            ends += isOfGone(pair) ? 1 : 0;
-        }
-        step.ensure(step.count + 2 * ends);
     }
 
     /** Ends the pairs of pieces that are no more. */

@@ -54,17 +54,21 @@ final class TouchingPairs {
 
     long[] b = new long[0];
 
-    /** Makes room. The length of the array that grows last tells whether there is room. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int pairs) {
         if (pairs > b.length) {
             int c = Math.max(pairs, Math.max(LEAST_PAIRS, b.length + (b.length >> 1)));
             int hashes = c > 1 << 30 ? 1 << 30 : Integer.highestOneBit(2 * c - 1);
             int[] longer = new int[hashes];
             byte[] longerMarks = new byte[hashes];
-            rows = Arrays.copyOf(rows, Math.multiplyExact(STRIDE, c));
-            next = Arrays.copyOf(next, c);
-            a = Arrays.copyOf(a, c);
-            b = Arrays.copyOf(b, c);
+            int[] newRows = Arrays.copyOf(rows, Math.multiplyExact(STRIDE, c));
+            int[] newNext = Arrays.copyOf(next, c);
+            long[] newA = Arrays.copyOf(a, c);
+            long[] newB = Arrays.copyOf(b, c);
+            rows = newRows;
+            next = newNext;
+            a = newA;
+            b = newB;
             first = longer;
             marks = longerMarks;
             Arrays.fill(first, NONE);

@@ -18,8 +18,10 @@ public final class AnchorPlaces {
     AnchorPlaces() {}
 
     void setRoom(int joints) {
-        body = Arrays.copyOf(body, joints);
-        onBody = Arrays.copyOf(onBody, 2 * joints);
+        int[] newBody = Arrays.copyOf(body, joints);
+        float[] newOnBody = Arrays.copyOf(onBody, 2 * joints);
+        body = newBody;
+        onBody = newOnBody;
     }
 
     /** How many anchors are on bodies. */

@@ -24,14 +24,20 @@ public final class GoneJoints {
     void ensure(int more) {
         int needed = count + more;
         if (needed > reason.length) {
-            // The length of the last one tells whether there is room.
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
             int c = Math.max(needed, reason.length + (reason.length >> 1));
-            joint = Arrays.copyOf(joint, c);
-            circle = Arrays.copyOf(circle, c);
-            other = Arrays.copyOf(other, c);
-            force = Arrays.copyOf(force, c);
-            torque = Arrays.copyOf(torque, c);
-            reason = Arrays.copyOf(reason, c);
+            long[] newJoint = Arrays.copyOf(joint, c);
+            long[] newCircle = Arrays.copyOf(circle, c);
+            long[] newOther = Arrays.copyOf(other, c);
+            float[] newForce = Arrays.copyOf(force, c);
+            float[] newTorque = Arrays.copyOf(torque, c);
+            byte[] newReason = Arrays.copyOf(reason, c);
+            joint = newJoint;
+            circle = newCircle;
+            other = newOther;
+            force = newForce;
+            torque = newTorque;
+            reason = newReason;
         }
     }
 

@@ -25,8 +25,10 @@ final class JointColours {
     void ensure(int circleIds) {
         if (partners.length < circleIds) {
             int c = Math.max(circleIds, partners.length * 3 / 2);
-            ofCircle = Arrays.copyOf(ofCircle, c);
-            partners = Arrays.copyOf(partners, c);
+            int[] newOfCircle = Arrays.copyOf(ofCircle, c);
+            int[] newPartners = Arrays.copyOf(partners, c);
+            ofCircle = newOfCircle;
+            partners = newPartners;
         }
     }
 

@@ -20,8 +20,10 @@ final class JointLists {
         }
         if (previous.length < elements) {
             int c = Math.max(elements, previous.length + (previous.length >> 1));
-            next = Arrays.copyOf(next, c);
-            previous = Arrays.copyOf(previous, c);
+            int[] newNext = Arrays.copyOf(next, c);
+            int[] newPrevious = Arrays.copyOf(previous, c);
+            next = newNext;
+            previous = newPrevious;
         }
     }
 

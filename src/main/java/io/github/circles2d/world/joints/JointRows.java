@@ -16,8 +16,10 @@ final class JointRows {
     private int changedTo;
 
     void setRoom(int joints) {
-        rows = Arrays.copyOf(rows, JointRow.of(joints));
-        traits = Arrays.copyOf(traits, JointRow.traits(joints));
+        float[] newRows = Arrays.copyOf(rows, JointRow.of(joints));
+        int[] newTraits = Arrays.copyOf(traits, JointRow.traits(joints));
+        rows = newRows;
+        traits = newTraits;
     }
 
     float value(int joint, int which) {

@@ -41,8 +41,10 @@ final class Carrying {
 
     void ensure() {
         if (carryTime.length < state.capacity()) {
-            carryTime = new int[state.capacity()];
-            carrier = new int[state.capacity()];
+            int[] newCarryTime = new int[state.capacity()];
+            int[] newCarrier = new int[state.capacity()];
+            carryTime = newCarryTime;
+            carrier = newCarrier;
         }
     }
 

@@ -65,9 +65,12 @@ final class CrossContacts {
 
     void ensure() {
         if (levels.usedCount > 1 && number.length < state.capacity()) {
-            lightStart = new int[state.capacity() + 1];
-            load = new int[state.capacity()];
-            number = new int[state.capacity()];
+            int[] newLightStart = new int[state.capacity() + 1];
+            int[] newLoad = new int[state.capacity()];
+            int[] newNumber = new int[state.capacity()];
+            lightStart = newLightStart;
+            load = newLoad;
+            number = newNumber;
         }
         for (int l = 0; l < levels.usedCount; l++) {
             reach[levels.used[l]] = levels.reach(levels.used[l]);
@@ -196,8 +199,10 @@ final class CrossContacts {
         }
         if (sum > heavy.length) {
             int c = Math.toIntExact(sum + (sum >> 2));
-            light = new int[c];
-            heavy = new long[c];
+            int[] newLight = new int[c];
+            long[] newHeavy = new long[c];
+            light = newLight;
+            heavy = newHeavy;
         }
     }
 

@@ -61,9 +61,12 @@ final class FoundCross {
             return;
         }
         if (count == light.length) {
-            light = Arrays.copyOf(light, 2 * count);
-            rank = Arrays.copyOf(rank, 2 * count);
-            heavy = Arrays.copyOf(heavy, 2 * count);
+            int[] newLight = Arrays.copyOf(light, 2 * count);
+            int[] newRank = Arrays.copyOf(rank, 2 * count);
+            long[] newHeavy = Arrays.copyOf(heavy, 2 * count);
+            light = newLight;
+            rank = newRank;
+            heavy = newHeavy;
         }
         light[count] = lightSlot;
         heavy[count++] = heavyIdAndSlot;

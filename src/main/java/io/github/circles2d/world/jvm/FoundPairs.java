@@ -69,8 +69,10 @@ final class FoundPairs {
     /** Gathers a pair of the group that is being found. */
     void gather(int slot, int id, int other, int otherId) {
         if (gathered == gatheredIds.length) {
-            gatheredIds = Arrays.copyOf(gatheredIds, 2 * gathered);
-            gatheredSlots = Arrays.copyOf(gatheredSlots, 2 * gathered);
+            long[] newGatheredIds = Arrays.copyOf(gatheredIds, 2 * gathered);
+            long[] newGatheredSlots = Arrays.copyOf(gatheredSlots, 2 * gathered);
+            gatheredIds = newGatheredIds;
+            gatheredSlots = newGatheredSlots;
         }
         // exchanged where the other has the lower id; no branch, which would be taken as if by chance
         int exchange = (slot ^ other) & (otherId - id >> 31);
@@ -139,8 +141,10 @@ final class FoundPairs {
     private void ensure(int pairs) {
         if (pairs > ids.length) {
             int c = Math.max(pairs, ids.length + (ids.length >> 1));
-            ids = Arrays.copyOf(ids, c);
-            slots = Arrays.copyOf(slots, c);
+            long[] newIds = Arrays.copyOf(ids, c);
+            long[] newSlots = Arrays.copyOf(slots, c);
+            ids = newIds;
+            slots = newSlots;
         }
     }
 

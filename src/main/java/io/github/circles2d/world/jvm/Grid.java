@@ -86,18 +86,27 @@ public final class Grid {
     void ensure() {
         if (bucketOf.length < state.capacity()) {
             int c = state.capacity();
-            bucketBefore = new int[c];
-            rank = new int[c];
-            order = new int[c];
-            bucketOf = new int[c];
-            speculativeDistance = new float[c];
-            path = new float[c];
-            level = new byte[c];
+            int[] newBucketBefore = new int[c];
+            int[] newRank = new int[c];
+            int[] newOrder = new int[c];
+            int[] newBucketOf = new int[c];
+            float[] newSpeculativeDistance = new float[c];
+            float[] newPath = new float[c];
+            byte[] newLevel = new byte[c];
+            bucketBefore = newBucketBefore;
+            rank = newRank;
+            order = newOrder;
+            bucketOf = newBucketOf;
+            speculativeDistance = newSpeculativeDistance;
+            path = newPath;
+            level = newLevel;
         }
         sheets = levels.haveSheets();
         if (sheets && sheetKey.length < state.capacity()) {
-            sheetKey = new int[state.capacity()];
-            sheetKeyBefore = new int[state.capacity()];
+            int[] newSheetKey = new int[state.capacity()];
+            int[] newSheetKeyBefore = new int[state.capacity()];
+            sheetKey = newSheetKey;
+            sheetKeyBefore = newSheetKeyBefore;
         }
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];

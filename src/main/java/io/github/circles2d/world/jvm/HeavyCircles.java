@@ -93,9 +93,12 @@ final class HeavyCircles {
         count = circles;
         if (slot.length < circles) {
             int c = circles + (circles >> 2);
-            slot = new int[c];
-            seen = new float[STRIDE * c];
-            claim = new int[c];
+            int[] newSlot = new int[c];
+            float[] newSeen = new float[STRIDE * c];
+            int[] newClaim = new int[c];
+            slot = newSlot;
+            seen = newSeen;
+            claim = newClaim;
         }
         for (int w = 0; w < team.size(); w++) {
             if (sums[w].length < SUMS * circles) {

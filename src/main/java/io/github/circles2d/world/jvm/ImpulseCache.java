@@ -47,14 +47,19 @@ final class ImpulseCache {
         this.state = state;
     }
 
-    /** Makes room for contacts. The length of the array that grows last tells whether there is room. */
+    /** Makes room for contacts. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int contacts) {
         if (next.length < contacts) {
-            ids = Arrays.copyOf(ids, contacts);
-            idsBefore = Arrays.copyOf(idsBefore, contacts);
-            normalImpulse = Arrays.copyOf(normalImpulse, contacts);
-            impulseBefore = Arrays.copyOf(impulseBefore, contacts);
-            next = Arrays.copyOf(next, contacts);
+            long[] newIds = Arrays.copyOf(ids, contacts);
+            long[] newIdsBefore = Arrays.copyOf(idsBefore, contacts);
+            float[] newNormalImpulse = Arrays.copyOf(normalImpulse, contacts);
+            float[] newImpulseBefore = Arrays.copyOf(impulseBefore, contacts);
+            int[] newNext = Arrays.copyOf(next, contacts);
+            ids = newIds;
+            idsBefore = newIdsBefore;
+            normalImpulse = newNormalImpulse;
+            impulseBefore = newImpulseBefore;
+            next = newNext;
         }
         if (state.turning != null) {
             ensureGrips();
@@ -64,8 +69,10 @@ final class ImpulseCache {
     /** Makes room for the grips of the contacts for which there is room, so that circles can turn. */
     void ensureGrips() {
         if (grips.length < 2 * next.length) {
-            gripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
-            grips = Arrays.copyOf(grips, 2 * next.length);
+            float[] newGripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
+            float[] newGrips = Arrays.copyOf(grips, 2 * next.length);
+            gripsBefore = newGripsBefore;
+            grips = newGrips;
         }
     }
 

@@ -54,8 +54,10 @@ final class JointPasses {
         split.ensure(joints.splitCircles);
         if (JointWork.of(joints.count) > work.length) {
             int room = joints.count + (joints.count >> 1) + 16;
-            slots = new int[JointWork.slots(room)];
-            work = new float[JointWork.of(room)];
+            int[] newSlots = new int[JointWork.slots(room)];
+            float[] newWork = new float[JointWork.of(room)];
+            slots = newSlots;
+            work = newWork;
         }
         if (state.n > jointed.length) {
             jointed = new boolean[state.capacity()];

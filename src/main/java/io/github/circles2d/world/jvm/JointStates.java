@@ -31,9 +31,12 @@ final class JointStates {
     void ensure(int joints) {
         if (joints > serial.length) {
             int room = joints + (joints >> 1) + 16;
-            rows = Arrays.copyOf(rows, JointState.of(room));
-            broken = Arrays.copyOf(broken, room);
-            serial = Arrays.copyOf(serial, room);
+            float[] newRows = Arrays.copyOf(rows, JointState.of(room));
+            long[] newBroken = Arrays.copyOf(broken, room);
+            int[] newSerial = Arrays.copyOf(serial, room);
+            rows = newRows;
+            broken = newBroken;
+            serial = newSerial;
         }
     }
 

@@ -67,6 +67,9 @@ public final class JvmPipeline implements Pipeline {
     /** Records what is reported; null if nobody is told. */
     private Recorder recorder;
 
+    /** What is to record from the next call of {@link #report} on. */
+    private Recorder nextRecorder;
+
     private final Positions positions = new Positions();
 
     /** The positions requested last, and those taken last, which a caller may still look into. */
@@ -227,8 +230,17 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void makeRoomToReport(ContactEvents events) {
+        nextRecorder = new Recorder(state, grid, levels, contacts, team, events);
+    }
+
+    @Override
     public void report(ContactEvents events) {
-        recorder = events == null ? null : new Recorder(state, grid, levels, contacts, team, events);
+        recorder = events == null ? null : nextRecorder;
+        nextRecorder = null;
+        if (recorder != null) {
+            recorder.start();
+        }
     }
 
     @Override
@@ -267,6 +279,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void makeRoomForPositions(HandleTable handles) {
+        requested.makeRoom(handles);
+    }
+
+    @Override
     public void requestPositions(HandleTable handles) {
         requested.copy(state, handles, takenById);
     }
@@ -278,11 +295,12 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public FloatBuffer takePositions(IdMask shown) {
+        FloatBuffer view = shown == null ? requested.together() : requested.byId(shown);
         Positions next = taken;
         taken = requested;
         requested = next;
         takenById = shown != null;
-        return shown == null ? taken.together() : taken.byId(shown);
+        return view;
     }
 
     @Override

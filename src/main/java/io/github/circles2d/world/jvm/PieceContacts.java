@@ -44,14 +44,19 @@ final class PieceContacts {
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);
     }
 
-    /** Makes room for circles. The array that grows last tells whether there is some. */
+    /** Makes room for circles. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int circles) {
         if (circles > count.length) {
-            first = Arrays.copyOf(first, circles);
-            firstSpare = new int[circles];
-            countSpare = new int[circles];
-            measured = new float[CircleRow.vector(circles)];
-            count = Arrays.copyOf(count, circles);
+            int[] newFirst = Arrays.copyOf(first, circles);
+            int[] newFirstSpare = new int[circles];
+            int[] newCountSpare = new int[circles];
+            float[] newMeasured = new float[CircleRow.vector(circles)];
+            int[] newCount = Arrays.copyOf(count, circles);
+            first = newFirst;
+            firstSpare = newFirstSpare;
+            countSpare = newCountSpare;
+            measured = newMeasured;
+            count = newCount;
         }
     }
 
@@ -59,8 +64,10 @@ final class PieceContacts {
     void ensureNext(int contacts) {
         if (PieceContactRow.of(contacts) > rowsSpare.length) {
             int room = contacts + (contacts >> 1) + 16;
-            numbersSpare = new int[PieceContactRow.numbers(room)];
-            rowsSpare = new float[PieceContactRow.of(room)];
+            int[] newNumbersSpare = new int[PieceContactRow.numbers(room)];
+            float[] newRowsSpare = new float[PieceContactRow.of(room)];
+            numbersSpare = newNumbersSpare;
+            rowsSpare = newRowsSpare;
         }
         if (PieceRow.of(contacts) > pieces.length) {
             pieces = new float[PieceRow.of(contacts + (contacts >> 1) + 16)];
@@ -123,8 +130,10 @@ final class PieceContacts {
     /** Makes room for saved contacts. */
     void makeRoom(SavedPieceContacts from) {
         if (PieceContactRow.of(from.count) > rows.length) {
-            numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(from.count));
-            rows = Arrays.copyOf(rows, PieceContactRow.of(from.count));
+            int[] newNumbers = Arrays.copyOf(numbers, PieceContactRow.numbers(from.count));
+            float[] newRows = Arrays.copyOf(rows, PieceContactRow.of(from.count));
+            numbers = newNumbers;
+            rows = newRows;
         }
     }
 

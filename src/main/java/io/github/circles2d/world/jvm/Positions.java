@@ -8,6 +8,7 @@ import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 
 /** Positions that callers read in place. */
 public final class Positions {
@@ -22,13 +23,19 @@ public final class Positions {
     private FloatBuffer floats = FloatBuffer.allocate(0);
     private FloatBuffer view = floats.asReadOnlyBuffer();
 
-    /** Takes the positions of now, by id or in ascending order of ids. */
-    void copy(State state, HandleTable handles, boolean byId) {
+    /** Makes room for {@link #copy}; what was copied last stays. If there is none, nothing has changed. */
+    void makeRoom(HandleTable handles) {
+        living.makeRoom(handles);
         if (floats.capacity() < 2 * handles.end()) {
-            FloatBuffer larger = FloatBuffer.allocate(3 * handles.end());
+            FloatBuffer larger = FloatBuffer.wrap(Arrays.copyOf(floats.array(), 3 * handles.end()));
             view = larger.asReadOnlyBuffer();
             floats = larger;
         }
+    }
+
+    /** Takes the positions of now, by id or in ascending order of ids. */
+    void copy(State state, HandleTable handles, boolean byId) {
+        makeRoom(handles);
         living.copy(handles);
         circles = handles.size();
         liesById = byId;

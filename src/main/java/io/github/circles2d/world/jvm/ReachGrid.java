@@ -64,9 +64,12 @@ final class ReachGrid {
 
     void ensure() {
         if (before.length < state.capacity()) {
-            before = new int[state.capacity()];
-            reach = new float[state.capacity()];
-            last = new int[Reach.buckets(state.capacity())];
+            int[] newBefore = new int[state.capacity()];
+            float[] newReach = new float[state.capacity()];
+            int[] newLast = new int[Reach.buckets(state.capacity())];
+            before = newBefore;
+            reach = newReach;
+            last = newLast;
         }
         buckets = Reach.buckets(state.n);
         topExponent = Reach.topExponent(levels.rmax);

@@ -32,6 +32,11 @@ final class Recorder {
         touches = new Touches(state, contacts, team, events, records);
     }
 
+    /** Before the first step of which it tells. */
+    void start() {
+        touches.recordWalls(events.hasWalls());
+    }
+
     /** What records contacts and walls in such a step; null if nothing does. */
     Touches touches(StepReports reports) {
         touches.recordPieces(reports.recording && reports.pieces);

@@ -79,8 +79,10 @@ final class SparseGrid {
         }
         if (last.length < cells) {
             int c = cells + (cells >> 2);
-            count = new int[c];
-            last = new int[c]; // which tells what there is, so it comes last
+            int[] newCount = new int[c];
+            int[] newLast = new int[c];
+            count = newCount;
+            last = newLast;
         }
         if (cells > 0 && before.length < state.capacity()) {
             before = new int[state.capacity()];

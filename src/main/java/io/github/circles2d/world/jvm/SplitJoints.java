@@ -46,8 +46,10 @@ final class SplitJoints {
 
     void ensure(int circles) {
         if (circles > shares.length) {
-            sums = new long[SUMS * 2 * circles];
-            shares = new int[2 * circles];
+            long[] newSums = new long[SUMS * 2 * circles];
+            int[] newShares = new int[2 * circles];
+            sums = newSums;
+            shares = newShares;
         }
     }
 

@@ -66,8 +66,10 @@ final class Touches {
     /** Who is told. */
     final ContactEvents events;
 
+    private final WallTouches ofWalls;
+
     /** Null if walls are not reported. */
-    final WallTouches walls;
+    WallTouches walls;
 
     /** Null in a step that reports no pieces of terrain. */
     PieceTouches pieces;
@@ -119,11 +121,16 @@ final class Touches {
         this.contacts = contacts;
         this.events = events;
         this.records = records;
-        walls = events.hasWalls() ? new WallTouches(state, events) : null;
+        ofWalls = new WallTouches(state, events);
         listed = new int[team.most()][64];
         gaps = new PieceGap[team.most()];
         count = new int[team.most()];
         fast = new int[team.most()][BLOCK];
+    }
+
+    /** Whether walls are recorded. */
+    void recordWalls(boolean some) {
+        walls = some ? ofWalls : null;
     }
 
     /** Whether pieces of terrain are recorded, which a world may get at any time. */
@@ -149,9 +156,12 @@ final class Touches {
         }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
-            hasUnkept = new boolean[(length / STRIDE >> PART) + 1];
-            places = new float[length];
-            rows = new float[length];
+            boolean[] newHasUnkept = new boolean[(length / STRIDE >> PART) + 1];
+            float[] newPlaces = new float[length];
+            float[] newRows = new float[length];
+            hasUnkept = newHasUnkept;
+            places = newPlaces;
+            rows = newRows;
         }
         if (state.turning != null && (slips == null || slips.length < SLIPS * (long) many)) {
             slips = new float[SLIPS * (rows.length / STRIDE)];

@@ -53,17 +53,25 @@ final class Turning {
         return (2 * (4 + 4 + 16) + 16 + 16L) * angle.length;
     }
 
-    /** Makes room. The array that grows last tells whether there is some. */
+    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int circles) {
         if (circles > skin.length / CircleRow.STRIDE) {
-            angle = Arrays.copyOf(angle, circles);
-            angularVelocity = Arrays.copyOf(angularVelocity, circles);
-            wallGrip = Arrays.copyOf(wallGrip, CircleRow.of(circles));
-            angleSpare = new int[circles];
-            angularVelocitySpare = new float[circles];
-            wallGripSpare = new float[CircleRow.of(circles)];
-            spin = new float[CircleRow.of(circles)];
-            skin = new float[CircleRow.of(circles)];
+            int[] newAngle = Arrays.copyOf(angle, circles);
+            float[] newAngularVelocity = Arrays.copyOf(angularVelocity, circles);
+            float[] newWallGrip = Arrays.copyOf(wallGrip, CircleRow.of(circles));
+            int[] newAngleSpare = new int[circles];
+            float[] newAngularVelocitySpare = new float[circles];
+            float[] newWallGripSpare = new float[CircleRow.of(circles)];
+            float[] newSpin = new float[CircleRow.of(circles)];
+            float[] newSkin = new float[CircleRow.of(circles)];
+            angle = newAngle;
+            angularVelocity = newAngularVelocity;
+            wallGrip = newWallGrip;
+            angleSpare = newAngleSpare;
+            angularVelocitySpare = newAngularVelocitySpare;
+            wallGripSpare = newWallGripSpare;
+            spin = newSpin;
+            skin = newSkin;
         }
     }
 

@@ -116,8 +116,10 @@ final class Found {
     private void ensure(int n) {
         if (item.length < n) {
             int c = Capacity.atLeast(n, item.length);
-            distance = Arrays.copyOf(distance, c);
-            item = Arrays.copyOf(item, c);
+            double[] newDistance = Arrays.copyOf(distance, c);
+            long[] newItem = Arrays.copyOf(item, c);
+            distance = newDistance;
+            item = newItem;
         }
     }
 }

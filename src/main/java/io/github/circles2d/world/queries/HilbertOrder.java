@@ -48,14 +48,18 @@ final class HilbertOrder {
         return place;
     }
 
-    /** The array that is made last tells whether there is room. */
+    /** All arrays are made before one is assigned: a growth that fails changes nothing. */
     private void makeRoom(int n) {
         if (otherPlace.length < n) {
             int c = Capacity.atLeast(n, otherPlace.length);
-            key = new int[c];
-            place = new int[c];
-            otherKey = new int[c];
-            otherPlace = new int[c];
+            int[] newKey = new int[c];
+            int[] newPlace = new int[c];
+            int[] newOtherKey = new int[c];
+            int[] newOtherPlace = new int[c];
+            key = newKey;
+            place = newPlace;
+            otherKey = newOtherKey;
+            otherPlace = newOtherPlace;
         }
     }
 

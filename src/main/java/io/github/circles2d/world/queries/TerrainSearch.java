@@ -250,8 +250,10 @@ public final class TerrainSearch extends PathSearch {
 
     private void push(int base, int i, double distance) {
         if (waiting == node.length) {
-            nodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
-            node = Arrays.copyOf(node, nodeDistance.length);
+            double[] newNodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
+            int[] newNode = Arrays.copyOf(node, newNodeDistance.length);
+            nodeDistance = newNodeDistance;
+            node = newNode;
         }
         int k = waiting++;
         while (k > base && nodeDistance[k - 1] < distance) {

@@ -282,11 +282,13 @@ public final class Readings {
     public void requestPositions() {
         guard.enter();
         try {
-            positionsRequested = false;
             pending.apply();
-            requests++;
+            handles.makeRoomForSurvivors();
+            pipeline.makeRoomForPositions(handles);
+            positionsRequested = false; // what was requested before is lost if the pipeline fails
             handles.markSurvivors();
             pipeline.requestPositions(handles);
+            requests++;
             positionsRequested = true;
         } catch (RuntimeException | Error thrown) {
             throw guard.failed(thrown);
@@ -338,11 +340,12 @@ public final class Readings {
     }
 
     private FloatBuffer take(IdMask shown) {
-        positionsRequested = false;
         if (!pipeline.positionsArrived()) {
             pending.finish();
         }
-        return pipeline.takePositions(shown);
+        FloatBuffer taken = pipeline.takePositions(shown);
+        positionsRequested = false;
+        return taken;
     }
 
     /**

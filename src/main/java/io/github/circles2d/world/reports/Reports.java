@@ -83,6 +83,7 @@ public final class Reports {
             checks.run();
             pending.settle();
             makeRoom.run();
+            pipeline.makeRoomToReport(events);
             copies.forgetSaved();
             boolean was = events.isOn();
             boolean hadWalls = events.hasWalls();

@@ -54,8 +54,9 @@ public final class Journal {
             LogWriter writer = new LogWriter(out, every);
             log.write(copies.saved(), writer);
             writer.requireWritten("the log cannot begin");
-            log.begin(writer, every, copies::hash);
-            return new Progress(writer);
+            Progress progress = new Progress(writer);
+            log.begin(writer, every, copies::hash); // last: a call that finds no room has begun no log
+            return progress;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

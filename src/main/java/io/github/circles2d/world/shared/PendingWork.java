@@ -44,29 +44,40 @@ public final class PendingWork {
 
     /** Hands the changes that wait to the pipeline. */
     public void apply() {
-        if (commands.count() > 0) {
+        boolean changes = commands.count() > 0;
+        boolean learns = events.isOn() && !events.knowsPieces();
+        if (changes || learns) {
             log.writeCommands();
             finish();
+            makeRoom(changes);
+            guard.changing = true;
+            if (changes) {
+                applyCommands();
+            }
+            if (learns) {
+                events.learnPieces();
+            }
+            guard.changing = false;
+        }
+    }
+
+    /** Makes room for all that {@link #apply} does. If there is none, nothing has changed. */
+    private void makeRoom(boolean changes) {
+        if (changes) {
             prepareNeeds();
             pipeline.makeRoom(commands);
-            if (events.isOn()) {
-                events.makeRoom(commands);
-            }
-            guard.changing = true;
-            if (events.isOn()) {
-                events.apply(commands, handles);
-            }
-            pipeline.apply(commands);
-            drop();
-            guard.changing = false;
         }
-        if (events.isOn() && !events.knowsPieces()) {
-            finish();
-            events.makeRoomForPieces();
-            guard.changing = true;
-            events.learnPieces();
-            guard.changing = false;
+        if (events.isOn()) {
+            events.makeRoom(commands);
         }
+    }
+
+    private void applyCommands() {
+        if (events.isOn()) {
+            events.apply(commands, handles);
+        }
+        pipeline.apply(commands);
+        drop();
     }
 
     /** Makes the pipeline ready for circles that turn, for terrain or for joints, if the world has begun to need that. */

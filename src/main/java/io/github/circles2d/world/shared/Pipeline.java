@@ -41,6 +41,9 @@ public interface Pipeline extends AutoCloseable {
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);
 
+    /** Makes room for {@link #report}. If there is none, nothing has changed. */
+    default void makeRoomToReport(ContactEvents events) {}
+
     /** Sets who is told of what pairs did in each step to come, with room for all ids, or null. All steps have been finished. */
     void report(ContactEvents events);
 
@@ -74,6 +77,9 @@ public interface Pipeline extends AutoCloseable {
      * read-only, valid until the next call.
      */
     FloatBuffer positions(HandleTable handles, boolean byId);
+
+    /** Makes room for {@link #requestPositions}, if that can be known before. If there is none, nothing has changed. */
+    default void makeRoomForPositions(HandleTable handles) {}
 
     /** Asks for x and y of every circle as of now, which come while further steps are made, in place of an earlier request. */
     void requestPositions(HandleTable handles);

@@ -64,19 +64,32 @@ public final class BodyTable {
     }
 
     private void setRoom(int bodies) {
-        x = Arrays.copyOf(x, bodies);
-        y = Arrays.copyOf(y, bodies);
-        angle = Arrays.copyOf(angle, bodies);
-        vx = Arrays.copyOf(vx, bodies);
-        vy = Arrays.copyOf(vy, bodies);
-        omega = Arrays.copyOf(omega, bodies);
-        travels = Arrays.copyOf(travels, bodies);
-        targetX = Arrays.copyOf(targetX, bodies);
-        targetY = Arrays.copyOf(targetY, bodies);
-        targetAngle = Arrays.copyOf(targetAngle, bodies);
-        firstPiece = Arrays.copyOf(firstPiece, bodies);
-        movers = Arrays.copyOf(movers, bodies);
-        isMover = Arrays.copyOf(isMover, bodies);
+        double[] newX = Arrays.copyOf(x, bodies);
+        double[] newY = Arrays.copyOf(y, bodies);
+        int[] newAngle = Arrays.copyOf(angle, bodies);
+        float[] newVx = Arrays.copyOf(vx, bodies);
+        float[] newVy = Arrays.copyOf(vy, bodies);
+        float[] newOmega = Arrays.copyOf(omega, bodies);
+        boolean[] newTravels = Arrays.copyOf(travels, bodies);
+        float[] newTargetX = Arrays.copyOf(targetX, bodies);
+        float[] newTargetY = Arrays.copyOf(targetY, bodies);
+        int[] newTargetAngle = Arrays.copyOf(targetAngle, bodies);
+        int[] newFirstPiece = Arrays.copyOf(firstPiece, bodies);
+        int[] newMovers = Arrays.copyOf(movers, bodies);
+        boolean[] newIsMover = Arrays.copyOf(isMover, bodies);
+        x = newX;
+        y = newY;
+        angle = newAngle;
+        vx = newVx;
+        vy = newVy;
+        omega = newOmega;
+        travels = newTravels;
+        targetX = newTargetX;
+        targetY = newTargetY;
+        targetAngle = newTargetAngle;
+        firstPiece = newFirstPiece;
+        movers = newMovers;
+        isMover = newIsMover;
         ids.setRoom(bodies);
     }
 

@@ -74,11 +74,16 @@ public final class PieceTree {
     void ensure(int pieces) {
         if (order.length < pieces) {
             int c = Math.max(pieces, order.length + (order.length >> 1));
-            boxes = Arrays.copyOf(boxes, BOX_STRIDE * nodesOf(c));
-            links = Arrays.copyOf(links, LINK_STRIDE * nodesOf(c));
-            middleX = new float[c];
-            middleY = new float[c];
-            order = new int[c];
+            float[] newBoxes = Arrays.copyOf(boxes, BOX_STRIDE * nodesOf(c));
+            int[] newLinks = Arrays.copyOf(links, LINK_STRIDE * nodesOf(c));
+            float[] newMiddleX = new float[c];
+            float[] newMiddleY = new float[c];
+            int[] newOrder = new int[c];
+            boxes = newBoxes;
+            links = newLinks;
+            middleX = newMiddleX;
+            middleY = newMiddleY;
+            order = newOrder;
         }
     }
 

@@ -1,0 +1,45 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.TestScale;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Memory that ends at any allocation of any call, on the JVM back end: a call other than a step has changed nothing, and a step has changed nothing
+ * or the world says that its state is lost. {@link AllocationLimit} ends memory.
+ */
+class WorldMemoryTest {
+    private static final Class<?> PROGRAM = load();
+
+    private static Class<?> load() {
+        try {
+            return new AllocationLimitLoader().loadClass(MemoryEndsAnywhere.class.getName());
+        } catch (ClassNotFoundException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static void check(String method, int first, int second) throws ReflectiveOperationException {
+        Object wrong = PROGRAM.getMethod(method, int.class, int.class).invoke(null, first, second);
+        assertThat((List<?>) wrong).isEmpty();
+    }
+
+    @Test
+    void aCallThatMemoryEndsInHasChangedNothingAndMayBeMadeAgain() throws ReflectiveOperationException {
+        check("each", 1, TestScale.of(40, 12, 1));
+    }
+
+    @Test
+    @Tag("long")
+    void soItIsWithTwoThreads() throws ReflectiveOperationException {
+        check("each", 2, TestScale.of(20, 2));
+    }
+
+    @Test
+    void programsGoOnAsIfMemoryHadNotEnded() throws ReflectiveOperationException {
+        check("programs", 1, TestScale.of(10, 60, 5000));
+    }
+}
