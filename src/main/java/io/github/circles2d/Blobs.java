@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.changes.Net;
 import io.github.circles2d.world.model.Limits;
 
 /**
@@ -335,27 +336,11 @@ public final class Blobs {
 
         /** Pairs of numbers of circles; the first ones get a joint, and the others another. */
         JointedCircles add(World world, int[] pairs, int first, Joint joint, Joint others) {
-            JointedCircles made = JointedCircles.add(world, circles, kind, pairs.length / 2);
-            try {
-                join(world, made, pairs, 0, first, joint);
-                join(world, made, pairs, first, pairs.length / 2, others);
-            } catch (RuntimeException | Error e) {
-                world.removeAll(made.circles(), count, StaleHandles.REFUSE); // with their joints
-                throw e;
+            Net net = JointedCircles.net(circles, kind, pairs.length / 2);
+            for (int k = 0; k < pairs.length / 2; k++) {
+                net.join((k < first ? joint : others).form(), pairs[2 * k], pairs[2 * k + 1]);
             }
-            return made;
-        }
-
-        private static void join(World world, JointedCircles made, int[] pairs, int from, int to, Joint joint) {
-            long[] a = new long[to - from];
-            long[] b = new long[to - from];
-            long[] handles = new long[to - from];
-            for (int k = from; k < to; k++) {
-                a[k - from] = made.circles()[pairs[2 * k]];
-                b[k - from] = made.circles()[pairs[2 * k + 1]];
-            }
-            world.joints().addAll(a, b, joint, handles);
-            System.arraycopy(handles, 0, made.joints(), from, to - from);
+            return JointedCircles.add(world, net);
         }
     }
 }

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.changes.Net;
 import io.github.circles2d.world.circles.KindTable;
-import java.util.Arrays;
 
 /**
  * The circles and joints that {@link Ropes} and {@link Blobs} have added to a world. They are the world's, as any others: they are removed, changed
@@ -12,16 +12,15 @@ import java.util.Arrays;
  */
 public record JointedCircles(long[] circles, long[] joints) {
 
-    /** Adds circles at rest of one kind, and makes room for the handles of so many joints. */
-    static JointedCircles add(World world, float[] circles, int kind, int joints) {
-        int count = circles.length / 4;
-        int[] kinds = null;
-        if (KindTable.check(kind) != 0) {
-            kinds = new int[count];
-            Arrays.fill(kinds, kind);
-        }
-        JointedCircles made = new JointedCircles(new long[count], new long[joints]);
-        world.addAll(circles, null, kinds, made.circles);
+    /** Begins circles at rest of one kind, which so many joints are to hold. */
+    static Net net(float[] circles, int kind, int joints) {
+        return new Net(circles, KindTable.check(kind), joints);
+    }
+
+    /** Adds circles and their joints, all or nothing. */
+    static JointedCircles add(World world, Net net) {
+        JointedCircles made = new JointedCircles(new long[net.size()], new long[net.joints()]);
+        world.simulation().nets().add(net, made.circles, made.joints);
         return made;
     }
 }

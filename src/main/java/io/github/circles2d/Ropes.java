@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.changes.Net;
 import io.github.circles2d.world.model.Limits;
-import java.util.Arrays;
 
 /**
  * Makes ropes and bridges: rows of equal circles, each joined to the next.
@@ -73,14 +73,27 @@ public final class Ropes {
             return isCircle() ? (double) world.radius(circle) + radius : 0;
         }
 
-        /** Joins a circle to this end. */
-        private long join(World world, long to, Joint joint) {
+        /** The handle of the body that it is on. */
+        private long bodyIn(World world) {
+            return body == null ? world.terrain().ground().handle() : body.handleIn(world.simulation());
+        }
+
+        /** Joins a circle of a rope to this end. */
+        private void join(World world, Net rope, int to, Joint joint) {
             if (isCircle()) {
-                return world.joints().add(circle, to, joint);
+                rope.joinTo(joint.form(), circle, to);
+            } else {
+                rope.anchor(joint.form(), to, bodyIn(world), x, y);
             }
-            return body == null
-                    ? world.joints().add(to, x, y, joint)
-                    : world.joints().add(to, body, x, y, joint);
+        }
+
+        /** Joins another end, which is a circle, to this one. */
+        private void joinEnd(World world, Net rope, End to, Joint joint) {
+            if (isCircle()) {
+                rope.joinThere(joint.form(), circle, to.circle);
+            } else {
+                rope.anchorThere(joint.form(), to.circle, bodyIn(world), x, y);
+            }
         }
     }
 
@@ -283,35 +296,22 @@ public final class Ropes {
         boolean left = dx * world.gravityY() - dy * world.gravityX() > 0;
         float[] circles = layOut(x, y, dx, dy, lengths, left ? 1 : -1, radius, mass);
         int joints = lengths.length + (limited ? 1 : 0);
-        JointedCircles made = JointedCircles.add(world, circles, kind, joints);
-        try {
-            join(world, from, to, made, lengths, link);
-            if (limited) {
-                Joint limit = Joint.rope((float) length).colliding(true);
-                made.joints()[joints - 1] =
-                        from.isCircle() ? to.join(world, from.circle, limit) : from.join(world, to.circle, limit);
+        Net rope = JointedCircles.net(circles, kind, joints);
+        from.join(world, rope, 0, link(link, lengths[0]));
+        Joint between = link(link, lengths[1]);
+        for (int k = 1; k < count; k++) {
+            rope.join(between.form(), k - 1, k);
+        }
+        to.join(world, rope, count - 1, link(link, lengths[count]));
+        if (limited) {
+            Joint limit = Joint.rope((float) length).colliding(true);
+            if (from.isCircle()) {
+                to.joinEnd(world, rope, from, limit);
+            } else {
+                from.joinEnd(world, rope, to, limit);
             }
-        } catch (RuntimeException | Error e) {
-            world.removeAll(made.circles(), count, StaleHandles.REFUSE); // with their joints
-            throw e;
         }
-        return made;
-    }
-
-    /** Adds a joint for each link; null: rigid ones. */
-    private static void join(World world, End from, End to, JointedCircles made, double[] lengths, Joint link) {
-        long[] circles = made.circles();
-        long[] joints = made.joints();
-        int last = circles.length;
-        joints[0] = from.join(world, circles[0], link(link, lengths[0]));
-        if (last > 1) {
-            long[] between = new long[last - 1];
-            long[] left = Arrays.copyOf(circles, last - 1);
-            long[] right = Arrays.copyOfRange(circles, 1, last);
-            world.joints().addAll(left, right, link(link, lengths[1]), between);
-            System.arraycopy(between, 0, joints, 1, last - 1);
-        }
-        joints[last] = to.join(world, circles[last - 1], link(link, lengths[last]));
+        return JointedCircles.add(world, rope);
     }
 
     private static Joint link(Joint link, double length) {

@@ -3,10 +3,6 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
-import io.github.circles2d.opencl.TestScale;
-import io.github.circles2d.reference.Event;
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -20,13 +16,11 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
- * does what a plain model of the world does; the state is finite and within the bounds whatever happens, and the same on
- * several threads. The system property
+ * does what a plain model of the world does; the state is finite and within the bounds whatever happens. That all back ends and numbers of
+ * threads agree is for {@link io.github.circles2d.fuzz.FuzzTest}. The system property
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 @Tag("each-jdk")
@@ -69,87 +63,10 @@ class WorldFuzzTest {
     }
 
     private static void run(long seed, int programs) {
-        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm());
-                World player = WorldScenes.onThreads(2, WorldScenes.jvm())) {
-            for (int k = 0; k < programs; k++) {
-                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null).run();
-            }
-        }
-    }
-
-    static Backend[] openClBackends() {
-        return WorldBackendTest.openClBackends();
-    }
-
-    @ParameterizedTest
-    @MethodSource("openClBackends")
-    @Tag("long")
-    void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
-        try (World player = World.builder().backend(backend).build()) {
-            makeReady(player);
-            for (int k = 0; k < 40; k++) {
-                new Program(SEED + k, null, player).run();
-            }
-        }
-    }
-
-    /** Worlds grow from the default capacity and report at random: events and snapshots are the same behind every step. */
-    @ParameterizedTest
-    @MethodSource("openClBackends")
-    @Tag("long")
-    void aProgramHasTheSameEventsAndSnapshotsOnEveryBackEnd(Backend backend) {
-        compare(backend, SEED, 25);
-    }
-
-    @ParameterizedTest
-    @MethodSource("openClBackends")
-    @Tag("exhaustive")
-    void soDoHundredsMore(Backend backend) {
-        compare(backend, SEED + 25, 300);
-    }
-
-    /**
-     * Restores a world that turns and has a piece of terrain, a joint and contacts of other settings, so that the programs that follow need
-     * no kernels of their own. In an exhaustive run they do: a driver takes long to compile them.
-     */
-    private static void makeReady(World world) {
-        if (TestScale.EXHAUSTIVE) {
-            return;
-        }
-        try (World all =
-                WorldScenes.jvm().friction(0.5f).greatestPushOutSpeed(7).build()) {
-            long one = all.add(0.2f, 0.5f, 0.1f, 1);
-            all.setAngularVelocity(one, 1);
-            all.joints().add(one, 0.2f, 0.6f, Joint.pin());
-            all.terrain().addSegment(0, 0.1f, 1, 0.1f, 0, 0);
-            all.step(0.01f);
-            ByteBuffer bytes = ByteBuffer.allocate(all.snapshotBytes());
-            all.snapshot(bytes);
-            world.restore(bytes.flip());
-        }
-    }
-
-    private static void compare(Backend backend, long seed, int programs) {
-        int events = 0;
         for (int k = 0; k < programs; k++) {
-            Program oracle = new Program(seed + k, Backend.JVM);
-            Program other = new Program(seed + k, backend);
-            oracle.run();
-            other.run();
-            assertThat(other.trace.size()).as("program of seed %d", seed + k).isEqualTo(oracle.trace.size());
-            for (int step = 0; step < oracle.trace.size(); step++) {
-                Traced expected = oracle.trace.get(step);
-                assertThat(other.trace.get(step))
-                        .as("program of seed %d, %s", seed + k, expected.call)
-                        .isEqualTo(expected);
-                events += expected.events.size();
-            }
+            new Program(seed + k).run();
         }
-        assertThat(events).isPositive();
     }
-
-    /** What a world has reported behind a call, and what it is. */
-    private record Traced(String call, List<Event> events, ByteBuffer snapshot) {}
 
     /** What must live, and what is known of it. */
     private static final class Model {
@@ -197,20 +114,6 @@ class WorldFuzzTest {
         /** Most circles of a program have radii of about the arena over 10 to the power of this. */
         private final int scale;
 
-        /** Another world, on several threads, that makes the same steps after having been restored from snapshots; or null. */
-        private final World twin;
-
-        /** Makes the calls of the log again; null where there is no log. */
-        private final World player;
-
-        /** Where the world is, if what it reports and is gets written down; else null. */
-        private final Backend traced;
-
-        private final List<Traced> trace = new ArrayList<>();
-
-        private ByteArrayOutputStream log;
-        private Recording recording;
-
         private World world;
         private Model model = new Model();
         private ByteBuffer snapshot;
@@ -228,45 +131,23 @@ class WorldFuzzTest {
 
         private String last = "";
 
-        Program(long seed, World twin, World player) {
-            this(seed, twin, player, null);
-        }
-
-        /** On a back end, with the default capacity, and with a trace. */
-        Program(long seed, Backend traced) {
-            this(seed, null, null, traced);
-        }
-
-        private Program(long seed, World twin, World player, Backend traced) {
+        Program(long seed) {
             this.seed = seed;
-            this.twin = twin;
-            this.player = player;
-            this.traced = traced;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
-            hasTerrain = traced == null && new Random(~seed).nextInt(3) == 0;
+            hasTerrain = new Random(~seed).nextInt(3) == 0;
             hasJoints = new Random(seed + 99).nextInt(3) == 0;
         }
 
         void run() {
             try {
                 world = build();
-                if (traced != null) {
-                    ByteBuffer empty = snapshotOf(world);
-                    makeReady(world);
-                    world.restore(empty);
-                }
-                record();
                 try {
-                    if (traced != null) {
-                        world.report(random.nextInt(16));
-                    }
                     int calls = 5 + random.nextInt(40);
                     for (int k = 0; k < calls; k++) {
                         call();
                     }
                     check();
-                    replay();
                 } finally {
                     world.close();
                 }
@@ -275,36 +156,8 @@ class WorldFuzzTest {
             }
         }
 
-        private void record() throws IOException {
-            if (player != null) {
-                log = new ByteArrayOutputStream();
-                recording = new Recording(world, log, 1 + random.nextInt(3));
-            }
-        }
-
-        private void replay() throws IOException {
-            if (player != null) {
-                long steps = recording.steps();
-                recording.close();
-                Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
-                assertThat(replay.differs()).as(replay.difference()).isFalse();
-                assertThat(replay.steps()).isEqualTo(steps);
-                assertThat(replay.equalUpTo()).isEqualTo(steps);
-                world.report(0); // what is reported is in no log, but pairs that touch are in snapshots
-                assertThat(snapshotOf(player)).isEqualTo(snapshotOf(world));
-            }
-        }
-
-        private static ByteBuffer snapshotOf(World world) {
-            ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(bytes);
-            return bytes.flip();
-        }
-
         private World.Builder builder() {
-            return traced == null
-                    ? WorldScenes.jvm().threads(1).capacity(0)
-                    : World.builder().backend(traced);
+            return WorldScenes.jvm().threads(1).capacity(0);
         }
 
         private World build() {
@@ -749,9 +602,6 @@ class WorldFuzzTest {
         }
 
         private void checkEvents(Events events) {
-            if (traced != null) {
-                trace.add(new Traced(last, Event.of(events), snapshotOf(world)));
-            }
             for (int i = 0; i < events.size(); i++) {
                 boolean sound = events.speed(i) >= 0
                         && events.speed(i) < Float.POSITIVE_INFINITY
@@ -1108,10 +958,8 @@ class WorldFuzzTest {
                 return;
             }
             if (random.nextBoolean()) {
-                replay();
                 world.close();
                 world = builder().build();
-                record();
                 requested = null;
             }
             world.restore(snapshot.duplicate());
@@ -1125,21 +973,10 @@ class WorldFuzzTest {
             float dt = random.nextInt(3) == 0 ? value(0, 1) : 1 / 60f;
             int steps = random.nextInt(8) == 0 ? random.nextInt(3) - 1 : 1 + random.nextInt(3);
             last = "step " + dt + " " + steps;
-            if (twin != null) {
-                ByteBuffer now = ByteBuffer.allocate(world.snapshotBytes());
-                world.snapshot(now);
-                twin.restore(now.flip());
-            }
             ask(bad(dt) || !(dt > 0) || steps < 1, () -> {
                 world.step(dt, steps);
                 model.grow(steps);
-                if (twin != null) {
-                    twin.step(dt, steps);
-                }
             });
-            if (twin != null) {
-                assertThat(twin.hash()).isEqualTo(world.hash());
-            }
             check();
             checkEvents();
         }

@@ -10,6 +10,7 @@ import io.github.circles2d.world.changes.Forces;
 import io.github.circles2d.world.changes.Growth;
 import io.github.circles2d.world.changes.JointCalls;
 import io.github.circles2d.world.changes.Kinds;
+import io.github.circles2d.world.changes.Nets;
 import io.github.circles2d.world.changes.NewCircles;
 import io.github.circles2d.world.changes.NextStep;
 import io.github.circles2d.world.changes.Pieces;
@@ -86,6 +87,7 @@ public final class Simulation implements AutoCloseable {
     private final JointReads jointReads;
     private final Clearing clearing;
     private final NewCircles newCircles;
+    private final Nets nets;
     private final Circles circles;
     private final FieldCalls fields;
     private final BulkChanges bulk;
@@ -127,6 +129,7 @@ public final class Simulation implements AutoCloseable {
         PreparedChanges changes =
                 new PreparedChanges(handles, commands, pending, settings, kinds, travels, joints, admitted);
         newCircles = new NewCircles(guard, handles, commands, pending, copies, settings, kinds);
+        nets = new Nets(guard, handles, terrain, joints, log, pending, copies, settings, newCircles);
         circles = new Circles(guard, handles, commands, pending, copies, settings, nextStep, changes);
         fields = new FieldCalls(guard, handles, commands, log, pending, copies, kinds, needs);
         TerrainView view = new TerrainView(terrain, input.terrain, kindTable, handles.fields(), settings);
@@ -149,6 +152,11 @@ public final class Simulation implements AutoCloseable {
     /** The calls that add circles. */
     public NewCircles newCircles() {
         return newCircles;
+    }
+
+    /** The call that adds circles that joints hold. */
+    public Nets nets() {
+        return nets;
     }
 
     /** The calls on circles that are there. */

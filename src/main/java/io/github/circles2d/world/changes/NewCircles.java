@@ -86,32 +86,43 @@ public final class NewCircles {
             Limits.notNull("circles", circles);
             int n = circles.length / CircleRow.STRIDE;
             checkLengths(n, circles, velocities, kinds, to);
-            checkRoom(n);
-            pending.expect(kinds == null ? n : 2 * n);
-            handles.ensure(n);
-            int[] own = kinds == null ? null : copy(kinds);
-            for (int i = 0; i < n; i++) {
-                prepare(i, circles, velocities, own == null ? 0 : own[i]);
-            }
+            int[] own = prepareAll(n, circles, velocities, kinds);
             copies.forget();
             guard.changing = true;
-            int first = commands.count();
-            for (int i = 0; i < n; i++) {
-                long handle = admit();
-                if (to != null) {
-                    to[i] = handle;
-                }
-            }
-            for (int i = 0; own != null && i < n; i++) {
-                if (own[i] != 0) {
-                    setKind(commands.id(first + i), own[i]);
-                }
-            }
+            admitAll(n, own, to);
             guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
+        }
+    }
+
+    /** Checks circles and prepares them, so that {@link #admitAll} cannot fail. Returns their kinds; null if kinds is. */
+    int[] prepareAll(int n, float[] circles, float[] velocities, int[] kinds) {
+        checkRoom(n);
+        pending.expect(kinds == null ? n : 2 * n);
+        handles.ensure(n);
+        int[] own = kinds == null ? null : copy(kinds);
+        for (int i = 0; i < n; i++) {
+            prepare(i, circles, velocities, own == null ? 0 : own[i]);
+        }
+        return own;
+    }
+
+    /** Adds the circles that are prepared; the handles are optional. */
+    void admitAll(int n, int[] own, long[] to) {
+        int first = commands.count();
+        for (int i = 0; i < n; i++) {
+            long handle = admit();
+            if (to != null) {
+                to[i] = handle;
+            }
+        }
+        for (int i = 0; own != null && i < n; i++) {
+            if (own[i] != 0) {
+                setKind(commands.id(first + i), own[i]);
+            }
         }
     }
 

@@ -9,10 +9,7 @@ public final class JointLimits {
 
     /** Of two circles. */
     public static void circles(JointForm form, int a, int b, HandleTable handles) {
-        if (!JointForm.takesCircles(form.traits)) {
-            throw new IllegalArgumentException(
-                    "a " + form.name() + " cannot hold two circles, but must hold one to " + form.place());
-        }
+        circles(form);
         if (a == b) {
             throw new IllegalArgumentException(
                     "both circles have the handle " + handles.handle(a) + ", but a joint holds two different ones");
@@ -23,14 +20,27 @@ public final class JointLimits {
         }
     }
 
+    /** Of two circles, whichever they are. */
+    public static void circles(JointForm form) {
+        if (!JointForm.takesCircles(form.traits)) {
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " cannot hold two circles, but must hold one to " + form.place());
+        }
+    }
+
     /** Of a circle and a place. */
     public static void anchor(JointForm form, int a, float x, float y, HandleTable handles) {
+        anchor(form, x, y);
+        moves(a, handles);
+    }
+
+    /** Of a circle and a place, whichever circle it is. */
+    public static void anchor(JointForm form, float x, float y) {
         if (!JointForm.takesAnchor(form.traits)) {
             throw new IllegalArgumentException(
                     "a " + form.name() + " takes no anchor, but must hold a circle to " + form.place());
         }
         JointSetting.ANCHOR.check(form.traits, x, y);
-        moves(a, handles);
     }
 
     /** Of a circle and the world, without a place. */

@@ -66,7 +66,12 @@ public final class JointTable {
 
     /** Makes room for one more spring. */
     public void ensureSpring() {
-        springs.ensure(1);
+        ensureSprings(1);
+    }
+
+    /** Makes room for more springs. */
+    public void ensureSprings(int more) {
+        springs.ensure(more);
     }
 
     // ---- what there is

@@ -1,0 +1,18 @@
+package io.github.circles2d.fuzz;
+
+/** How much has been tried. */
+final class Counts {
+    int programs;
+    long calls;
+    long refused;
+    long steps;
+
+    /** Calls that have met an OutOfMemoryError. */
+    long ended;
+
+    @Override
+    public String toString() {
+        return programs + " programs, " + calls + " calls, " + refused + " lines refused, " + steps
+                + " lines of steps, " + ended + " calls without memory";
+    }
+}
