@@ -147,8 +147,8 @@ int sizeClass(float r, float rmax) {
     return k;
 }
 
-// Saturates, as in Java.
-int cell(float x, float min, float inverseEdge) { return convert_int_sat(maxf((x - min) * inverseEdge, 0.0f)); }
+// No place inside of walls has the last one; differences and counts of cells stay ints.
+int cell(float x, float min, float inverseEdge) { return (int) clampf((x - min) * inverseEdge, 0.0f, 0x1p30f); }
 int ringFirst(int a, int b, int size) { return (b + 1 == size ? 0 : b + 1) == a ? b : a; }
 
 uint mixBits(uint h) {

@@ -251,30 +251,35 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level)
     while (nextCells(w, &range, &at, true, &slots)) meetNear(w, s, reach, slots.x, slots.y);
 }
 
-void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int bucket) {
+// Those of slots behind one.
+void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int after, int bucket) {
     for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetBoth(w, s, looks, other);
+        if (other <= after || other == s->slot) continue;
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH)) meetBoth(w, s, looks, other);
     }
 }
 
-// Those that reach far in a circle's level, and no less far than it.
+// Those that reach far in a circle's level, and no less far than it. Of two that would find each other, the one of the lower slot does.
 void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     int top = topExponent(w->levels->rmax);
     int buckets = reachBuckets(w->circles);
     // One that reaches far itself looks for all of them.
-    float far = looks && reach > farIn(w, w->levels->used[0]) ? 0.0f : farIn(w, levelOf(w, s->r));
+    bool isHere = looks && reach > farIn(w, w->levels->used[0]);
+    float far = isHere ? 0.0f : farIn(w, levelOf(w, s->r));
+    int own = reachClassOf(reach, top);
 #pragma unroll 1
-    for (int j = reachClassOf(reach, top); j >= 0; j--) {
+    for (int j = own; j >= 0; j--) {
         if ((w->status[REACHES] >> j & 1) == 0 || !(topReach(j, top) > far)) continue;
         float around = 1.001f * (reach + topReach(j, top)); // no rounding hides a circle at the edge
+        int after = isHere && j == own ? s->slot : NONE;
 #pragma unroll 1
         for (int image = 0; image < IMAGES; image++) {
             ReachCells cells = reachCellsAround(w, image, s->x, s->y, around, inverseReachEdge(j, top));
 #pragma unroll 1
             for (int row = cells.row; row < cells.endRow; row++) {
                 for (int column = cells.column; column < cells.endColumn; column++) {
-                    meetInBucket(w, s, reach, looks, reachBucket(column, row, j, buckets));
+                    meetInBucket(w, s, reach, looks, after, reachBucket(column, row, j, buckets));
                 }
             }
         }

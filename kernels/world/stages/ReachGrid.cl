@@ -52,20 +52,25 @@ ReachCells reachCellsIn(const World *w, float left, float right, float low, floa
 // How much coordinates may be off along an axis that wraps.
 float roundingAlong(float min_, float period) { return period < INFINITY ? 0x1p-20f * (fabs(min_) + period) : 0.0f; }
 
-// Around each image: one on each side along an axis that wraps.
+// Around each image: one on each side along an axis that wraps, or none if they would show the same circles again.
 ReachCells reachCellsAround(const World *w, int image, float x, float y, float far, float inverseEdge) {
     constant Levels *l = w->levels;
-    const StepConstants *k = &w->k;
     int u = (image + 1) % 3 - 1;
     int v = image / 3 == 2 ? -1 : image / 3;
     float farX = far + roundingAlong(l->minX, l->periodX);
     float farY = far + roundingAlong(l->minY, l->periodY);
     float atX = u == 0 ? x : x + (float) u * l->periodX;
     float atY = v == 0 ? y : y + (float) v * l->periodY;
-    bool isOutside = (u != 0 && (atX + farX < k->minX || atX - farX > k->maxX)) ||
-                     (v != 0 && (atY + farY < k->minY || atY - farY > k->maxY));
+    float maxX = l->minX + l->periodX;
+    float maxY = l->minY + l->periodY;
+    bool allX = 2.0f * farX >= l->periodX;
+    bool allY = 2.0f * farY >= l->periodY;
+    bool isNeeded = (u == 0 || !(allX || atX + farX < l->minX || atX - farX >= maxX)) &&
+                    (v == 0 || !(allY || atY + farY < l->minY || atY - farY >= maxY));
     ReachCells none = {0, 0, 0, 0};
-    return isOutside ? none : reachCellsIn(w, atX - farX, atX + farX, atY - farY, atY + farY, inverseEdge);
+    return isNeeded ? reachCellsIn(w, allX ? l->minX : atX - farX, allX ? maxX : atX + farX, allY ? l->minY : atY - farY,
+                                   allY ? maxY : atY + farY, inverseEdge)
+                    : none;
 }
 #else
 #define IMAGES 1

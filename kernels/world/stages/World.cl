@@ -179,7 +179,7 @@ int sheetOf(Axis a, float x) {
 
 // As neighbour.
 int sheetBeside(int sheet, int offset, int sheets) {
-    return sheets == ENDLESS ? sheet + offset : neighbour(sheet, offset, sheets);
+    return sheets == ENDLESS ? (int) ((uint) sheet + (uint) offset) : neighbour(sheet, offset, sheets);
 }
 
 // Orders the circles of a bucket: an even number a sheet; static circles have the odd one behind it.

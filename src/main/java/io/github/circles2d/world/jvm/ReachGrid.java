@@ -6,6 +6,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
@@ -140,7 +141,7 @@ final class ReachGrid {
 
     /**
      * Finds those circles that reach far in the level of one, and no less far than it, and whose reach meets its own. Some may be of
-     * other classes, and some may come twice.
+     * other classes, and some may come twice. Of two that would find each other, the one of the lower slot does.
      *
      * @param looks whether the one is fast, and not static
      * @return how many {@link #hits} there are
@@ -150,40 +151,45 @@ final class ReachGrid {
         if (classes == 0) {
             return 0;
         }
-        classes &= (2 << Reach.classOf(reach[slot], topExponent)) - 1;
+        int own = Reach.classOf(reach[slot], topExponent);
+        classes &= (2 << own) - 1;
         // One that reaches far itself looks for all of them.
-        float far = looks && reach[slot] > farIn(levels.used[0]) ? 0f : farIn(grid.level[slot]);
+        boolean isHere = looks && reach[slot] > farIn(levels.used[0]);
+        float far = isHere ? 0f : farIn(grid.level[slot]);
         int count = 0;
         while (classes != 0) {
             int j = Integer.numberOfTrailingZeros(classes);
             classes &= classes - 1;
             if (Reach.top(j, topExponent) > far) {
-                count = findIn(worker, slot, j, count);
+                count = findIn(worker, slot, j, isHere && j == own ? slot : NONE, count);
             }
         }
         return count;
     }
 
-    private int findIn(int worker, int slot, int j, int found) {
+    private int findIn(int worker, int slot, int j, int after, int found) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
         float far = SLACK * (reach[slot] + Reach.top(j, topExponent)) + rounding;
         if (!state.wraps) {
-            return scan(worker, slot, j, x - far, x + far, y - far, y + far, found);
+            return scan(worker, slot, j, after, x - far, x + far, y - far, y + far, found);
         }
+        Bounds b = levels.bounds;
+        boolean allX = 2f * far >= state.periodX; // images would show the same circles again
+        boolean allY = 2f * far >= state.periodY;
         int count = found;
-        for (int u = -1; u <= 1; u++) {
-            float left = shifted(x - far, u, state.periodX);
-            float right = shifted(x + far, u, state.periodX);
-            if (u != 0 && (right < levels.bounds.minX() || left > levels.bounds.maxX())) {
+        for (int u = allX ? 0 : -1; u <= (allX ? 0 : 1); u++) {
+            float left = allX ? b.minX() : shifted(x - far, u, state.periodX);
+            float right = allX ? b.maxX() : shifted(x + far, u, state.periodX);
+            if (u != 0 && (right < b.minX() || left > b.maxX())) {
                 continue;
             }
-            for (int v = -1; v <= 1; v++) {
-                float low = shifted(y - far, v, state.periodY);
-                float high = shifted(y + far, v, state.periodY);
-                if (v == 0 || !(high < levels.bounds.minY() || low > levels.bounds.maxY())) {
-                    count = scan(worker, slot, j, left, right, low, high, count);
+            for (int v = allY ? 0 : -1; v <= (allY ? 0 : 1); v++) {
+                float low = allY ? b.minY() : shifted(y - far, v, state.periodY);
+                float high = allY ? b.maxY() : shifted(y + far, v, state.periodY);
+                if (v == 0 || !(high < b.minY() || low > b.maxY())) {
+                    count = scan(worker, slot, j, after, left, right, low, high, count);
                 }
             }
         }
@@ -195,7 +201,8 @@ final class ReachGrid {
         return periods == 0 ? x : x + periods * period;
     }
 
-    private int scan(int worker, int slot, int j, float left, float right, float low, float high, int found) {
+    private int scan(
+            int worker, int slot, int j, int after, float left, float right, float low, float high, int found) {
         float inverseEdge = Reach.inverseEdge(j, topExponent);
         int c0 = Reach.cell(left, levels.minX, inverseEdge);
         int c1 = Reach.cell(right, levels.minX, inverseEdge);
@@ -206,14 +213,15 @@ final class ReachGrid {
             for (int column = c0; column <= c1; column++) {
                 int first = last[Reach.bucket(column, row, j, buckets)];
                 if (first != NONE) {
-                    count = scanBucket(worker, slot, first, count);
+                    count = scanBucket(worker, slot, first, after, count);
                 }
             }
         }
         return count;
     }
 
-    private int scanBucket(int worker, int slot, int first, int found) {
+    /** Of slots behind one. */
+    private int scanBucket(int worker, int slot, int first, int after, int found) {
         float[] circle = state.circle;
         float[] reaches = reach;
         int[] next = before;
@@ -224,8 +232,9 @@ final class ReachGrid {
             for (int other = first; other != NONE; other = next[other]) {
                 near = ensure(worker, near, count);
                 near[count] = other;
-                count -= PairRule.isNear(
-                        state.differenceX(slot, other), state.differenceY(slot, other), own, reaches[other]);
+                count -= (after - other >> 31)
+                        & PairRule.isNear(
+                                state.differenceX(slot, other), state.differenceY(slot, other), own, reaches[other]);
             }
             return count;
         }
@@ -234,8 +243,12 @@ final class ReachGrid {
         for (int other = first; other != NONE; other = next[other]) {
             near = ensure(worker, near, count);
             near[count] = other;
-            count -= PairRule.isNear(
-                    circle[CircleRow.of(other) + X] - x, circle[CircleRow.of(other) + Y] - y, own, reaches[other]);
+            count -= (after - other >> 31)
+                    & PairRule.isNear(
+                            circle[CircleRow.of(other) + X] - x,
+                            circle[CircleRow.of(other) + Y] - y,
+                            own,
+                            reaches[other]);
         }
         return count;
     }

@@ -1,6 +1,9 @@
 package io.github.circles2d.world.model;
 
 public final class Cells {
+    /** Of an axis. No place inside of walls is so far; differences and counts of cells stay ints. */
+    static final float MOST = 0x1p30f;
+
     private Cells() {}
 
     /** Class k has radii in (rmax / 2^(k+1), rmax / 2^k], the last all smaller ones. */
@@ -14,8 +17,9 @@ public final class Cells {
         return k;
     }
 
+    /** Never falls where x grows. */
     public static int cell(float x, float min, float inverseEdge) {
-        return (int) CircleMath.max((x - min) * inverseEdge, 0f);
+        return (int) CircleMath.clamp((x - min) * inverseEdge, 0f, MOST);
     }
 
     /** The finalizer of MurmurHash3, twice. */

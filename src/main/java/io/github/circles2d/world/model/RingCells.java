@@ -5,7 +5,6 @@ final class RingCells {
     private static final int LEAST_UNITS_LOG = 10;
 
     private static final float MOST_UNITS = 0x1p62f;
-    private static final float MOST_CELLS = 0x1p30f;
 
     private RingCells() {}
 
@@ -21,7 +20,7 @@ final class RingCells {
     static long cell(AxisEdge edge, float x, float min, float scale, int units) {
         return edge == AxisEdge.OPEN
                 ? Math.floorDiv((long) CircleMath.clamp(x * scale, -MOST_UNITS, MOST_UNITS), (long) units)
-                : (long) Math.floor(CircleMath.clamp((x - min) * scale, -MOST_CELLS, MOST_CELLS));
+                : (long) Math.floor(CircleMath.clamp((x - min) * scale, -Cells.MOST, Cells.MOST));
     }
 
     static int onRing(long cell, int side) {
