@@ -127,10 +127,13 @@ class FuzzTest {
     private static ForkedJvm.Result fork(long seed, int seconds, String mode, String lines, List<Backend> devices) {
         List<String> arguments = new ArrayList<>(List.of("" + seed, "" + seconds, mode, lines));
         devices.forEach(device -> arguments.add(device.name()));
-        return new ForkedJvm()
-                .option(mode.equals("memory") ? "-Xmx24m" : "-Xmx2g")
+        ForkedJvm jvm = new ForkedJvm();
+        String kernels = System.getProperty("circles2d.kernels");
+        if (kernels != null) {
+            jvm.option("-Dcircles2d.kernels=" + kernels);
+        }
+        return jvm.option(mode.equals("memory") ? "-Xmx24m" : "-Xmx2g")
                 .option("-XX:+UseSerialGC")
-                .option("-Dcircles2d.kernels=" + System.getProperty("circles2d.kernels", ""))
                 .environment("POCL_SIGFPE_HANDLER", "0")
                 .run(FuzzRun.class, arguments.toArray(String[]::new));
     }
