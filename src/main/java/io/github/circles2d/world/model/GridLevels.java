@@ -9,7 +9,7 @@ package io.github.circles2d.world.model;
  * (ox mod 2) + 2 (oy mod 2) and in it number (oy / 2)(V / 2) + ox / 2.
  */
 public final class GridLevels {
-    /** Factors of two, over all radii that a world takes. */
+    /** Factors of two, over all radii that a world takes; but where an axis is open, more are in the last. */
     public static final int COUNT = 20;
 
     private static final int LEAST_SIDE_LOG = 2;
