@@ -92,7 +92,7 @@ class FuzzTest {
     }
 
     @Test
-    @Tag("long")
+    @Tag("exhaustive")
     void programsAreTheSameOnEveryBackEnd() {
         String output = run(SEED + 1_000_000, TestScale.of(60, 3600), devices());
         assertThat(output)
@@ -102,7 +102,7 @@ class FuzzTest {
 
     /** The one that a failure has named, with all its lines or some. */
     @Test
-    @Tag("long")
+    @Tag("exhaustive")
     void oneProgramAlone() {
         String lines = System.getProperty("circles2d.fuzz.lines", "each");
         check(SEED, fork(SEED, 0, mode(SEED), lines, devices()), devices());
