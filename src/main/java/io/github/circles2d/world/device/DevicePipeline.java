@@ -67,6 +67,9 @@ public final class DevicePipeline implements Pipeline {
     /** All plans, whether ready or not. */
     private final List<Plan> plans;
 
+    /** Whether the kernels are compiled in parts. If all are waited for, POCL takes a third of the time for one program. */
+    private final boolean inParts;
+
     /** The first of them that suits a step makes it. */
     private final ReadyPlans ready;
 
@@ -101,6 +104,7 @@ public final class DevicePipeline implements Pipeline {
 
     DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize, boolean waits) {
         this.plans = plans;
+        inParts = !waits && plans.size() > 1;
         ready = new ReadyPlans(plans, waits);
         this.workGroupSize = workGroupSize;
         session = Session.open(device, profiling);
@@ -191,7 +195,7 @@ public final class DevicePipeline implements Pipeline {
                 workGroupSize,
                 variant.reporting(),
                 variant.recording(),
-                kernel -> Plans.partOf(plans, kernel));
+                inParts ? kernel -> Plans.partOf(plans, kernel) : null);
     }
 
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */

@@ -5,7 +5,6 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
 import java.util.List;
-import java.util.Set;
 
 /** A plan whose kernels are in the program, which is then that of pipelines that follow it, but which no step follows. */
 final class CompiledOnly implements Plan {
@@ -23,11 +22,6 @@ final class CompiledOnly implements Plan {
     @Override
     public KernelSource define(KernelSource source) {
         return plan.define(source);
-    }
-
-    @Override
-    public Set<String> ownKernels() {
-        return plan.ownKernels();
     }
 
     @Override

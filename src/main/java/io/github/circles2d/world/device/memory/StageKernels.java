@@ -15,8 +15,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.UnaryOperator;
 
 /**
- * The compiled stages, and the argument list that all their kernels share. The kernels come in parts, each a program that is compiled when
- * the first of its kernels is asked for, or before on another thread.
+ * The compiled stages, and the argument list that all their kernels share. The kernels are one program, or come in parts, each a program
+ * that is compiled when the first of its kernels is asked for, or before on another thread.
  */
 public final class StageKernels {
     /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
@@ -28,12 +28,18 @@ public final class StageKernels {
      */
     public static final boolean SMALL_GROUPS = Boolean.getBoolean("circles2d.groups.small");
 
+    /** The part that has all kernels, if there is one program. */
+    private static final String ALL = "all";
+
     private static final int OWN_ARGUMENTS = DeviceArguments.COUNT + DeviceCount.COUNT;
 
     private final Session session;
     private final int workGroupSize;
-    private final UnaryOperator<String> partOf;
+    private final KernelSource source;
     private final ReachableNames names;
+
+    /** Null if there is one program. */
+    private final UnaryOperator<String> partOf;
 
     /** By name of a part. Another thread may add one. */
     private final Map<String, Program> programs = new ConcurrentHashMap<>();
@@ -51,15 +57,15 @@ public final class StageKernels {
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    /** Kernels of one part, with work-groups as near to this size as each kernel allows, or {@link #USUAL_GROUPS}. */
+    /** Kernels of one program, with work-groups as near to this size as each kernel allows, or {@link #USUAL_GROUPS}. */
     public StageKernels(Session session, KernelSource source, int workGroupSize) {
-        this(session, source, workGroupSize, false, false, kernel -> "all");
+        this(session, source, workGroupSize, false, false, null);
     }
 
     /**
      * If steps report, kernels decide what; if they record, also what contacts do.
      *
-     * @param partOf the name of the part that a kernel belongs to
+     * @param partOf the name of the part that a kernel belongs to; null for one program of all
      */
     public StageKernels(
             Session session,
@@ -70,35 +76,36 @@ public final class StageKernels {
             UnaryOperator<String> partOf) {
         KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
         this.session = session;
-        compiled = recording ? compiled.define("RECORDING", 1) : compiled;
+        this.source = recording ? compiled.define("RECORDING", 1) : compiled;
         this.workGroupSize = workGroupSize;
         this.recording = recording;
         this.partOf = partOf;
-        names = UsedArguments.names(compiled);
+        names = UsedArguments.names(this.source);
     }
 
     /** Whether a part has been compiled. */
     public boolean has(String part) {
-        return programs.containsKey(part);
+        return programs.containsKey(partOf == null ? ALL : part);
     }
 
     /** Compiles a part, unless it has been compiled. Any thread may call this. */
     public void compile(String part) {
-        synchronized (locks.computeIfAbsent(part, key -> new Object())) {
-            if (!has(part)) {
-                programs.put(part, build(part));
+        String own = partOf == null ? ALL : part;
+        synchronized (locks.computeIfAbsent(own, key -> new Object())) {
+            if (!has(own)) {
+                programs.put(own, session.build(partOf == null ? source : sourceOf(own), options(session.device())));
             }
         }
     }
 
-    private Program build(String part) {
+    private KernelSource sourceOf(String part) {
         Set<String> kernels = new HashSet<>(names.kernels());
         kernels.removeIf(kernel -> !partOf.apply(kernel).equals(part));
-        return session.build(names.sourceOf(kernels), options(session.device()));
+        return names.sourceOf(kernels);
     }
 
     private Kernel kernel(String name) {
-        String part = partOf.apply(name);
+        String part = partOf == null ? ALL : partOf.apply(name);
         compile(part);
         return programs.get(part).kernel(name);
     }
