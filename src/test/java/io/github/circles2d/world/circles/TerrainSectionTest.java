@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import io.github.circles2d.ArcSide;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Edge;
+import io.github.circles2d.Terrain;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -79,7 +80,7 @@ class TerrainSectionTest {
     }
 
     private static float[] pieces(World world) {
-        float[] pieces = new float[8 * world.terrain().size()];
+        float[] pieces = new float[Terrain.PIECE_STRIDE * world.terrain().size()];
         world.terrain().readPieces(pieces, null);
         return pieces;
     }
