@@ -119,14 +119,15 @@ void meet(const World *w, const Runner *s, int other) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
-    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.RADIUS);
+    float graze = grazeOf(s->r, c.RADIUS);
+    float t = timeOfImpactDeeper(dx, dy, ux, uy, s->r + c.RADIUS, graze);
     if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
     bool near = isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE);
     if (near && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) return;
     float lost = 1.0f - maxf(w->traits[s->slot].RESTITUTION, w->traits[other].RESTITUTION);
     bool dull = isLonger(lost * ux, lost * uy, DULL * s->r);
     if (!stands && dull && isLonger(ux, uy, s->r) && !isFast(plan.PATH_LENGTH, c.RADIUS)) {
-        t = beforeSlow(t, dx, dy, s->px, s->py, plan.PATH_X, plan.PATH_Y, s->r + c.RADIUS);
+        t = beforeSlow(t, dx, dy, s->px, s->py, plan.PATH_X, plan.PATH_Y, (s->r + c.RADIUS) + graze);
     }
     float slack = stands ? MARGIN : HOLD;
     if (near && isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {

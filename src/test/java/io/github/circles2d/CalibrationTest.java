@@ -541,8 +541,7 @@ class CalibrationTest {
                 .option("-D" + PROPERTY + "=" + file)
                 .run(TwiceTheSame.class)
                 .output();
-        assertThat(log).containsOnlyOnce("World on JVM").contains("no GPU is looked for below a capacity of 1250");
-        assertThat(log).containsOnlyOnce("Circles2D with pair indexing ").contains("not calibrated");
+        assertThat(log).doesNotContain("World on JVM"); // so few circles need no GPU
         assertThat(log).containsOnlyOnce("is not used: it does not begin with");
         // A newer JDK warns of native access, too.
         assertThat(Pattern.compile("WARNING: the calibration")

@@ -219,6 +219,8 @@ class WorldBackendTest {
     void aStartIsSilent() {
         TestDevices.all();
         ForkedJvm.Result result = new ForkedJvm().run(Quiet.class);
-        assertThat(result.output().lines()).containsExactly("done");
+        // newer JDKs warn of native access, which only the command line of a program can allow
+        assertThat(result.output().lines().filter(line -> !line.isEmpty() && !line.startsWith("WARNING: ")))
+                .containsExactly("done");
     }
 }

@@ -23,11 +23,9 @@ class WorldImpactsTest {
         for (float offset : new float[] {0, 0.3f, 0.8f, 1.5f}) {
             assertNoOverlap(restitution, 0.05f, new Ball(0, offset * R, R, 0));
         }
-        assertNoOverlap(restitution, 0.05f, new Ball(0, 0, 3 * R, 0));
-        assertNoOverlap(restitution, 0.05f, new Ball(0, 0, R / 3, 0));
-        assertNoOverlap(restitution, 0.05f, new Ball(0, 0, R / 10, 0));
-        assertNoOverlap(
-                restitution, 0.15f, new Ball(0, 0, 10 * R, 0)); // a softer contact, of circles that differ so much
+        for (float ratio : new float[] {1 / 10f, 1 / 3f, 2 / 3f, 1.5f, 3, 10, 30}) {
+            assertNoOverlap(restitution, 0.05f, new Ball(0, 0, ratio * R, 0));
+        }
     }
 
     @ParameterizedTest

@@ -41,12 +41,12 @@ class WorldJointStatesTest {
         lift.addSegment(-3, 0, 3, 0);
         lift.setVelocity(0.5f, 0.25f);
         lift.setAngularVelocity(0.5f);
-        rope(world, 8, 10, 35, Joint.distance().breakingAt(700, Float.POSITIVE_INFINITY));
+        rope(world, 8, 10, 35, Joint.distance().breakingAt(400, Float.POSITIVE_INFINITY));
         rope(world, 15, 14, 30, Joint.rope(1.1f));
         ring(world, 25, 8, 12);
         ring(world, 45, 8, 30);
         long weld = world.add(40, 30, 0.5f, 1);
-        world.joints().add(weld, world.add(41.2f, 30, 0.5f, 2), Joint.weld().breakingAt(900, 50));
+        world.joints().add(weld, world.add(41.2f, 30, 0.5f, 2), Joint.weld().breakingAt(600, 50));
         world.joints().add(weld, lift, 2, 1, Joint.limits(1, 12));
         world.joints().add(weld, Joint.motor(3, 40));
         for (int k = 0; k < PLAYED; k++) {
@@ -77,7 +77,7 @@ class WorldJointStatesTest {
             world.joints().add(rim[k], hub, Joint.spring(4, 0.5f));
         }
         for (int k = 0; k < count; k++) {
-            world.joints().add(rim[k], rim[(k + 1) % count], Joint.distance().breakingAt(400, 400));
+            world.joints().add(rim[k], rim[(k + 1) % count], Joint.distance().breakingAt(250, 400));
         }
     }
 
@@ -145,7 +145,7 @@ class WorldJointStatesTest {
                     World other = builder(edge).build()) {
                 world.report(Events.BEGIN | Events.END | Events.HIT | Events.WALL);
                 other.report(Events.BEGIN | Events.END | Events.HIT | Events.WALL);
-                int joints = world.joints().size();
+                int removed = 0;
                 for (int frame = 0; frame < 150; frame++) {
                     if (frame % 20 == 7) {
                         ByteBuffer saved = snapshot(world);
@@ -153,7 +153,9 @@ class WorldJointStatesTest {
                         assertThat(snapshot(other)).isEqualTo(saved.rewind());
                     }
                     play(world, frame, frame);
+                    int joints = world.joints().size();
                     world.step(STEP);
+                    removed += joints - world.joints().size();
                     if (frame >= 7) {
                         play(other, frame, frame);
                         other.step(STEP);
@@ -161,7 +163,7 @@ class WorldJointStatesTest {
                     }
                 }
                 assertThat(snapshot(other)).isEqualTo(snapshot(world));
-                assertThat(world.joints().size()).as("joints have broken").isLessThan(joints);
+                assertThat(removed).as("joints that have broken").isPositive();
             }
         }
     }

@@ -32,6 +32,8 @@ final class Pushes implements Rollback.Game {
                 case 1 -> player.api.named(player.rollback, "randomInt", 9);
                 default -> player.api.named(player.rollback, "randomFloat");
             };
+        } catch (Error e) { // memory that ends
+            throw e;
         } catch (Throwable e) {
             throw new AssertionError(e);
         }

@@ -130,7 +130,8 @@ final class ContinuousCollision {
             c.allowance = min(CLAMP_ALLOWANCE * c.radius, c.allowance);
         }
         boolean pushed = atStatic && Carrying.pushes(other, c);
-        float t = timeOfImpact(d, u, c.radius + other.radius);
+        float graze = (2f * GRAZE) * min(c.radius, other.radius);
+        float t = timeOfImpact(d, u, c.radius + other.radius, graze);
         if (!(t < 1f) || pushed || isNearWithoutImpact(c, other)) {
             return;
         }
@@ -139,7 +140,7 @@ final class ContinuousCollision {
         boolean dull = length2(new float[] {lost * u[0], lost * u[1]}) > least * least;
         if (!atStatic && dull && length2(u) > c.radius * c.radius && !isFast(other)) {
             float[] toItsEnd = {d[0] + other.path[0], d[1] + other.path[1]};
-            t = min(timeOfTouch(toItsEnd, c.path, c.radius + other.radius), t);
+            t = min(timeOfTouch(toItsEnd, c.path, (c.radius + other.radius) + graze), t);
         }
         if (c.isNear(other) && areCloser(c, other, atStatic ? Circle.MARGIN : HOLD)) {
             hold(c, other, t, dull);
@@ -180,7 +181,11 @@ final class ContinuousCollision {
 
     /** The share of their paths after which two circles touch that do more than graze each other; 2 if they do not. */
     static float timeOfImpact(float[] d, float[] u, float radii) {
-        return timeOfTouch(d, u, radii - GRAZE * radii) < 1f ? timeOfTouch(d, u, radii) : 2f;
+        return timeOfImpact(d, u, radii, GRAZE * radii);
+    }
+
+    private static float timeOfImpact(float[] d, float[] u, float radii, float graze) {
+        return timeOfTouch(d, u, radii - graze) < 1f ? timeOfTouch(d, u, radii) : 2f;
     }
 
     static float timeOfTouch(float[] d, float[] u, float radii) {

@@ -20,7 +20,6 @@ final class ReadyPlans {
     private final List<Plan> plans;
     private final boolean waits;
     private final List<Plan> ready = new ArrayList<>();
-    private final List<Plan> view = Collections.unmodifiableList(ready);
     private Stages stages;
 
     /** The kernels of the steps to come. The thread beside stops if they are others. */
@@ -34,9 +33,9 @@ final class ReadyPlans {
         this.waits = waits;
     }
 
-    /** Those that are ready, in the order in which a step looks at them. The list changes. */
+    /** Those that are ready, in the order in which a step looks at them. The list changes. No view of it, whose iterators would be garbage of steps. */
     List<Plan> list() {
-        return view;
+        return ready;
     }
 
     /** Lets plans use other kernels. Waits for those of the last plan. */

@@ -466,7 +466,8 @@ public final class ContinuousCollision {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, false);
         }
         // first what most pairs fail
-        float t = TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + ro);
+        float graze = Paths.graze(r, ro);
+        float t = TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + ro, graze);
         if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }
@@ -481,7 +482,7 @@ public final class ContinuousCollision {
             float py = plan[CircleRow.vector(slot) + Y];
             float qx = plan[CircleRow.vector(other) + X];
             float qy = plan[CircleRow.vector(other) + Y];
-            t = TimeOfImpact.beforeSlow(t, dx, dy, px, py, qx, qy, r + ro);
+            t = TimeOfImpact.beforeSlow(t, dx, dy, px, py, qx, qy, (r + ro) + graze);
         }
         float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
         if (isNear && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {

@@ -51,6 +51,11 @@ public final class Paths {
         return other * Tuning.SWEEP_RATIO >= r;
     }
 
+    /** How deep circles may get that only graze each other: measured by the smaller one, or it would end within a far larger one. */
+    public static float graze(float r, float other) {
+        return (2f * Tuning.GRAZE) * CircleMath.min(r, other);
+    }
+
     /** Whether a path in the range differs by more than a length. */
     public static boolean differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
         if (lowX > highX) {

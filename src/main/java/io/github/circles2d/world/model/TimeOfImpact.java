@@ -27,13 +27,20 @@ public final class TimeOfImpact {
         return CircleMath.max(c, 0f) / (b + (float) Math.sqrt(disc));
     }
 
-    /** Not of circles that only graze each other. */
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
-        float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
+        return timeOfImpact(dx, dy, ux, uy, sum, Tuning.GRAZE * sum);
+    }
+
+    /** Not of circles that only graze each other, which get no deeper than that. */
+    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum, float graze) {
+        float deep = timeOfTouch(dx, dy, ux, uy, sum - graze);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
     }
 
-    /** A time, or an earlier one at which it would touch a slow circle at the end of that one's path, so that none runs into it. */
+    /**
+     * A time, or an earlier one at which it would touch a slow circle at the end of that one's path, so that none runs into it. With a sum
+     * that leaves a small gap, their contact is rigid in the next step, not soft.
+     */
     public static float beforeSlow(
             float t, float dx, float dy, float px, float py, float pathX, float pathY, float sum) {
         return CircleMath.min(timeOfTouch(dx + pathX, dy + pathY, px, py, sum), t);

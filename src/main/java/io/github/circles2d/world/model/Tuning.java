@@ -28,7 +28,7 @@ public final class Tuning {
     /** Share of its allowance that a circle at a static one keeps, unless it flies back. */
     public static final float ASIDE = 0.1f;
 
-    /** Circles that graze no deeper do not stop each other, in sums. */
+    /** Circles that graze no deeper do not stop each other, in sums; of two that are free, in diameters of the smaller one. */
     public static final float GRAZE = 0.01f;
 
     /** A free vertex of terrain no higher over the face of another piece is no constraint, in radii. */
