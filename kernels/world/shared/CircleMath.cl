@@ -94,16 +94,16 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
     return maxf(c, 0.0f) / (b + sqrt(disc));
 }
 
-float timeOfImpactDeeper(float dx, float dy, float ux, float uy, float sum, float graze) {
+float timeOfImpactBeyond(float dx, float dy, float ux, float uy, float sum, float graze) {
     float deep = timeOfTouch(dx, dy, ux, uy, sum - graze);
     return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
 }
 
 float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
-    return timeOfImpactDeeper(dx, dy, ux, uy, sum, GRAZE * sum);
+    return timeOfImpactBeyond(dx, dy, ux, uy, sum, GRAZE * sum);
 }
 
-float grazeOf(float r, float other) { return (2.0f * GRAZE) * minf(r, other); }
+float deepestGraze(float r, float other) { return (2.0f * GRAZE) * minf(r, other); }
 
 bool isRunOver(float dx, float dy, float px, float py, float r, float sum) {
     float x = dx - px;

@@ -119,8 +119,8 @@ void meet(const World *w, const Runner *s, int other) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
-    float graze = grazeOf(s->r, c.RADIUS);
-    float t = timeOfImpactDeeper(dx, dy, ux, uy, s->r + c.RADIUS, graze);
+    float graze = deepestGraze(s->r, c.RADIUS);
+    float t = timeOfImpactBeyond(dx, dy, ux, uy, s->r + c.RADIUS, graze);
     if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
     bool near = isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE);
     if (near && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) return;

@@ -466,8 +466,8 @@ public final class ContinuousCollision {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, false);
         }
         // first what most pairs fail
-        float graze = Paths.graze(r, ro);
-        float t = TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + ro, graze);
+        float graze = Paths.deepestGraze(r, ro);
+        float t = TimeOfImpact.timeOfImpactBeyond(dx, dy, ux, uy, r + ro, graze);
         if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }

@@ -52,7 +52,7 @@ public final class Paths {
     }
 
     /** How deep circles may get that only graze each other: measured by the smaller one, or it would end within a far larger one. */
-    public static float graze(float r, float other) {
+    public static float deepestGraze(float r, float other) {
         return (2f * Tuning.GRAZE) * CircleMath.min(r, other);
     }
 
