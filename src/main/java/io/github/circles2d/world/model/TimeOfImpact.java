@@ -32,8 +32,7 @@ public final class TimeOfImpact {
     }
 
     /** Not of circles that only graze each other, which get no deeper than that. */
-    public static float timeOfImpactBeyond(
-            float dx, float dy, float ux, float uy, float sum, float graze) {
+    public static float timeOfImpactBeyond(float dx, float dy, float ux, float uy, float sum, float graze) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - graze);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
     }

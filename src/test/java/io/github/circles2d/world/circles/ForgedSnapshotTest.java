@@ -19,13 +19,11 @@ import io.github.circles2d.opencl.TestScale;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Snapshots that somebody has written with a check that fits: refused, or a world as sound as any other. */
-@Tag("each-jdk")
 class ForgedSnapshotTest {
     private static final int FORGERIES = TestScale.of(1_500, 5_000, 20_000);
     private static final int[] HOSTILE = {

@@ -64,7 +64,7 @@ class ReadyPlansTest {
     @MethodSource("devices")
     @Tag("long")
     void worldsCloseWhileKernelsAreCompiled(Device device) {
-        for (int i = 0; i < 5; i++) {
+        for (int i = 0; i < 2; i++) {
             DevicePipeline closing = pipeline(device, false);
             try (Twins twins =
                     Twins.load(Scenes.packed(100, i), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), closing)) {
