@@ -92,12 +92,14 @@ class FuzzTest {
     }
 
     @Test
-    @Tag("exhaustive")
+    @Tag("long")
     void programsAreTheSameOnEveryBackEnd() {
         String output = run(SEED + 1_000_000, TestScale.of(60, 3600), devices());
-        assertThat(output)
-                .as("methods that no program has made, or that have always been refused")
-                .contains("missing []");
+        if (TestScale.EXHAUSTIVE) { // a minute is too short for all
+            assertThat(output)
+                    .as("methods that no program has made, or that have always been refused")
+                    .contains("missing []");
+        }
     }
 
     /** The one that a failure has named, with all its lines or some. */
