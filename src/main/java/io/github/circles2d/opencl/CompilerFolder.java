@@ -87,7 +87,7 @@ final class CompilerFolder {
     private static Optional<Path> makeIn(Path parent) {
         try {
             Path made = Files.createTempDirectory(parent, "circles2d");
-            Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(made)));
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> deleteAtExit(made)));
             return Optional.of(made);
         } catch (IOException e) {
             return Optional.empty();
@@ -114,6 +114,11 @@ final class CompilerFolder {
         } catch (IOException e) {
             return false;
         }
+    }
+
+    private static void deleteAtExit(Path folder) {
+        RunningBuilds.awaitAll();
+        delete(folder);
     }
 
     private static void delete(Path folder) {

@@ -194,7 +194,7 @@ public final class Session implements AutoCloseable {
             for (String option : options) {
                 program.addBuildOption(option);
             }
-            DriverCalls.make(device, program::build);
+            RunningBuilds.make(() -> DriverCalls.make(device, program::build));
             return new Program(this, source, program);
         } catch (CLBuildException e) {
             throw new KernelBuildException(

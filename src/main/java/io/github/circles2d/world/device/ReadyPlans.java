@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device;
 
+import io.github.circles2d.opencl.RunningBuilds;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
@@ -88,14 +89,14 @@ final class ReadyPlans {
 
     private void compile(StageKernels of, List<Plan> missing) {
         for (Plan plan : missing) {
-            if (kernels != of) {
+            if (kernels != of || RunningBuilds.isExiting()) {
                 return;
             }
             try {
                 of.compile(Plans.partOf(plan));
                 news = of;
             } catch (RuntimeException | Error e) {
-                if (kernels == of) {
+                if (kernels == of && !RunningBuilds.isExiting()) {
                     LOG.log(
                             Level.WARNING,
                             "World goes on without plan " + Plans.partOf(plan) + ": it could not be compiled",
