@@ -1,6 +1,6 @@
 // uses: world/shared/Contact.cl world/stages/World.cl
-// What a circle meets that is no circle; walls are the first kind. A kind finds how far away it is and how it moves along its normal; the
-// visit is here. Effective mass 1, so impulses are speeds. A circle visits its own in order, without colours.
+// Contacts with walls and terrain pieces. Each of the two finds how far away it is and how it moves along its normal; the visit is here.
+// The effective mass is 1, so impulses are speeds. A circle visits its walls and pieces in order, without colours.
 
 // thresholdRate: gravity's part of the bounce threshold, by length.
 Found foundOneBody(const StepConstants *k, float separation, float r, float restitution, float thresholdRate, float normalImpulse,

@@ -1,5 +1,5 @@
 // uses: world/shared/OneBody.cl world/shared/Surface.cl
-// The grip of a circle and something that is no circle: the Java class OneBodyGrip. Walls are the first kind, pieces of terrain the second.
+// Friction and rolling of contacts with walls and terrain pieces: the Java class OneBodyGrip.
 
 #ifdef TURNING
 typedef struct {

@@ -34,118 +34,37 @@ import java.util.Arrays;
  * }
  * }</pre>
  *
- * <p><b>Units</b> are the caller's for lengths and masses; time is in seconds.
+ * <p>docs/guide.md has the calls by task, and what circles do at their limits. {@link Kind} decides which circles meet, {@link Terrain}
+ * makes levels, {@link Joints} hold circles, {@link FixedStep} is a game's loop. {@link Edge} says how an axis ends; "walls" and "within
+ * the bounds" mean axes with walls. Lengths and masses have the caller's units, time is in seconds, angles grow anticlockwise.
  *
- * <p><b>Handles</b> are longs, never 0, and stay valid until their circle is removed. After that they are stale: every method but
- * {@link #contains} and {@link #id} refuses them with an IllegalArgumentException, even if another circle has the id now. Methods that
- * take many handles skip and count stale ones if you ask for it ({@link StaleHandles}). Handles given after a snapshot was taken may
- * name other circles once it is restored. Handles of two worlds may be equal.
+ * <p><b>Handles</b> are longs, never 0. They are stale once their circle is removed: then all methods but {@link #contains} and {@link #id}
+ * refuse them with an IllegalArgumentException, or skip and count them if asked to ({@link StaleHandles}). Handles given after a snapshot
+ * was taken may name other circles once it is restored. Handles of two worlds may be equal. A new circle takes the lowest free {@link #id}.
+ * Bulk reads have the order of ids; those by id ({@link #readById}) leave gaps. Changes take effect in call order, at the latest before the
+ * next step or read.
  *
- * <p><b>Order:</b> the bulk reads give the circles in the order of their ids, which are the lower 32 bits of the handles. A new circle
- * takes the lowest free id. So while nothing is removed this is the order of adding, and removing a circle closes its gap. The reads
- * by id ({@link #readById}) leave the gaps, so the element of a circle depends on its {@link #id} alone.
- *
- * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest
- * before the next step or read.
- *
- * <p><b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}. Nothing pushes them, and they may overlap walls and each
- * other. They move only by the velocity set for them (none at first), and by {@link #setPosition} and {@link #teleport}. They turn only by
- * the angular velocity set for them, which drives what touches them, as a roller does.
- *
- * <p><b>Restitution</b> is the share of its speed that a bounce keeps. A pair has the greater of its two circles' values; at a wall the
- * circle's value counts. Slow impacts do not bounce, so that piles come to rest. An impact is slow if its speed along the normal is
- * at most sqrt(0.16 g r + c^2), or at most {@link Builder#restitutionThreshold}, if that is set. r is the mean radius of the pair, or
- * the circle's at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
- * 0.1 (1 - restitution) r per second for two circles that nothing carries. This limit falls from a restitution of 0.9 on, to 0 at a
- * restitution of 1: elastic circles bounce at any speed, so a pile of them never rests.
- *
- * <p><img src="doc-files/restitution.svg" alt="A ball with a restitution of 1 comes back to its height, with 0.5 to a quarter of it, with 0 it stays on the ground">
- *
- * <p><b>Overlaps</b>, for example after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do
- * not burst. Overlaps of up to 0.4 mean radii go at up to 0.8 mean radii a second, deeper ones faster
- * ({@link Builder#greatestPushOutSpeed}). Shallow overlaps shrink to a third in about a tenth of a second. Circles that need more room
- * than the arena has stay in each other.
- *
- * <p><b>Masses:</b> a circle can carry about a hundred times its own mass, whatever its radius and kind. A heavier load sinks into it:
- * a load of a thousand times its mass by 0.4 radii. A load of about ten thousand times its mass sinks through. So in a pile the light
- * circles under a heavy one overlap with it and are squeezed out. Let masses grow with the square of the radius: then radii of 1:10
- * have masses of 1:100. Masses that double from kind to kind reach 1:1024 with the eleventh kind.
- *
- * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
- * {@link Kind}.
- *
- * <p><b>Surfaces:</b> circles grip others and walls by friction, roll and stop by rolling resistance, and turn. Nothing grips at first.
- * {@link Builder#friction} makes all circles and walls grip, {@link Kind#setFriction} those of a kind, {@link #setFriction} one. A pair has
- * the geometric mean of both frictions, sqrt(a b), so without friction on one side there is none; it has the greater rolling resistance of
- * both, and the sum of the speeds of their belts ({@link Kind#setBeltSpeed}). A circle and a wall are a pair, too. Angles and angular
- * velocities grow to the left, anticlockwise where y points up. A world in which nothing ever gripped or turned pays nothing for all this.
- *
- * <p>The impulse of friction is at most the friction of the pair times the impulse that presses its surfaces together, that of a bounce
- * included. So balls that bounce grip without gravity, too. On a table that is seen from above nothing presses the balls onto the cloth:
- * let {@link Kind#setDamping} and {@link Kind#setAngularDamping} slow them down, or forces.
- *
- * <p><b>Terrain:</b> segments, smooth chains and arcs make slopes, caves, loops and drums, at rest or on bodies that move; see {@link
- * Terrain}.
- *
- * <p><b>Joints</b> make ropes, bridges, springs, wheels, soft bodies and bodies of several circles; see {@link Joints}. The joints of a circle go
- * with it.
- *
- * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
- * within the bounds, it means axes with walls.
- *
- * <p><img src="doc-files/edges.svg" alt="Three axes: walls keep a circle inside, an open end lets it go on, and a circle at a seam is on both sides">
- *
- * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
- * of threads; {@link #hash()} is a number to compare. So a world that {@link Rewind} has put back goes on to the same bits, and
- * {@link Replay} repeats the calls that a {@link Recording} has written. The largest circle sets the order of contacts, however far away it
- * is: a world that is to go on as another one does has it, too.
- *
- * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
- * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. It overlaps a circle at
- * rest that it hits by less than a twentieth of the smaller radius, if that one is at most three times as large, at any restitution and speed.
- * What is hit in its turn in the same step may be overlapped by more. Fences of static
- * circles hold: of 21,600 circles that flew for 300 steps at one, or between two, none slipped through. They flew at 1 to 200 radii a
- * step with restitution 0.8 or 1. None of 21,000 slipped past posts as small as a two-hundredth of their radius in 60 steps.
- * At gaps of 0.95 of their diameter, beside a wall, about one in a thousand still does. A circle does not stop at others whose radius is
- * less than a sixteenth of its own, unless they are static. Of pebbles with a tenth of its radius, a ball runs over about one in a
- * hundred. In one step a circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it
- * along. So do not make a circle tiny if it is to fly far.
- *
- * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead the circles that they meet, and pass
- * through none: fences of them drove through crowds at 0.2 to 10 of the circles' radii a step, and no circle slipped through. From about
- * half a radius a step on, they press a crowd into itself. Faster ones press circles into one point; these part later. They push
- * circles through other static ones. A circle between two that move against each other ends up behind one of them.
+ * <p><b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}. Nothing pushes them, and they may overlap. They move by the
+ * velocity set for them, by {@link #setPosition} and by {@link #teleport}, and turn by their angular velocity, as a roller does.
  *
  * <p><img src="doc-files/step.svg" alt="A step: changes, the look ahead of fast circles, contacts, sub-steps of four passes, then events and reads">
  *
- * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
- * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
- * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays saves up real time
- * and makes whole steps of one length, as {@link FixedStep} does.
+ * <p><b>A pair</b> has the greater restitution of its two (at a wall the circle's), the geometric mean of the frictions, sqrt(a b), the
+ * greater rolling resistance, and the sum of the belts ({@link Kind#setBeltSpeed}). Impacts up to a speed of sqrt(0.16 g r + c^2), or
+ * {@link Builder#restitutionThreshold}, do not bounce. r is the mean radius, g gravity (at a wall along its axis). c is r per second, or
+ * 0.1 (1 - restitution) r if nothing carries the two. The limit falls to 0 from a restitution of 0.9 to 1. Overlaps of up to 0.4 r are
+ * pushed out at up to 0.8 r a second, deeper ones faster ({@link Builder#greatestPushOutSpeed}), so that they do not burst.
  *
- * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
- * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
- * {@link #close()} every method but close throws an IllegalStateException.
+ * <p><img src="doc-files/restitution.svg" alt="A ball with a restitution of 1 comes back to its height, with 0.5 to a quarter of it, with 0 it stays on the ground">
  *
- * <p><b>Failures:</b> a call that throws an IllegalArgumentException has changed nothing. A call other than a step that finds too
- * little memory (OutOfMemoryError, {@link io.github.circles2d.opencl.DeviceMemoryException}) has changed nothing either, and may be
- * made again. A step that finds too little memory has changed nothing, or the state is lost, as it is if some of several steps have been
- * made. The state may be lost if a step fails in another way. It is lost if any other error ends a change half-way, and if an OpenCL
- * device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later call but close throws an
- * IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
+ * <p><b>Threads and failures:</b> a call while another thread is inside throws a ConcurrentModificationException; after {@link #close} all
+ * calls but close throw an IllegalStateException. A call that throws an IllegalArgumentException has changed nothing, nor has a call but a
+ * step that finds too little memory. If a step or device fails, or an error ends a change half-way, the state may be lost. Then all calls
+ * but close throw an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
- * <p><b>Ranges.</b> Within them no sequence of calls leads to a state that is not finite:
- *
- * <ul>
- *   <li>coordinates: up to 1e9 in magnitude;
- *   <li>radii: from 2^-20 of the greatest coordinate or extent of the bounds up to half of the lesser extent, or up to an eleventh of it
- *       along an axis that wraps;
- *   <li>masses: from 1e-9 to 1e9;
- *   <li>components of velocities and of gravity: up to 1e9 in magnitude;
- *   <li>friction and rolling resistance: from 0 to 1,000; angles that are set: up to 1e6 radians in magnitude, and angular velocities
- *       up to 1e9 radians a second;
- *   <li>steps: from 1e-6 to 1 second.
- * </ul>
+ * <p><b>Ranges</b>, within which all states are finite: coordinates, velocities and gravity up to 1e9; radii from 2^-20 of the greatest
+ * extent or coordinate of the bounds to half of the lesser extent, or an eleventh of it if it wraps; masses 1e-9 to 1e9; friction and
+ * rolling resistance up to 1,000; angles up to 1e6 and angular velocities up to 1e9 radians; steps 1e-6 to 1 second.
  */
 public final class World implements AutoCloseable {
     /** By the settings of the matrix of kinds. */

@@ -32,7 +32,7 @@ public final class CircleList {
     public void add(float x, float y, float radius, float mass, float vx, float vy) {
         Ranges.circle(x, y, radius, mass, vx, vy);
         if (size * BODY == bodies.length) {
-            // The length of the bodies, which grow last, tells whether there is room.
+            // Compare with the last array allocated, so a failed growth is retried.
             velocities = Arrays.copyOf(velocities, 2 * VELOCITY * size);
             bodies = Arrays.copyOf(bodies, 2 * BODY * size);
         }

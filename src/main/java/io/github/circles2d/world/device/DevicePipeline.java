@@ -325,7 +325,7 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
-    /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
+    /** Whether the pending batch can take these steps, which saves a round trip. */
     private boolean continues(StepInput input, GridLevels shape) {
         return input.constants.warmScale == 1f
                 && parameters.areOf(input, shape)

@@ -338,7 +338,7 @@ public final class Grid {
         return low;
     }
 
-    /** Whether all circles look at the slots [from, to) of a bucket as a whole: few, or of a level that is not folded, and none static. */
+    /** Whether a search may scan the slots [from, to) of a bucket without checking sheets. */
     boolean isPlain(int from, int to, int ofLevel) {
         boolean fewSheets = to - from <= GridLevels.FEW || !levels.folded[ofLevel];
         return fewSheets && (from == to || !levels.hasStatics || ((sheetKey[from] | sheetKey[to - 1]) & 1) == 0);

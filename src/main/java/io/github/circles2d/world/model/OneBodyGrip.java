@@ -2,7 +2,7 @@ package io.github.circles2d.world.model;
 
 /**
  * The grip of a circle and something that is no circle, as {@link OneBody} is their visit; it leaves its results in the fields. Impulses are
- * speeds. The circle is B, the tangent t the normal towards the circle, turned to the left.
+ * speeds. B is the circle; t is the normal, which points to the circle, rotated 90 degrees anticlockwise.
  */
 public final class OneBodyGrip {
     /** Of the circle: to be set before, and found after. */
