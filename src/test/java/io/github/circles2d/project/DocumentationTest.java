@@ -322,7 +322,7 @@ class DocumentationTest {
 
     /** Whoever wants to know more finds a link. */
     @ParameterizedTest
-    @CsvSource({"README.md, 1700", "ARCHITECTURE.md, 3000"})
+    @CsvSource({"README.md, 1700", "ARCHITECTURE.md, 1300"})
     void aPageThatIsReadFirstIsShort(String page, int words) throws IOException {
         assertThat(read(page).trim().split("\\s+")).hasSizeLessThanOrEqualTo(words);
     }
