@@ -173,7 +173,7 @@ public final class World implements AutoCloseable {
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
                         .with(b.surfaces()));
-        queries = new Queries(simulation.searches(), simulation.terrainSearches());
+        queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
     }
@@ -228,7 +228,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return simulation.newCircles().add(x, y, radius, mass, vx, vy);
+        return simulation.newCircles.add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -246,7 +246,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
-        return simulation.newCircles().add(x, y, radius, mass, vx, vy, kind);
+        return simulation.newCircles.add(x, y, radius, mass, vx, vy, kind);
     }
 
     /**
@@ -285,7 +285,7 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles) {
-        simulation.newCircles().addAll(circles, velocities, kinds, handles);
+        simulation.newCircles.addAll(circles, velocities, kinds, handles);
     }
 
     /**
@@ -295,7 +295,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void remove(long handle) {
-        simulation.circles().remove(handle);
+        simulation.circles.remove(handle);
     }
 
     /**
@@ -308,7 +308,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a handle is stale and not to be left out, or the count is out of range
      */
     public int removeAll(long[] handles, int count, StaleHandles stale) {
-        return simulation.bulk().remove(handles, count, StaleHandles.areSkipped(stale));
+        return simulation.bulk.remove(handles, count, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -320,7 +320,7 @@ public final class World implements AutoCloseable {
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
-        simulation.clearing().clear();
+        simulation.clearing.clear();
     }
 
     /**
@@ -343,7 +343,7 @@ public final class World implements AutoCloseable {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.circles().idLimit();
+        return simulation.circles.idLimit();
     }
 
     /**
@@ -354,7 +354,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.circles().handle(id);
+        return simulation.circles.handle(id);
     }
 
     /**
@@ -364,7 +364,7 @@ public final class World implements AutoCloseable {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long handle) {
-        return simulation.circles().contains(handle);
+        return simulation.circles.contains(handle);
     }
 
     /**
@@ -373,7 +373,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public int size() {
-        return simulation.circles().size();
+        return simulation.circles.size();
     }
 
     /**
@@ -393,7 +393,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
-        simulation.circles().move(handle, x, y);
+        simulation.circles.move(handle, x, y);
     }
 
     /**
@@ -406,7 +406,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void teleport(long handle, float x, float y) {
-        simulation.circles().set(Commands.POSITION, handle, x, y);
+        simulation.circles.set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -419,7 +419,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
-        simulation.circles().set(Commands.VELOCITY, handle, vx, vy);
+        simulation.circles.set(Commands.VELOCITY, handle, vx, vy);
     }
 
     /**
@@ -431,7 +431,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
-        simulation.circles().set(Commands.RADIUS, handle, radius, 0);
+        simulation.circles.set(Commands.RADIUS, handle, radius, 0);
     }
 
     /**
@@ -459,7 +459,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void grow(long handle, float radius, int steps) {
-        simulation.growth().grow(handle, radius, steps);
+        simulation.growth.grow(handle, radius, steps);
     }
 
     /**
@@ -471,7 +471,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
-        simulation.circles().set(Commands.MASS, handle, mass, 0);
+        simulation.circles.set(Commands.MASS, handle, mass, 0);
     }
 
     /**
@@ -482,7 +482,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
-        simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
+        simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
     /**
@@ -494,7 +494,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setTag(long handle, long tag) {
-        simulation.fields().set(CircleField.TAG, handle, tag);
+        simulation.fields.set(CircleField.TAG, handle, tag);
     }
 
     /**
@@ -505,7 +505,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setKind(long handle, int kind) {
-        simulation.circles().setKind(handle, kind);
+        simulation.circles.setKind(handle, kind);
     }
 
     /**
@@ -516,7 +516,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setGroup(long handle, int group) {
-        simulation.fields().set(CircleField.GROUP, handle, group);
+        simulation.fields.set(CircleField.GROUP, handle, group);
     }
 
     /**
@@ -528,7 +528,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
-        simulation.circles().set(Commands.IMPULSE, handle, x, y);
+        simulation.circles.set(Commands.IMPULSE, handle, x, y);
     }
 
     /**
@@ -547,7 +547,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void setForce(long handle, float x, float y) {
-        simulation.circles().setForce(handle, x, y);
+        simulation.circles.setForce(handle, x, y);
     }
 
     /**
@@ -560,7 +560,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyForce(long handle, float x, float y) {
-        simulation.forces().apply(handle, x, y);
+        simulation.forces.apply(handle, x, y);
     }
 
     /**
@@ -572,7 +572,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setFriction(long handle, float friction) {
-        simulation.fields().setFriction(handle, friction);
+        simulation.fields.setFriction(handle, friction);
     }
 
     /**
@@ -585,7 +585,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRollingResistance(long handle, float resistance) {
-        simulation.fields().setRollingResistance(handle, resistance);
+        simulation.fields.setRollingResistance(handle, resistance);
     }
 
     /**
@@ -597,7 +597,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngle(long handle, float angle) {
-        simulation.circles().setAngle(handle, angle);
+        simulation.circles.setAngle(handle, angle);
     }
 
     /**
@@ -610,7 +610,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngularVelocity(long handle, float velocity) {
-        simulation.circles().setAngularVelocity(handle, velocity);
+        simulation.circles.setAngularVelocity(handle, velocity);
     }
 
     /**
@@ -622,7 +622,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyAngularImpulse(long handle, float impulse) {
-        simulation.circles().applyAngularImpulse(handle, impulse);
+        simulation.circles.applyAngularImpulse(handle, impulse);
     }
 
     /**
@@ -634,7 +634,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setTorque(long handle, float torque) {
-        simulation.fields().setTorque(handle, torque);
+        simulation.fields.setTorque(handle, torque);
     }
 
     /**
@@ -646,7 +646,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyTorque(long handle, float torque) {
-        simulation.forces().applyTorque(handle, torque);
+        simulation.forces.applyTorque(handle, torque);
     }
 
     /**
@@ -662,7 +662,7 @@ public final class World implements AutoCloseable {
      *     out of range (the message has its place), or the count is out of range or there are too few values
      */
     public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
-        return simulation.bulk().setPositions(handles, count, positions, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setPositions(handles, count, positions, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -677,7 +677,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
-        return simulation.bulk().setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -691,7 +691,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
-        return simulation.bulk().applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
+        return simulation.bulk.applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -706,7 +706,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
-        return simulation.bulk().setForces(handles, count, forces, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setForces(handles, count, forces, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -721,9 +721,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale) {
-        return simulation
-                .bulk()
-                .setAngularVelocities(handles, count, angularVelocities, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setAngularVelocities(handles, count, angularVelocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -737,7 +735,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setKinds(long[] handles, int count, int[] kinds, StaleHandles stale) {
-        return simulation.bulk().setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -757,7 +755,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff) {
-        return simulation.bulk().explode(false, 0, x, y, radius, impulse, falloff);
+        return simulation.bulk.explode(false, 0, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -774,7 +772,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
-        return simulation.bulk().explode(true, mask, x, y, radius, impulse, falloff);
+        return simulation.bulk.explode(true, mask, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -792,7 +790,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff) {
-        return simulation.bulk().explodeInSight(false, 0, x, y, radius, impulse, falloff);
+        return simulation.bulk.explodeInSight(false, 0, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -809,7 +807,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff, int mask) {
-        return simulation.bulk().explodeInSight(true, mask, x, y, radius, impulse, falloff);
+        return simulation.bulk.explodeInSight(true, mask, x, y, radius, impulse, falloff);
     }
 
     // ---- the world
@@ -823,8 +821,8 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public Kind kind(int number) {
-        if (kinds[simulation.kinds().check(number)] == null) {
-            kinds[number] = new Kind(simulation.kinds(), number);
+        if (kinds[simulation.kinds.check(number)] == null) {
+            kinds[number] = new Kind(simulation.kinds, number);
         }
         return kinds[number];
     }
@@ -838,9 +836,8 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public void setResponse(int kindA, int kindB, Response response) {
-        simulation
-                .kinds()
-                .setSetting(kindA, kindB, Limits.notNull("response", response).ordinal());
+        simulation.kinds.setSetting(
+                kindA, kindB, Limits.notNull("response", response).ordinal());
     }
 
     /**
@@ -852,7 +849,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public Response response(int kindA, int kindB) {
-        return RESPONSES[simulation.kinds().setting(kindA, kindB)];
+        return RESPONSES[simulation.kinds.setting(kindA, kindB)];
     }
 
     /**
@@ -863,7 +860,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setGravity(float x, float y) {
-        simulation.setGravity(x, y);
+        simulation.surroundings.setGravity(x, y);
     }
 
     /**
@@ -872,7 +869,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared
      */
     public float gravityX() {
-        return simulation.gravityX();
+        return simulation.settings().gravityX();
     }
 
     /**
@@ -881,7 +878,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared; negative downwards
      */
     public float gravityY() {
-        return simulation.gravityY();
+        return simulation.settings().gravityY();
     }
 
     /**
@@ -898,7 +895,7 @@ public final class World implements AutoCloseable {
      *     or if the call would move the bounds of an axis that wraps
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        simulation.setBounds(minX, minY, maxX, maxY);
+        simulation.surroundings.setBounds(minX, minY, maxX, maxY);
     }
 
     /**
@@ -907,7 +904,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float minX() {
-        return simulation.bounds().minX();
+        return simulation.settings().bounds().minX();
     }
 
     /**
@@ -916,7 +913,7 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float minY() {
-        return simulation.bounds().minY();
+        return simulation.settings().bounds().minY();
     }
 
     /**
@@ -925,7 +922,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float maxX() {
-        return simulation.bounds().maxX();
+        return simulation.settings().bounds().maxX();
     }
 
     /**
@@ -934,12 +931,12 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float maxY() {
-        return simulation.bounds().maxY();
+        return simulation.settings().bounds().maxY();
     }
 
     /** The bounds, with what there is at their edges. */
     Bounds arena() {
-        return simulation.bounds();
+        return simulation.settings().bounds();
     }
 
     /**
@@ -948,7 +945,7 @@ public final class World implements AutoCloseable {
      * @return as {@link Builder#edges} has set it, or a restored snapshot
      */
     public Edge edgeX() {
-        return EDGES[simulation.bounds().edgeX().ordinal()];
+        return EDGES[simulation.settings().bounds().edgeX().ordinal()];
     }
 
     /**
@@ -957,7 +954,7 @@ public final class World implements AutoCloseable {
      * @return as {@link Builder#edges} has set it, or a restored snapshot
      */
     public Edge edgeY() {
-        return EDGES[simulation.bounds().edgeY().ordinal()];
+        return EDGES[simulation.settings().bounds().edgeY().ordinal()];
     }
 
     /**
@@ -966,7 +963,7 @@ public final class World implements AutoCloseable {
      * @return 0 (inelastic) to 1 (elastic)
      */
     public float defaultRestitution() {
-        return simulation.defaultRestitution();
+        return simulation.settings().defaultRestitution();
     }
 
     /**
@@ -976,7 +973,7 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float defaultFriction() {
-        return simulation.surfaces().friction;
+        return simulation.settings().surfaces().friction;
     }
 
     /**
@@ -986,7 +983,7 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float defaultRollingResistance() {
-        return simulation.surfaces().rollingResistance;
+        return simulation.settings().surfaces().rollingResistance;
     }
 
     /**
@@ -1003,7 +1000,8 @@ public final class World implements AutoCloseable {
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
         int number = Limits.notNull("wall", wall).ordinal();
-        simulation.setWallSurface(number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
+        simulation.surroundings.setWallSurface(
+                number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
     }
 
     /**
@@ -1013,7 +1011,10 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float wallFriction(Wall wall) {
-        return simulation.surfaces().wallFriction(Limits.notNull("wall", wall).ordinal());
+        return simulation
+                .settings()
+                .surfaces()
+                .wallFriction(Limits.notNull("wall", wall).ordinal());
     }
 
     /**
@@ -1024,6 +1025,7 @@ public final class World implements AutoCloseable {
      */
     public float wallRollingResistance(Wall wall) {
         return simulation
+                .settings()
                 .surfaces()
                 .wallRollingResistance(Limits.notNull("wall", wall).ordinal());
     }
@@ -1036,7 +1038,7 @@ public final class World implements AutoCloseable {
      */
     public float wallBeltSpeed(Wall wall) {
         int number = Limits.notNull("wall", wall).ordinal();
-        return BeltSpeed.ofWall(number, simulation.surfaces().wallBelt(number));
+        return BeltSpeed.ofWall(number, simulation.settings().surfaces().wallBelt(number));
     }
 
     /**
@@ -1045,7 +1047,7 @@ public final class World implements AutoCloseable {
      * @return 1 to 16
      */
     public int subSteps() {
-        return simulation.subSteps();
+        return simulation.settings().subSteps();
     }
 
     /**
@@ -1054,7 +1056,7 @@ public final class World implements AutoCloseable {
      * @return lengths per second; -1 if it follows from gravity, radii and restitutions
      */
     public float restitutionThreshold() {
-        return simulation.contacts().restitutionThreshold();
+        return simulation.settings().contacts().restitutionThreshold();
     }
 
     /**
@@ -1063,7 +1065,7 @@ public final class World implements AutoCloseable {
      * @return hertz
      */
     public float contactFrequency() {
-        return simulation.contacts().frequency();
+        return simulation.settings().contacts().frequency();
     }
 
     /**
@@ -1072,7 +1074,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public float contactDamping() {
-        return simulation.contacts().damping();
+        return simulation.settings().contacts().damping();
     }
 
     /**
@@ -1081,7 +1083,7 @@ public final class World implements AutoCloseable {
      * @return mean radii of the pair a second
      */
     public float greatestPushOutSpeed() {
-        return simulation.contacts().pushOutSpeed();
+        return simulation.settings().contacts().pushOutSpeed();
     }
 
     /**
@@ -1128,7 +1130,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void read(float[] circles) {
-        simulation.readings().read(circles);
+        simulation.readings.read(circles);
     }
 
     /**
@@ -1138,7 +1140,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
-        simulation.readings().read(circles);
+        simulation.readings.read(circles);
     }
 
     /**
@@ -1157,7 +1159,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readById(float[] circles, long[] living) {
-        simulation.readings().readById(circles, living);
+        simulation.readings.readById(circles, living);
     }
 
     /**
@@ -1168,7 +1170,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
-        simulation.readings().readVelocitiesById(velocities, living);
+        simulation.readings.readVelocitiesById(velocities, living);
     }
 
     /**
@@ -1179,12 +1181,12 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readAnglesById(float[] angles, long[] living) {
-        simulation.readings().readAnglesById(angles, living);
+        simulation.readings.readAnglesById(angles, living);
     }
 
     /** Reads angles by id in units of a turn's 2^-32; 0 where there is no circle. */
     void readAngleUnits(int[] units) {
-        simulation.readings().readUnitsById(units);
+        simulation.readings.readUnitsById(units);
     }
 
     /**
@@ -1196,7 +1198,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readAngularVelocitiesById(float[] angularVelocities, long[] living) {
-        simulation.readings().readAngularVelocitiesById(angularVelocities, living);
+        simulation.readings.readAngularVelocitiesById(angularVelocities, living);
     }
 
     /**
@@ -1208,7 +1210,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readRadiiById(float[] radii, long[] living) {
-        simulation.readings().readRadiiById(radii, living);
+        simulation.readings.readRadiiById(radii, living);
     }
 
     /**
@@ -1220,7 +1222,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readKindsById(int[] kinds, long[] living) {
-        simulation.readings().readKindsById(kinds, living);
+        simulation.readings.readKindsById(kinds, living);
     }
 
     /**
@@ -1232,7 +1234,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readTagsById(long[] tags, long[] living) {
-        simulation.readings().readTagsById(tags, living);
+        simulation.readings.readTagsById(tags, living);
     }
 
     /**
@@ -1247,7 +1249,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readLoadsById(float[] loads, long[] living) {
-        simulation.loads().readById(loads, living);
+        simulation.loads.readById(loads, living);
     }
 
     /**
@@ -1259,7 +1261,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public FloatBuffer positionsById(long[] living) {
-        return simulation.readings().positionsById(living);
+        return simulation.readings.positionsById(living);
     }
 
     /**
@@ -1270,7 +1272,7 @@ public final class World implements AutoCloseable {
      *     method or of {@link #positionsById} overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
-        return simulation.readings().positions();
+        return simulation.readings.positions();
     }
 
     /**
@@ -1281,7 +1283,7 @@ public final class World implements AutoCloseable {
      *     same object: the next call of this method overwrites what it shows, no other does
      */
     public FloatBuffer angles() {
-        return simulation.readings().angles();
+        return simulation.readings.angles();
     }
 
     /**
@@ -1298,7 +1300,7 @@ public final class World implements AutoCloseable {
      * their ids. A request that has not been taken is replaced by the next.
      */
     public void requestPositions() {
-        simulation.readings().requestPositions();
+        simulation.readings.requestPositions();
     }
 
     /**
@@ -1311,7 +1313,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
-        return simulation.readings().takePositions();
+        return simulation.readings.takePositions();
     }
 
     /**
@@ -1325,12 +1327,12 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short; the positions can still be taken
      */
     public FloatBuffer takePositionsById(long[] living) {
-        return simulation.readings().takePositionsById(living);
+        return simulation.readings.takePositionsById(living);
     }
 
     /** A number that is another one after each request for positions. */
     int positionRequests() {
-        return simulation.readings().requests();
+        return simulation.readings.requests();
     }
 
     /**
@@ -1338,12 +1340,12 @@ public final class World implements AutoCloseable {
      * now, and may be null.
      */
     void markGone(FloatBuffer values, int each, long[] living) {
-        simulation.readings().markGone(values, each, living);
+        simulation.readings.markGone(values, each, living);
     }
 
     /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
     int nextNew(int from) {
-        return simulation.readings().nextNew(from);
+        return simulation.readings.nextNew(from);
     }
 
     /**
@@ -1353,7 +1355,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void readVelocities(float[] velocities) {
-        simulation.readings().readVelocities(velocities);
+        simulation.readings.readVelocities(velocities);
     }
 
     /**
@@ -1363,7 +1365,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
-        simulation.readings().readVelocities(velocities);
+        simulation.readings.readVelocities(velocities);
     }
 
     /**
@@ -1373,7 +1375,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void readHandles(long[] handles) {
-        simulation.readings().readHandles(handles);
+        simulation.readings.readHandles(handles);
     }
 
     /**
@@ -1383,7 +1385,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
-        simulation.readings().readHandles(handles);
+        simulation.readings.readHandles(handles);
     }
 
     /**
@@ -1395,7 +1397,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float x(long handle) {
-        return simulation.readings().circle(handle, CircleRow.X);
+        return simulation.readings.circle(handle, CircleRow.X);
     }
 
     /**
@@ -1406,7 +1408,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float y(long handle) {
-        return simulation.readings().circle(handle, CircleRow.Y);
+        return simulation.readings.circle(handle, CircleRow.Y);
     }
 
     /**
@@ -1417,7 +1419,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float radius(long handle) {
-        return simulation.readings().circle(handle, CircleRow.RADIUS);
+        return simulation.readings.circle(handle, CircleRow.RADIUS);
     }
 
     /**
@@ -1428,7 +1430,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float mass(long handle) {
-        return simulation.readings().circle(handle, CircleRow.MASS);
+        return simulation.readings.circle(handle, CircleRow.MASS);
     }
 
     /**
@@ -1439,7 +1441,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float vx(long handle) {
-        return simulation.readings().vx(handle);
+        return simulation.readings.vx(handle);
     }
 
     /**
@@ -1450,7 +1452,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float vy(long handle) {
-        return simulation.readings().vy(handle);
+        return simulation.readings.vy(handle);
     }
 
     /**
@@ -1461,7 +1463,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angle(long handle) {
-        return simulation.readings().angle(handle);
+        return simulation.readings.angle(handle);
     }
 
     /**
@@ -1472,7 +1474,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angularVelocity(long handle) {
-        return simulation.readings().angularVelocity(handle);
+        return simulation.readings.angularVelocity(handle);
     }
 
     /**
@@ -1483,7 +1485,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float restitution(long handle) {
-        return simulation.circles().restitution(handle);
+        return simulation.circles.restitution(handle);
     }
 
     /**
@@ -1494,7 +1496,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int growthSteps(long handle) {
-        return simulation.growth().steps(handle);
+        return simulation.growth.steps(handle);
     }
 
     /**
@@ -1505,7 +1507,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceX(long handle) {
-        return simulation.fields().force(CircleField.FORCE_X, handle);
+        return simulation.fields.force(CircleField.FORCE_X, handle);
     }
 
     /**
@@ -1516,7 +1518,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceY(long handle) {
-        return simulation.fields().force(CircleField.FORCE_Y, handle);
+        return simulation.fields.force(CircleField.FORCE_Y, handle);
     }
 
     /**
@@ -1527,7 +1529,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float torque(long handle) {
-        return simulation.fields().force(CircleField.TORQUE, handle);
+        return simulation.fields.force(CircleField.TORQUE, handle);
     }
 
     /**
@@ -1538,7 +1540,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float friction(long handle) {
-        return simulation.fields().friction(handle);
+        return simulation.fields.friction(handle);
     }
 
     /**
@@ -1549,7 +1551,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float rollingResistance(long handle) {
-        return simulation.fields().rollingResistance(handle);
+        return simulation.fields.rollingResistance(handle);
     }
 
     /**
@@ -1560,7 +1562,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public long tag(long handle) {
-        return simulation.fields().get(CircleField.TAG, handle);
+        return simulation.fields.get(CircleField.TAG, handle);
     }
 
     /**
@@ -1571,7 +1573,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int kindOf(long handle) {
-        return (int) simulation.fields().get(CircleField.KIND, handle);
+        return (int) simulation.fields.get(CircleField.KIND, handle);
     }
 
     /**
@@ -1582,7 +1584,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int group(long handle) {
-        return (int) simulation.fields().get(CircleField.GROUP, handle);
+        return (int) simulation.fields.get(CircleField.GROUP, handle);
     }
 
     /**
@@ -1611,7 +1613,7 @@ public final class World implements AutoCloseable {
      * @return always the same object; its calls follow the rules of this class
      */
     public Queries queries() {
-        simulation.searches().requireOpen();
+        simulation.searches.requireOpen();
         return queries;
     }
 
@@ -1663,7 +1665,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there are other types
      */
     public void report(int types) {
-        simulation.reports().report(types);
+        simulation.reports.report(types);
     }
 
     /**
@@ -1678,7 +1680,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void report(int kindA, int kindB, int types) {
-        simulation.reports().report(kindA, kindB, types);
+        simulation.reports.report(kindA, kindB, types);
     }
 
     /**
@@ -1690,7 +1692,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void reportWalls(int kind, int types) {
-        simulation.reports().reportWalls(kind, types);
+        simulation.reports.reportWalls(kind, types);
     }
 
     /**
@@ -1705,7 +1707,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public int touching(int kindA, int kindB, long[] handles) {
-        return simulation.reports().touching(kindA, kindB, handles);
+        return simulation.reports.touching(kindA, kindB, handles);
     }
 
     /**
@@ -1720,7 +1722,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public int touchingPieces(int kind, int kindOfPieces, long[] handles) {
-        return simulation.reports().touchingPieces(kind, kindOfPieces, handles);
+        return simulation.reports.touchingPieces(kind, kindOfPieces, handles);
     }
 
     /**
@@ -1734,7 +1736,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the value is out of range
      */
     public void setHitSpeed(float speed) {
-        simulation.reports().setHitSpeed(speed);
+        simulation.reports.setHitSpeed(speed);
     }
 
     /**
@@ -1744,7 +1746,7 @@ public final class World implements AutoCloseable {
      * @return always the same object, which the next call fills again
      */
     public Events events() {
-        return events.of(simulation.reports().take());
+        return events.of(simulation.reports.take());
     }
 
     /**
@@ -1761,7 +1763,7 @@ public final class World implements AutoCloseable {
      * no request.
      */
     public void requestEvents() {
-        simulation.reports().request();
+        simulation.reports.request();
     }
 
     /**
@@ -1772,7 +1774,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public Events takeEvents() {
-        return events.of(simulation.reports().takeRequested());
+        return events.of(simulation.reports.takeRequested());
     }
 
     // ---- snapshots
@@ -1785,7 +1787,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if it is more than one buffer holds
      */
     public int snapshotBytes() {
-        return simulation.snapshots().bytes();
+        return simulation.snapshots.bytes();
     }
 
     /**
@@ -1806,7 +1808,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if the snapshot is more than one buffer holds
      */
     public void snapshot(ByteBuffer to) {
-        simulation.snapshots().write(to);
+        simulation.snapshots.write(to);
     }
 
     /**
@@ -1820,7 +1822,7 @@ public final class World implements AutoCloseable {
      *     before
      */
     public void restore(ByteBuffer from) {
-        simulation.snapshots().restore(from);
+        simulation.snapshots.restore(from);
     }
 
     /**

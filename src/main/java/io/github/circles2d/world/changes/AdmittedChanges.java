@@ -1,61 +1,37 @@
 package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.joints.JointTables;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.Needs;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.WorldParts;
 
 /** Makes what {@link PreparedChanges} has checked and prepared: records it in {@link Commands}, and changes what the host knows. */
 public final class AdmittedChanges {
-    private final Guard guard;
-    private final HandleTable handles;
-    private final Commands commands;
-    private final CallLog log;
-    private final Copies copies;
+    private final WorldParts world;
     private final Travels travelling;
-    private final JointTables joints;
-    private final Needs needs;
 
-    public AdmittedChanges(
-            Guard guard,
-            HandleTable handles,
-            Commands commands,
-            CallLog log,
-            Copies copies,
-            Travels travelling,
-            JointTables joints,
-            Needs needs) {
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.log = log;
-        this.copies = copies;
+    public AdmittedChanges(WorldParts world, Travels travelling) {
+        this.world = world;
         this.travelling = travelling;
-        this.joints = joints;
-        this.needs = needs;
     }
 
     /** Makes so many changes, some of which are travels. Reads are forgotten by the operation. */
     void make(int operation, int count, int travels) {
         if (travels < count) {
-            copies.forgetBy(operation);
+            world.copies.forgetBy(operation);
         } else {
-            copies.forgetSaved(); // reads give the old places
+            world.copies.forgetSaved(); // reads give the old places
         }
-        if (travels > 0) {
-            recordTravels(count);
+        for (int k = 0; k < count; k++) {
+            writeToLog(k);
         }
         boolean turns = Commands.turns(operation);
         boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        guard.changing = true;
+        world.guard.changing = true;
         if (turns && count > 0) {
-            needs.askToTurn();
+            world.needs.askToTurn();
         }
-        commands.admitChanges(ofPipelines ? count : changeAll(count));
-        guard.changing = false;
+        world.commands.admitChanges(ofPipelines ? count : changeAll(count));
+        world.guard.changing = false;
     }
 
     /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
@@ -63,43 +39,47 @@ public final class AdmittedChanges {
         int recorded = 0;
         for (int k = 0; k < count; k++) {
             if (change(k)) {
-                commands.advancePrepared(k, recorded++);
+                world.commands.advancePrepared(k, recorded++);
             }
         }
         return recorded;
     }
 
-    private void recordTravels(int count) {
-        for (int k = 0; k < count; k++) {
-            if (isTravel(k)) {
-                log.travel(commands.preparedId(k), commands.preparedFirst(k), commands.preparedSecond(k));
-            }
+    private void writeToLog(int k) {
+        int operation = world.commands.preparedOperation(k);
+        if (operation == Commands.FIELD) {
+            world.log.writeField(
+                    world.commands.preparedField(k), world.commands.preparedId(k), world.commands.preparedValue(k));
+        } else {
+            world.log.writeRecord(isTravel(k) ? Call.TRAVEL : Call.of(operation), world.commands.count() + k);
         }
     }
 
     private boolean isTravel(int k) {
-        return commands.preparedOperation(k) == Commands.POSITION && handles.isStatic(commands.preparedId(k));
+        return world.commands.preparedOperation(k) == Commands.POSITION
+                && world.handles.isStatic(world.commands.preparedId(k));
     }
 
     /** Makes one change likewise. Returns whether a pipeline has to know it too. */
     private boolean change(int k) {
-        int id = commands.preparedId(k);
-        switch (commands.preparedOperation(k)) {
+        int id = world.commands.preparedId(k);
+        switch (world.commands.preparedOperation(k)) {
             case Commands.POSITION -> {
-                if (handles.isStatic(id)) {
-                    travelling.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
+                if (world.handles.isStatic(id)) {
+                    travelling.set(id, world.commands.preparedFirst(k), world.commands.preparedSecond(k));
                     return false;
                 }
             }
             case Commands.REMOVE -> {
-                joints.departures().removeOfCircle(id);
-                handles.remove(id);
+                world.joints.departures().removeOfCircle(id);
+                world.handles.remove(id);
             }
-            case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
-            case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
+            case Commands.RESTITUTION -> world.handles.setRestitution(id, world.commands.preparedFirst(k));
+            case Commands.FIELD ->
+                world.handles.fields().set(world.commands.preparedField(k), id, world.commands.preparedValue(k));
             default ->
                 throw new IllegalStateException(
-                        "no change of the host's is operation " + commands.preparedOperation(k));
+                        "no change of the host's is operation " + world.commands.preparedOperation(k));
         }
         return true;
     }

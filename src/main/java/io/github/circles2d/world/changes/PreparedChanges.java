@@ -2,25 +2,18 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
  * {@link Commands}; {@link AdmittedChanges} then makes them. So a call for one circle and a call for many follow the same rules.
  */
 public final class PreparedChanges {
-    private final HandleTable handles;
-    private final Commands commands;
-    private final PendingWork pending;
-    private final WorldSettings settings;
+    private final WorldParts world;
     private final Kinds kinds;
     private final Travels travelling;
-    private final JointTables joints;
     private final AdmittedChanges admitted;
     private int count;
 
@@ -30,30 +23,18 @@ public final class PreparedChanges {
     /** The circles that are to be removed. Only valid if the call removes circles. */
     private final IdSet leaving = new IdSet();
 
-    public PreparedChanges(
-            HandleTable handles,
-            Commands commands,
-            PendingWork pending,
-            WorldSettings settings,
-            Kinds kinds,
-            Travels travelling,
-            JointTables joints,
-            AdmittedChanges admitted) {
-        this.handles = handles;
-        this.commands = commands;
-        this.pending = pending;
-        this.settings = settings;
+    public PreparedChanges(WorldParts world, Kinds kinds, Travels travelling, AdmittedChanges admitted) {
+        this.world = world;
         this.kinds = kinds;
         this.travelling = travelling;
-        this.joints = joints;
         this.admitted = admitted;
     }
 
     void checkValues(int operation, float a, float b) {
         switch (operation) {
-            case Commands.POSITION -> Limits.position(a, b, settings.bounds());
+            case Commands.POSITION -> Limits.position(a, b, world.settings.bounds());
             case Commands.VELOCITY -> Limits.velocity(a, b);
-            case Commands.RADIUS -> Limits.radius(a, settings.bounds());
+            case Commands.RADIUS -> Limits.radius(a, world.settings.bounds());
             case Commands.MASS -> Limits.mass(a);
             case Commands.RESTITUTION -> Limits.restitution(a);
             case Commands.IMPULSE -> Limits.impulse(a, b);
@@ -69,7 +50,7 @@ public final class PreparedChanges {
 
     /** Begins a call of about so many changes. */
     void begin(int changes) {
-        pending.expect(changes);
+        world.pending.expect(changes);
         count = 0;
         travels = 0;
     }
@@ -81,12 +62,12 @@ public final class PreparedChanges {
 
     /** Prepares an operation whose values are in range. */
     void setChecked(int operation, int id, float a, float b) {
-        commands.prepareChange(count++, operation, id, a, b);
+        world.commands.prepareChange(count++, operation, id, a, b);
     }
 
     /** Prepares a new angle, in units of a turn's 2^-32. */
     void setAngle(int id, int units) {
-        commands.prepareInt(count++, Commands.ANGLE, id, units);
+        world.commands.prepareInt(count++, Commands.ANGLE, id, units);
     }
 
     /** Prepares a new angular velocity. There is one zero. */
@@ -96,7 +77,7 @@ public final class PreparedChanges {
 
     /** Prepares an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
     void pushAround(int id, float impulse, float inertia) {
-        float ofKind = kinds.inertia(handles.fields().getInt(CircleField.KIND, id));
+        float ofKind = kinds.inertia(world.handles.fields().getInt(CircleField.KIND, id));
         set(Commands.ANGULAR_IMPULSE, id, impulse, Float.isNaN(inertia) ? ofKind : inertia);
     }
 
@@ -106,9 +87,9 @@ public final class PreparedChanges {
         setChecked(
                 Commands.POSITION,
                 id,
-                settings.bounds().placeX(x),
-                settings.bounds().placeY(y));
-        if (handles.isStatic(id)) {
+                world.settings.bounds().placeX(x),
+                world.settings.bounds().placeY(y));
+        if (world.handles.isStatic(id)) {
             travelling.ensure(id, travels++);
         }
     }
@@ -129,14 +110,14 @@ public final class PreparedChanges {
     }
 
     private void setField(CircleField field, int id, int value) {
-        handles.fields().ensure(field, id + 1);
-        commands.prepareField(count++, field, id, value);
+        world.handles.fields().ensure(field, id + 1);
+        world.commands.prepareField(count++, field, id, value);
     }
 
     /** Prepares that a circle goes. Returns false if this has been prepared already. */
     boolean remove(int id) {
         if (count == 0) {
-            leaving.begin(handles.end());
+            leaving.begin(world.handles.end());
         }
         if (!leaving.add(id)) {
             return false;
@@ -147,7 +128,7 @@ public final class PreparedChanges {
 
     /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. */
     void make(int operation) {
-        if (operation == Commands.REMOVE && joints.isThere()) {
+        if (operation == Commands.REMOVE && world.joints.isThere()) {
             makeRoomForJoints();
         }
         admitted.make(operation, count, travels);
@@ -155,11 +136,11 @@ public final class PreparedChanges {
 
     /** Joints go with their circles. */
     private void makeRoomForJoints() {
-        pending.settleJoints();
+        world.pending.settleJoints();
         int leavingToo = 0;
         for (int k = 0; k < count; k++) {
-            leavingToo += joints.departures().countOf(commands.preparedId(k));
+            leavingToo += world.joints.departures().countOf(world.commands.preparedId(k));
         }
-        joints.departures().ensure(leavingToo);
+        world.joints.departures().ensure(leavingToo);
     }
 }
