@@ -1,6 +1,5 @@
 package io.github.circles2d.world;
 
-import io.github.circles2d.world.changes.AdmittedChanges;
 import io.github.circles2d.world.changes.Bodies;
 import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.changes.Circles;
@@ -83,7 +82,7 @@ public final class Simulation implements AutoCloseable {
         growth = new Growth(world);
         Travels travels = new Travels(world);
         nextStep = new NextStep(world, forces, travels, growth);
-        PreparedChanges changes = new PreparedChanges(world, kinds, travels, new AdmittedChanges(world, travels));
+        PreparedChanges changes = new PreparedChanges(world, kinds, travels);
         newCircles = new NewCircles(world, kinds);
         nets = new Nets(world, newCircles);
         circles = new Circles(world, nextStep, changes);

@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.search.CategoryFilter;
 import io.github.circles2d.world.search.TerrainView;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
 import java.util.function.ToIntFunction;
 
@@ -22,7 +23,7 @@ public final class BulkChanges {
     }
 
     /** A call with many handles, and elements for each; the name of its values is null if it has none. */
-    private record Call<A>(
+    private record ManyChanges<A>(
             String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
 
     private final WorldParts world;
@@ -31,37 +32,37 @@ public final class BulkChanges {
     private final CategoryFilter filter;
     private final TerrainView view;
 
-    private final Call<Void> removal;
-    private final Call<float[]> positions;
-    private final Call<float[]> velocities;
-    private final Call<float[]> impulses;
-    private final Call<float[]> forces;
-    private final Call<float[]> angularVelocities;
-    private final Call<int[]> kinds;
+    private final ManyChanges<Void> removal;
+    private final ManyChanges<float[]> positions;
+    private final ManyChanges<float[]> velocities;
+    private final ManyChanges<float[]> impulses;
+    private final ManyChanges<float[]> forces;
+    private final ManyChanges<float[]> angularVelocities;
+    private final ManyChanges<int[]> kinds;
 
     public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView view) {
         this.world = world;
         this.changes = changes;
         this.view = view;
-        removal = new Call<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
+        removal = new ManyChanges<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
         positions = ofTwo("positions", Commands.POSITION, changes::move);
-        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Commands.VELOCITY, id, x, y));
-        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Commands.IMPULSE, id, x, y));
+        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Call.VELOCITY, id, x, y));
+        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Call.IMPULSE, id, x, y));
         forces = ofTwo("forces", Commands.FIELD, changes::setForce);
-        angularVelocities = new Call<>(
+        angularVelocities = new ManyChanges<>(
                 "angularVelocities", 1, values -> values.length, Commands.ANGULAR_VELOCITY, (id, values, i) -> {
                     changes.setAngularVelocity(id, values[i]);
                     return true;
                 });
-        kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
+        kinds = new ManyChanges<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
             changes.setKind(id, values[i]);
             return true;
         });
         filter = new CategoryFilter(world, 0);
     }
 
-    private static Call<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
-        return new Call<>(values, 2, array -> array.length, operation, (id, array, i) -> {
+    private static ManyChanges<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
+        return new ManyChanges<>(values, 2, array -> array.length, operation, (id, array, i) -> {
             preparation.prepare(id, array[2 * i], array[2 * i + 1]);
             return true;
         });
@@ -98,7 +99,7 @@ public final class BulkChanges {
     }
 
     /** In the order of the handles. Refuses stale handles, or leaves them out, and returns how many. */
-    private <A> int change(Call<A> call, long[] circles, int count, A values, boolean skipStale) {
+    private <A> int change(ManyChanges<A> call, long[] circles, int count, A values, boolean skipStale) {
         world.guard.enter();
         try {
             checkLengths(call, circles, count, values);
@@ -110,6 +111,8 @@ public final class BulkChanges {
                     left++;
                 }
             }
+            changes.makeRoom(call.operation);
+            changes.writeToLog();
             changes.make(call.operation);
             return left;
         } catch (RuntimeException | Error e) {
@@ -119,7 +122,7 @@ public final class BulkChanges {
         }
     }
 
-    private static <A> void checkLengths(Call<A> call, long[] circles, int count, A values) {
+    private static <A> void checkLengths(ManyChanges<A> call, long[] circles, int count, A values) {
         Limits.notNull("handles", circles);
         if (count < 0 || count > circles.length) {
             throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
@@ -145,7 +148,7 @@ public final class BulkChanges {
         return id;
     }
 
-    private <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
+    private <A> boolean prepare(ManyChanges<A> call, int id, A values, int i, boolean skipStale) {
         boolean isThere;
         try {
             isThere = call.preparation.prepare(id, values, i);
@@ -201,6 +204,7 @@ public final class BulkChanges {
                 s += CircleRow.STRIDE;
             }
         }
+        changes.writeToLog();
         changes.make(Commands.IMPULSE);
         return pushed;
     }

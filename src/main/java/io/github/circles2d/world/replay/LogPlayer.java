@@ -1,6 +1,5 @@
 package io.github.circles2d.world.replay;
 
-import static java.lang.Float.floatToRawIntBits;
 import static java.lang.Float.intBitsToFloat;
 
 import io.github.circles2d.world.Simulation;
@@ -147,14 +146,6 @@ public final class LogPlayer {
                 }
             }
             case HASH -> compare(Call.value(words[0], words[1]));
-            case ADD -> add();
-            case REMOVE -> simulation.circles.remove(handle());
-            case TRAVEL -> simulation.circles.move(handle(), real(1), real(2));
-            case ANGLE -> simulation.circles.turnTo(handle(), words[1]);
-            case ANGULAR_VELOCITY -> simulation.circles.setAngularVelocity(handle(), real(1));
-            case ANGULAR_IMPULSE -> simulation.circles.applyAngularImpulse(handle(), real(1), real(2));
-            case POSITION, VELOCITY, RADIUS, MASS, RESTITUTION, IMPULSE ->
-                simulation.circles.set(call.number, handle(), real(1), real(2));
             default -> simulation.calls.repeat(call, words);
         }
     }
@@ -168,25 +159,5 @@ public final class LogPlayer {
             recordedHash = expected;
             hash = found;
         }
-    }
-
-    private void add() {
-        long handle = simulation.newCircles.add(real(1), real(2), real(3), real(4), real(6), real(7));
-        if ((int) handle != words[0]) {
-            throw LogReader.refused("a new circle has the id " + words[0] + ", and not the lowest free one");
-        }
-        if (words[5] != floatToRawIntBits(simulation.circles.restitution(handle))) {
-            simulation.circles.set(Call.RESTITUTION.number, handle, real(5), 0);
-        }
-    }
-
-    /** The handle of the circle that a call is about. */
-    private long handle() {
-        simulation.calls.requireId(Call.Named.CIRCLE, words[0]);
-        return simulation.circles.handle(words[0]);
-    }
-
-    private float real(int word) {
-        return intBitsToFloat(words[word]);
     }
 }

@@ -16,38 +16,58 @@ import io.github.circles2d.world.terrain.BodyTable;
  * which the first is the id of what it is about. A log has calls in this form, and {@link Calls} makes them. A float is meant by its bits.
  */
 public enum Call {
-    /** A new circle: its id, x, y, radius, mass, restitution, vx, vy. */
-    ADD(Commands.ADD, 8),
+    /** A new circle, which gets the lowest free id: x, y, radius, mass, vx, vy, kind. */
+    ADD(Commands.ADD, 7, (w, settings) -> {
+        Limits.position(real(w[0]), real(w[1]), settings.bounds());
+        Limits.radius(real(w[2]), settings.bounds());
+        Limits.mass(real(w[3]));
+        Limits.velocity(real(w[4]), real(w[5]));
+        KindTable.check(w[6]);
+    }),
 
     /** A circle goes. */
     REMOVE(Commands.REMOVE, 1, Named.CIRCLE),
 
-    /** A circle is put somewhere else: the circle, x, y. */
-    POSITION(Commands.POSITION, 3, Named.CIRCLE),
+    /** A circle is at once somewhere else: the circle, x, y. */
+    POSITION(
+            Commands.POSITION,
+            3,
+            Named.CIRCLE,
+            (w, settings) -> Limits.position(real(w[1]), real(w[2]), settings.bounds())),
 
     /** The velocity of a circle: the circle, vx, vy. */
-    VELOCITY(Commands.VELOCITY, 3, Named.CIRCLE),
+    VELOCITY(Commands.VELOCITY, 3, Named.CIRCLE, (w, settings) -> Limits.velocity(real(w[1]), real(w[2]))),
 
     /** The radius of a circle: the circle, the radius. */
-    RADIUS(Commands.RADIUS, 2, Named.CIRCLE),
+    RADIUS(Commands.RADIUS, 2, Named.CIRCLE, (w, settings) -> Limits.radius(real(w[1]), settings.bounds())),
 
     /** The mass of a circle: the circle, the mass. */
-    MASS(Commands.MASS, 2, Named.CIRCLE),
+    MASS(Commands.MASS, 2, Named.CIRCLE, (w, settings) -> Limits.mass(real(w[1]))),
 
     /** The restitution of a circle: the circle, the restitution. */
-    RESTITUTION(Commands.RESTITUTION, 2, Named.CIRCLE),
+    RESTITUTION(Commands.RESTITUTION, 2, Named.CIRCLE, (w, settings) -> Limits.restitution(real(w[1]))),
 
     /** An impulse: the circle, x, y. */
-    IMPULSE(Commands.IMPULSE, 3, Named.CIRCLE),
+    IMPULSE(Commands.IMPULSE, 3, Named.CIRCLE, (w, settings) -> Limits.impulse(real(w[1]), real(w[2]))),
 
     /** The angle of a circle: the circle, the angle in units. */
     ANGLE(Commands.ANGLE, 2, Named.CIRCLE),
 
     /** The angular velocity of a circle: the circle, the velocity. */
-    ANGULAR_VELOCITY(Commands.ANGULAR_VELOCITY, 2, Named.CIRCLE),
+    ANGULAR_VELOCITY(
+            Commands.ANGULAR_VELOCITY,
+            2,
+            Named.CIRCLE,
+            (w, settings) ->
+                    Limits.within("angular velocity", real(w[1]), -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY)),
 
-    /** An angular impulse: the circle, the impulse, the inverse inertia by inverse mass. */
-    ANGULAR_IMPULSE(Commands.ANGULAR_IMPULSE, 3, Named.CIRCLE),
+    /** An angular impulse: the circle, the impulse. */
+    ANGULAR_IMPULSE(
+            Commands.ANGULAR_IMPULSE,
+            2,
+            Named.CIRCLE,
+            (w, settings) ->
+                    Limits.within("angular impulse", real(w[1]), -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE)),
 
     /** Steps: length, how many. A replay makes them one by one. */
     STEP(64, 2),
@@ -64,8 +84,8 @@ public enum Call {
     /** A field of a circle: the circle, the field's number, the value as two halves. */
     FIELD(68, 4, Named.CIRCLE, (w, settings) -> field(w[1]).check(value(w[2], w[3]))),
 
-    /** A static circle is to travel: the circle, x, y. */
-    TRAVEL(69, 3, Named.CIRCLE),
+    /** A circle is put somewhere else, where a static one travels in the next step: the circle, x, y. */
+    MOVE(69, 3, Named.CIRCLE, POSITION.range),
 
     /** A force acts in the next step: the circle, x, y. */
     FORCE(70, 3, Named.CIRCLE, (w, settings) -> Limits.force(real(w[1]), real(w[2]))),
@@ -185,7 +205,13 @@ public enum Call {
     REMOVE_JOINT(97, 1, Named.JOINT),
 
     /** All joints go. */
-    CLEAR_JOINTS(98, 0);
+    CLEAR_JOINTS(98, 0),
+
+    /** A circle gets a kind, and its restitution if it has one: the circle, the kind. */
+    CIRCLE_KIND(99, 2, Named.CIRCLE, (w, settings) -> KindTable.check(w[1])),
+
+    /** A force that stays: the circle, x, y. */
+    STEADY_FORCE(100, 3, Named.CIRCLE, FORCE.range);
 
     /** What the first word of a call may be the id of. */
     public enum Named {

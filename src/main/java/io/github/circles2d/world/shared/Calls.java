@@ -45,9 +45,14 @@ public final class Calls {
         return make(call, floatToRawIntBits(a), floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
     }
 
+    /** The same with more words. */
+    public long make(Call call, int a, int b, int c, int d, int e, int f, int g) {
+        return make(call, 0, a, b, c, d, e, f, g, 0);
+    }
+
     /** Makes a call about what has a handle, by the words that follow. */
     public long change(Call call, long handle, int b, int c, int d) {
-        return change(call, handle, b, c, d, 0, 0, 0, 0);
+        return make(call, handle, 0, b, c, d, 0, 0, 0, 0);
     }
 
     /** The same with floats. */
