@@ -302,7 +302,7 @@ public final class FixedStep {
             world.readAngleUnits(anglesBefore);
         }
         if (keepsBodies) {
-            world.simulation().bodies().keep(bodiesBefore);
+            world.simulation().bodies.keep(bodiesBefore);
         }
     }
 
@@ -316,7 +316,7 @@ public final class FixedStep {
             hasAngles = true;
         }
         if (keepsBodies) {
-            world.simulation().bodies().keep(bodiesAfter);
+            world.simulation().bodies.keep(bodiesAfter);
             hasBodies = true;
         }
     }
@@ -497,7 +497,7 @@ public final class FixedStep {
     public int pieces(float[] pieces, long[] handles) {
         keepBodies();
         return world.simulation()
-                .pieces()
+                .pieces
                 .readBetween(bodiesBefore, bodiesAfter, alpha(), bodiesBetween, pieces, handles);
     }
 
@@ -513,9 +513,9 @@ public final class FixedStep {
         if (Limits.notNull("pose", pose).length < 3) {
             throw new IllegalArgumentException("pose has " + pose.length + " elements, but must have 3");
         }
-        int id = world.simulation().bodies().require(handle);
+        int id = world.simulation().bodies.require(handle);
         keepBodies();
-        world.simulation().bodies().keepBetween(id, bodiesBefore, bodiesAfter, alpha(), bodiesBetween);
+        world.simulation().bodies.keepBetween(id, bodiesBefore, bodiesAfter, alpha(), bodiesBetween);
         pose[0] = (float) bodiesBetween.x(id);
         pose[1] = (float) bodiesBetween.y(id);
         pose[2] = Surface.radians(bodiesBetween.angle(id));
@@ -534,14 +534,14 @@ public final class FixedStep {
     public int jointEnds(float[] ends, long[] handles) {
         FloatBuffer positions = positions(null);
         keepBodies();
-        return world.simulation().jointReads().readEnds(drawn.at(positions, alpha()), ends, handles);
+        return world.simulation().jointReads.readEnds(drawn.at(positions, alpha()), ends, handles);
     }
 
     private void keepBodies() {
         keepsBodies = true;
         if (!hasBodies) {
-            world.simulation().bodies().keep(bodiesBefore);
-            world.simulation().bodies().keep(bodiesAfter);
+            world.simulation().bodies.keep(bodiesBefore);
+            world.simulation().bodies.keep(bodiesAfter);
         }
     }
 

@@ -20,7 +20,7 @@ public record JointedCircles(long[] circles, long[] joints) {
     /** Adds circles and their joints, all or nothing. */
     static JointedCircles add(World world, Net net) {
         JointedCircles made = new JointedCircles(new long[net.size()], new long[net.joints()]);
-        world.simulation().nets().add(net, made.circles, made.joints);
+        world.simulation().nets.add(net, made.circles, made.joints);
         return made;
     }
 }

@@ -63,7 +63,7 @@ public final class Joints {
      *     there are 2^20 joints
      */
     public long add(long circle, long other, Joint joint) {
-        return simulation.joints().add(circle, other, form(joint));
+        return simulation.joints.add(circle, other, form(joint));
     }
 
     /**
@@ -78,7 +78,7 @@ public final class Joints {
      *     there are 2^20 joints
      */
     public long add(long circle, float x, float y, Joint joint) {
-        return simulation.joints().add(circle, simulation.bodies().ground(), x, y, form(joint));
+        return simulation.joints.add(circle, simulation.bodies.ground(), x, y, form(joint));
     }
 
     /**
@@ -94,7 +94,7 @@ public final class Joints {
      */
     public long add(long circle, TerrainBody body, float x, float y, Joint joint) {
         long handle = Limits.notNull("body", body).handleIn(simulation);
-        return simulation.joints().add(circle, handle, x, y, form(joint));
+        return simulation.joints.add(circle, handle, x, y, form(joint));
     }
 
     /**
@@ -106,7 +106,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the circle has been removed or is static, the joint needs another end, or there are 2^20 joints
      */
     public long add(long circle, Joint joint) {
-        return simulation.joints().add(circle, form(joint));
+        return simulation.joints.add(circle, form(joint));
     }
 
     /**
@@ -121,7 +121,7 @@ public final class Joints {
      *     wrong length
      */
     public int addAll(long[] circles, long[] others, Joint joint, long[] handles) {
-        return simulation.joints().addAll(circles, others, form(joint), handles);
+        return simulation.joints.addAll(circles, others, form(joint), handles);
     }
 
     /**
@@ -136,7 +136,7 @@ public final class Joints {
      *     too short
      */
     public int addAll(long[] circles, Joint joint, long[] handles) {
-        return simulation.joints().addAll(circles, form(joint), handles);
+        return simulation.joints.addAll(circles, form(joint), handles);
     }
 
     // ---- joints go
@@ -149,7 +149,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public void remove(long joint) {
-        simulation.joints().remove(joint);
+        simulation.joints.remove(joint);
     }
 
     /**
@@ -159,12 +159,12 @@ public final class Joints {
      * @throws IllegalArgumentException if a joint has gone, or is there twice; the message has the index
      */
     public void removeAll(long[] joints) {
-        simulation.joints().removeAll(joints);
+        simulation.joints.removeAll(joints);
     }
 
     /** Removes all joints. */
     public void clear() {
-        simulation.joints().clear();
+        simulation.joints.clear();
     }
 
     // ---- which there are
@@ -177,7 +177,7 @@ public final class Joints {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long joint) {
-        return simulation.jointReads().contains(joint);
+        return simulation.jointReads.contains(joint);
     }
 
     /**
@@ -186,7 +186,7 @@ public final class Joints {
      * @return at least 0
      */
     public int size() {
-        return simulation.jointReads().size();
+        return simulation.jointReads.size();
     }
 
     /**
@@ -206,7 +206,7 @@ public final class Joints {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.joints().idLimit();
+        return simulation.joints.idLimit();
     }
 
     /**
@@ -217,7 +217,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.joints().handle(id);
+        return simulation.joints.handle(id);
     }
 
     /**
@@ -228,7 +228,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public long circle(long joint) {
-        return simulation.jointReads().circle(joint, false);
+        return simulation.jointReads.circle(joint, false);
     }
 
     /**
@@ -239,7 +239,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public long other(long joint) {
-        return simulation.jointReads().circle(joint, true);
+        return simulation.jointReads.circle(joint, true);
     }
 
     /**
@@ -250,7 +250,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public Joint joint(long joint) {
-        return new Joint(simulation.jointReads().form(joint));
+        return new Joint(simulation.jointReads.form(joint));
     }
 
     /**
@@ -262,7 +262,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the circle has been removed, or the handle is none
      */
     public int ofCircle(long circle, long[] joints) {
-        return simulation.jointReads().ofCircle(circle, joints);
+        return simulation.jointReads.ofCircle(circle, joints);
     }
 
     /**
@@ -275,7 +275,7 @@ public final class Joints {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long pick(float x, float y, float maxDistance) {
-        return simulation.jointReads().pick(x, y, maxDistance);
+        return simulation.jointReads.pick(x, y, maxDistance);
     }
 
     // ---- where they are, and what they do
@@ -289,7 +289,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone or has no anchor
      */
     public float anchorX(long joint) {
-        return simulation.jointReads().anchorX(joint);
+        return simulation.jointReads.anchorX(joint);
     }
 
     /**
@@ -300,7 +300,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone or has no anchor
      */
     public float anchorY(long joint) {
-        return simulation.jointReads().anchorY(joint);
+        return simulation.jointReads.anchorY(joint);
     }
 
     /**
@@ -311,7 +311,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float length(long joint) {
-        return simulation.jointReads().length(joint);
+        return simulation.jointReads.length(joint);
     }
 
     /**
@@ -322,7 +322,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float forceX(long joint) {
-        return simulation.jointReads().forceX(joint);
+        return simulation.jointReads.forceX(joint);
     }
 
     /**
@@ -333,7 +333,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float forceY(long joint) {
-        return simulation.jointReads().forceY(joint);
+        return simulation.jointReads.forceY(joint);
     }
 
     /**
@@ -345,7 +345,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float force(long joint) {
-        return simulation.jointReads().force(joint);
+        return simulation.jointReads.force(joint);
     }
 
     /**
@@ -356,7 +356,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float torque(long joint) {
-        return simulation.jointReads().torque(joint);
+        return simulation.jointReads.torque(joint);
     }
 
     /**
@@ -369,7 +369,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the array is too short
      */
     public int readEnds(float[] ends) {
-        return simulation.jointReads().readEnds(ends);
+        return simulation.jointReads.readEnds(ends);
     }
 
     // ---- joints that go by themselves
@@ -382,7 +382,7 @@ public final class Joints {
      * @param on whether it tells of them from now on; if not, those of which it has not told yet are forgotten
      */
     public void report(boolean on) {
-        simulation.joints().report(on);
+        simulation.joints.report(on);
     }
 
     /**
@@ -391,7 +391,7 @@ public final class Joints {
      * @return always the same object, which the next call fills again
      */
     public JointEvents events() {
-        simulation.joints().take(events.rows());
+        simulation.joints.take(events.rows());
         return events;
     }
 
@@ -399,7 +399,7 @@ public final class Joints {
     // -----------------------------------------------------------------------------------------------
 
     private void set(JointSetting setting, long joint, float a, float b) {
-        simulation.joints().set(setting, joint, a, b);
+        simulation.joints.set(setting, joint, a, b);
     }
 
     /**

@@ -48,7 +48,7 @@ public final class Recording implements AutoCloseable {
      * @throws IllegalStateException if the world is being recorded already
      */
     public Recording(World world, OutputStream out, int hashEvery) throws IOException {
-        journal = Limits.notNull("world", world).simulation().journal();
+        journal = Limits.notNull("world", world).simulation().journal;
         this.out = Limits.notNull("out", out);
         Limits.within("the number of steps between two hashes", hashEvery, 1, Integer.MAX_VALUE);
         log = journal.start(out, hashEvery);

@@ -73,7 +73,7 @@ public final class Rewind {
      */
     public Rewind(World world, int frames) {
         Limits.notNull("world", world).simulation().check();
-        snapshots = world.simulation().snapshots();
+        snapshots = world.simulation().snapshots;
         ring = new SnapshotRing(Limits.within("the number of frames", frames, 1, GREATEST_FRAMES));
     }
 

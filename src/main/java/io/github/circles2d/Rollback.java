@@ -335,7 +335,7 @@ public final class Rollback {
     /** Makes the world and the game what they were at the start of the next frame to make. May be repeated if it fails. */
     private void goBack() {
         int place = next % window;
-        world.simulation().reports().restore(reported[place]); // first: it decides which pairs that touch are restored
+        world.simulation().reports.restore(reported[place]); // first: it decides which pairs that touch are restored
         world.joints().report(reportedJoints[place]);
         rewind.restore(next);
         random = randoms[place];
@@ -357,8 +357,8 @@ public final class Rollback {
             states[place] = ByteBuffer.allocate(2 * states[place].capacity());
         }
         randoms[place] = random;
-        reported[place] = world.simulation().reports().settings();
-        reportedJoints[place] = world.simulation().joints().reports();
+        reported[place] = world.simulation().reports.settings();
+        reportedJoints[place] = world.simulation().joints.reports();
         world.events();
         world.joints().events();
         rewind.save(next);

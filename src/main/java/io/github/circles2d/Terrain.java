@@ -103,7 +103,7 @@ public final class Terrain {
     Terrain(Simulation simulation) {
         this.simulation = simulation;
         bodies[0] = new TerrainBody(simulation)
-                .of(simulation.bodies().ground()); // memory may end in the first call of a body
+                .of(simulation.bodies.ground()); // memory may end in the first call of a body
     }
 
     // ---- bodies
@@ -115,7 +115,7 @@ public final class Terrain {
      * @return always the same object
      */
     public TerrainBody ground() {
-        return object(simulation.bodies().ground());
+        return object(simulation.bodies.ground());
     }
 
     /**
@@ -128,9 +128,9 @@ public final class Terrain {
      * @throws IllegalArgumentException if a value is out of range, or there are 2^20 bodies
      */
     public TerrainBody addBody(float x, float y, float angle) {
-        makeRoom(simulation.bodies().idLimit());
+        makeRoom(simulation.bodies.idLimit());
         TerrainBody body = new TerrainBody(simulation);
-        long handle = simulation.bodies().add(x, y, angle);
+        long handle = simulation.bodies.add(x, y, angle);
         bodies[Handle.id(handle)] = body.of(handle);
         return body;
     }
@@ -143,7 +143,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the body has been removed, or the handle is none
      */
     public TerrainBody body(long handle) {
-        simulation.bodies().require(handle);
+        simulation.bodies.require(handle);
         return object(handle);
     }
 
@@ -155,7 +155,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or the handle is none
      */
     public TerrainBody bodyOf(long piece) {
-        return object(simulation.pieces().bodyOf(piece));
+        return object(simulation.pieces.bodyOf(piece));
     }
 
     private void makeRoom(int id) {
@@ -206,7 +206,7 @@ public final class Terrain {
      * @throws IllegalArgumentException as {@link #addSegment(float, float, float, float)}, or if there is no such kind
      */
     public long addSegment(float x1, float y1, float x2, float y2, float thickness, int kind) {
-        return simulation.pieces().addSegment(simulation.bodies().ground(), kind, x1, y1, x2, y2, thickness);
+        return simulation.pieces.addSegment(simulation.bodies.ground(), kind, x1, y1, x2, y2, thickness);
     }
 
     /**
@@ -286,12 +286,12 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or the handle is none
      */
     public void remove(long piece) {
-        simulation.pieces().remove(piece);
+        simulation.pieces.remove(piece);
     }
 
     /** Removes all pieces, and all bodies but the ground. */
     public void clear() {
-        simulation.pieces().clear();
+        simulation.pieces.clear();
     }
 
     /**
@@ -301,7 +301,7 @@ public final class Terrain {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long piece) {
-        return simulation.pieces().contains(piece);
+        return simulation.pieces.contains(piece);
     }
 
     /**
@@ -321,7 +321,7 @@ public final class Terrain {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.pieces().idLimit();
+        return simulation.pieces.idLimit();
     }
 
     /**
@@ -332,7 +332,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.pieces().handle(id);
+        return simulation.pieces.handle(id);
     }
 
     /**
@@ -341,7 +341,7 @@ public final class Terrain {
      * @return at least 0
      */
     public int size() {
-        return simulation.pieces().size();
+        return simulation.pieces.size();
     }
 
     /**
@@ -352,7 +352,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or there is no such kind
      */
     public void setKind(long piece, int kind) {
-        simulation.pieces().setKind(piece, kind);
+        simulation.pieces.setKind(piece, kind);
     }
 
     /**
@@ -363,7 +363,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or the handle is none
      */
     public int kindOf(long piece) {
-        return simulation.pieces().kindOf(piece);
+        return simulation.pieces.kindOf(piece);
     }
 
     /**
@@ -387,6 +387,6 @@ public final class Terrain {
      * @throws IllegalArgumentException if an array is too short
      */
     public int readPieces(float[] pieces, long[] handles) {
-        return simulation.pieces().read(pieces, handles);
+        return simulation.pieces.read(pieces, handles);
     }
 }

@@ -53,7 +53,7 @@ public final class TerrainBody {
      * @return true at first
      */
     public boolean exists() {
-        return simulation.bodies().contains(handle);
+        return simulation.bodies.contains(handle);
     }
 
     // ---- pieces
@@ -87,7 +87,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException as {@link #addSegment(float, float, float, float)}, or if there is no such kind
      */
     public long addSegment(float x1, float y1, float x2, float y2, float thickness, int kind) {
-        return simulation.pieces().addSegment(handle, kind, x1, y1, x2, y2, thickness);
+        return simulation.pieces.addSegment(handle, kind, x1, y1, x2, y2, thickness);
     }
 
     /**
@@ -121,7 +121,7 @@ public final class TerrainBody {
      */
     public long addArc(float x, float y, float radius, float from, float to, ArcSide side, int kind) {
         boolean inside = Limits.notNull("side", side) == ArcSide.INNER;
-        return simulation.pieces().addArc(handle, kind, x, y, radius, from, to, inside);
+        return simulation.pieces.addArc(handle, kind, x, y, radius, from, to, inside);
     }
 
     /**
@@ -145,9 +145,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException as {@link #addChain(Chain)}, or if there is no such kind, or the array is too short
      */
     public int addChain(Chain chain, int kind, long[] handles) {
-        return simulation
-                .pieces()
-                .addChain(handle, Limits.notNull("chain", chain).path(), kind, handles);
+        return simulation.pieces.addChain(handle, Limits.notNull("chain", chain).path(), kind, handles);
     }
 
     /**
@@ -160,7 +158,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a segment is refused, with its index; if there is no such kind; or if an array has a wrong length
      */
     public int addSegments(float[] ends, int kind, long[] handles) {
-        return simulation.pieces().addSegments(handle, ends, kind, handles);
+        return simulation.pieces.addSegments(handle, ends, kind, handles);
     }
 
     // ---- motion
@@ -174,7 +172,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void setVelocity(float vx, float vy) {
-        simulation.bodies().setVelocity(handle, vx, vy);
+        simulation.bodies.setVelocity(handle, vx, vy);
     }
 
     /**
@@ -185,7 +183,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if the value is out of range, or this is the ground
      */
     public void setAngularVelocity(float velocity) {
-        simulation.bodies().setAngularVelocity(handle, velocity);
+        simulation.bodies.setAngularVelocity(handle, velocity);
     }
 
     /**
@@ -198,7 +196,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void moveTo(float x, float y, float angle) {
-        simulation.bodies().move(handle, x, y, angle);
+        simulation.bodies.move(handle, x, y, angle);
     }
 
     /**
@@ -210,7 +208,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void teleport(float x, float y, float angle) {
-        simulation.bodies().teleport(handle, x, y, angle);
+        simulation.bodies.teleport(handle, x, y, angle);
     }
 
     /**
@@ -219,7 +217,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if this is the ground, or the body has been removed
      */
     public void remove() {
-        simulation.bodies().remove(handle);
+        simulation.bodies.remove(handle);
     }
 
     /**
@@ -228,7 +226,7 @@ public final class TerrainBody {
      * @return a coordinate
      */
     public float x() {
-        return simulation.bodies().x(handle);
+        return simulation.bodies.x(handle);
     }
 
     /**
@@ -237,7 +235,7 @@ public final class TerrainBody {
      * @return a coordinate
      */
     public float y() {
-        return simulation.bodies().y(handle);
+        return simulation.bodies.y(handle);
     }
 
     /**
@@ -246,7 +244,7 @@ public final class TerrainBody {
      * @return radians, at least -pi and less than pi
      */
     public float angle() {
-        return simulation.bodies().angle(handle);
+        return simulation.bodies.angle(handle);
     }
 
     /**
@@ -272,7 +270,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or the body has been removed
      */
     public float localX(float worldX, float worldY) {
-        return simulation.bodies().localX(handle, worldX, worldY);
+        return simulation.bodies.localX(handle, worldX, worldY);
     }
 
     /**
@@ -284,7 +282,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or the body has been removed
      */
     public float localY(float worldX, float worldY) {
-        return simulation.bodies().localY(handle, worldX, worldY);
+        return simulation.bodies.localY(handle, worldX, worldY);
     }
 
     /**
@@ -296,7 +294,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or the body has been removed
      */
     public float worldX(float localX, float localY) {
-        return simulation.bodies().worldX(handle, localX, localY);
+        return simulation.bodies.worldX(handle, localX, localY);
     }
 
     /**
@@ -308,7 +306,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or the body has been removed
      */
     public float worldY(float localX, float localY) {
-        return simulation.bodies().worldY(handle, localX, localY);
+        return simulation.bodies.worldY(handle, localX, localY);
     }
 
     /**
@@ -317,7 +315,7 @@ public final class TerrainBody {
      * @return lengths per second; 0 at first
      */
     public float vx() {
-        return simulation.bodies().vx(handle);
+        return simulation.bodies.vx(handle);
     }
 
     /**
@@ -326,7 +324,7 @@ public final class TerrainBody {
      * @return lengths per second; 0 at first
      */
     public float vy() {
-        return simulation.bodies().vy(handle);
+        return simulation.bodies.vy(handle);
     }
 
     /**
@@ -335,7 +333,7 @@ public final class TerrainBody {
      * @return radians per second; 0 at first
      */
     public float angularVelocity() {
-        return simulation.bodies().angularVelocity(handle);
+        return simulation.bodies.angularVelocity(handle);
     }
 
     @Override

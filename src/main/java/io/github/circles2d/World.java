@@ -92,7 +92,7 @@ public final class World implements AutoCloseable {
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
                         .with(b.surfaces()));
-        queries = new Queries(simulation.searches(), simulation.terrainSearches());
+        queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
     }
@@ -147,7 +147,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return simulation.newCircles().add(x, y, radius, mass, vx, vy);
+        return simulation.newCircles.add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -165,7 +165,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
-        return simulation.newCircles().add(x, y, radius, mass, vx, vy, kind);
+        return simulation.newCircles.add(x, y, radius, mass, vx, vy, kind);
     }
 
     /**
@@ -204,7 +204,7 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles) {
-        simulation.newCircles().addAll(circles, velocities, kinds, handles);
+        simulation.newCircles.addAll(circles, velocities, kinds, handles);
     }
 
     /**
@@ -214,7 +214,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void remove(long handle) {
-        simulation.circles().remove(handle);
+        simulation.circles.remove(handle);
     }
 
     /**
@@ -227,7 +227,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a handle is stale and not to be left out, or the count is out of range
      */
     public int removeAll(long[] handles, int count, StaleHandles stale) {
-        return simulation.bulk().remove(handles, count, StaleHandles.areSkipped(stale));
+        return simulation.bulk.remove(handles, count, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -239,7 +239,7 @@ public final class World implements AutoCloseable {
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
-        simulation.clearing().clear();
+        simulation.clearing.clear();
     }
 
     /**
@@ -262,7 +262,7 @@ public final class World implements AutoCloseable {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.circles().idLimit();
+        return simulation.circles.idLimit();
     }
 
     /**
@@ -273,7 +273,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.circles().handle(id);
+        return simulation.circles.handle(id);
     }
 
     /**
@@ -283,7 +283,7 @@ public final class World implements AutoCloseable {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long handle) {
-        return simulation.circles().contains(handle);
+        return simulation.circles.contains(handle);
     }
 
     /**
@@ -292,7 +292,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public int size() {
-        return simulation.circles().size();
+        return simulation.circles.size();
     }
 
     /**
@@ -312,7 +312,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
-        simulation.circles().move(handle, x, y);
+        simulation.circles.move(handle, x, y);
     }
 
     /**
@@ -325,7 +325,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void teleport(long handle, float x, float y) {
-        simulation.circles().set(Commands.POSITION, handle, x, y);
+        simulation.circles.set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -338,7 +338,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
-        simulation.circles().set(Commands.VELOCITY, handle, vx, vy);
+        simulation.circles.set(Commands.VELOCITY, handle, vx, vy);
     }
 
     /**
@@ -350,7 +350,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
-        simulation.circles().set(Commands.RADIUS, handle, radius, 0);
+        simulation.circles.set(Commands.RADIUS, handle, radius, 0);
     }
 
     /**
@@ -378,7 +378,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void grow(long handle, float radius, int steps) {
-        simulation.growth().grow(handle, radius, steps);
+        simulation.growth.grow(handle, radius, steps);
     }
 
     /**
@@ -390,7 +390,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
-        simulation.circles().set(Commands.MASS, handle, mass, 0);
+        simulation.circles.set(Commands.MASS, handle, mass, 0);
     }
 
     /**
@@ -401,7 +401,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
-        simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
+        simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
     /**
@@ -413,7 +413,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setTag(long handle, long tag) {
-        simulation.fields().set(CircleField.TAG, handle, tag);
+        simulation.fields.set(CircleField.TAG, handle, tag);
     }
 
     /**
@@ -424,7 +424,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setKind(long handle, int kind) {
-        simulation.circles().setKind(handle, kind);
+        simulation.circles.setKind(handle, kind);
     }
 
     /**
@@ -435,7 +435,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public void setGroup(long handle, int group) {
-        simulation.fields().set(CircleField.GROUP, handle, group);
+        simulation.fields.set(CircleField.GROUP, handle, group);
     }
 
     /**
@@ -447,7 +447,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
-        simulation.circles().set(Commands.IMPULSE, handle, x, y);
+        simulation.circles.set(Commands.IMPULSE, handle, x, y);
     }
 
     /**
@@ -466,7 +466,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void setForce(long handle, float x, float y) {
-        simulation.circles().setForce(handle, x, y);
+        simulation.circles.setForce(handle, x, y);
     }
 
     /**
@@ -479,7 +479,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyForce(long handle, float x, float y) {
-        simulation.forces().apply(handle, x, y);
+        simulation.forces.apply(handle, x, y);
     }
 
     /**
@@ -491,7 +491,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setFriction(long handle, float friction) {
-        simulation.fields().setFriction(handle, friction);
+        simulation.fields.setFriction(handle, friction);
     }
 
     /**
@@ -504,7 +504,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRollingResistance(long handle, float resistance) {
-        simulation.fields().setRollingResistance(handle, resistance);
+        simulation.fields.setRollingResistance(handle, resistance);
     }
 
     /**
@@ -516,7 +516,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngle(long handle, float angle) {
-        simulation.circles().setAngle(handle, angle);
+        simulation.circles.setAngle(handle, angle);
     }
 
     /**
@@ -529,7 +529,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngularVelocity(long handle, float velocity) {
-        simulation.circles().setAngularVelocity(handle, velocity);
+        simulation.circles.setAngularVelocity(handle, velocity);
     }
 
     /**
@@ -541,7 +541,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyAngularImpulse(long handle, float impulse) {
-        simulation.circles().applyAngularImpulse(handle, impulse);
+        simulation.circles.applyAngularImpulse(handle, impulse);
     }
 
     /**
@@ -553,7 +553,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setTorque(long handle, float torque) {
-        simulation.fields().setTorque(handle, torque);
+        simulation.fields.setTorque(handle, torque);
     }
 
     /**
@@ -565,7 +565,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyTorque(long handle, float torque) {
-        simulation.forces().applyTorque(handle, torque);
+        simulation.forces.applyTorque(handle, torque);
     }
 
     /**
@@ -581,7 +581,7 @@ public final class World implements AutoCloseable {
      *     out of range (the message has its place), or the count is out of range or there are too few values
      */
     public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
-        return simulation.bulk().setPositions(handles, count, positions, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setPositions(handles, count, positions, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -596,7 +596,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
-        return simulation.bulk().setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -610,7 +610,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
-        return simulation.bulk().applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
+        return simulation.bulk.applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -625,7 +625,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
-        return simulation.bulk().setForces(handles, count, forces, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setForces(handles, count, forces, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -640,9 +640,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setAngularVelocities(long[] handles, int count, float[] angularVelocities, StaleHandles stale) {
-        return simulation
-                .bulk()
-                .setAngularVelocities(handles, count, angularVelocities, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setAngularVelocities(handles, count, angularVelocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -656,7 +654,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setKinds(long[] handles, int count, int[] kinds, StaleHandles stale) {
-        return simulation.bulk().setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
+        return simulation.bulk.setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -676,7 +674,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff) {
-        return simulation.bulk().explode(false, 0, x, y, radius, impulse, falloff);
+        return simulation.bulk.explode(false, 0, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -693,7 +691,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
-        return simulation.bulk().explode(true, mask, x, y, radius, impulse, falloff);
+        return simulation.bulk.explode(true, mask, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -711,7 +709,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff) {
-        return simulation.bulk().explodeInSight(false, 0, x, y, radius, impulse, falloff);
+        return simulation.bulk.explodeInSight(false, 0, x, y, radius, impulse, falloff);
     }
 
     /**
@@ -728,7 +726,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff, int mask) {
-        return simulation.bulk().explodeInSight(true, mask, x, y, radius, impulse, falloff);
+        return simulation.bulk.explodeInSight(true, mask, x, y, radius, impulse, falloff);
     }
 
     // ---- the world
@@ -742,8 +740,8 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public Kind kind(int number) {
-        if (kinds[simulation.kinds().check(number)] == null) {
-            kinds[number] = new Kind(simulation.kinds(), number);
+        if (kinds[simulation.kinds.check(number)] == null) {
+            kinds[number] = new Kind(simulation.kinds, number);
         }
         return kinds[number];
     }
@@ -757,9 +755,8 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public void setResponse(int kindA, int kindB, Response response) {
-        simulation
-                .kinds()
-                .setSetting(kindA, kindB, Limits.notNull("response", response).ordinal());
+        simulation.kinds.setSetting(
+                kindA, kindB, Limits.notNull("response", response).ordinal());
     }
 
     /**
@@ -771,7 +768,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public Response response(int kindA, int kindB) {
-        return RESPONSES[simulation.kinds().setting(kindA, kindB)];
+        return RESPONSES[simulation.kinds.setting(kindA, kindB)];
     }
 
     /**
@@ -782,7 +779,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setGravity(float x, float y) {
-        simulation.setGravity(x, y);
+        simulation.surroundings.setGravity(x, y);
     }
 
     /**
@@ -791,7 +788,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared
      */
     public float gravityX() {
-        return simulation.gravityX();
+        return simulation.settings().gravityX();
     }
 
     /**
@@ -800,7 +797,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared; negative downwards
      */
     public float gravityY() {
-        return simulation.gravityY();
+        return simulation.settings().gravityY();
     }
 
     /**
@@ -817,7 +814,7 @@ public final class World implements AutoCloseable {
      *     or if the call would move the bounds of an axis that wraps
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        simulation.setBounds(minX, minY, maxX, maxY);
+        simulation.surroundings.setBounds(minX, minY, maxX, maxY);
     }
 
     /**
@@ -826,7 +823,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float minX() {
-        return simulation.bounds().minX();
+        return simulation.settings().bounds().minX();
     }
 
     /**
@@ -835,7 +832,7 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float minY() {
-        return simulation.bounds().minY();
+        return simulation.settings().bounds().minY();
     }
 
     /**
@@ -844,7 +841,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float maxX() {
-        return simulation.bounds().maxX();
+        return simulation.settings().bounds().maxX();
     }
 
     /**
@@ -853,12 +850,12 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float maxY() {
-        return simulation.bounds().maxY();
+        return simulation.settings().bounds().maxY();
     }
 
     /** The bounds, with what there is at their edges. */
     Bounds arena() {
-        return simulation.bounds();
+        return simulation.settings().bounds();
     }
 
     /**
@@ -867,7 +864,7 @@ public final class World implements AutoCloseable {
      * @return as {@link Builder#edges} has set it, or a restored snapshot
      */
     public Edge edgeX() {
-        return EDGES[simulation.bounds().edgeX().ordinal()];
+        return EDGES[simulation.settings().bounds().edgeX().ordinal()];
     }
 
     /**
@@ -876,7 +873,7 @@ public final class World implements AutoCloseable {
      * @return as {@link Builder#edges} has set it, or a restored snapshot
      */
     public Edge edgeY() {
-        return EDGES[simulation.bounds().edgeY().ordinal()];
+        return EDGES[simulation.settings().bounds().edgeY().ordinal()];
     }
 
     /**
@@ -885,7 +882,7 @@ public final class World implements AutoCloseable {
      * @return 0 (inelastic) to 1 (elastic)
      */
     public float defaultRestitution() {
-        return simulation.defaultRestitution();
+        return simulation.settings().defaultRestitution();
     }
 
     /**
@@ -895,7 +892,7 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float defaultFriction() {
-        return simulation.surfaces().friction;
+        return simulation.settings().surfaces().friction;
     }
 
     /**
@@ -905,7 +902,7 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float defaultRollingResistance() {
-        return simulation.surfaces().rollingResistance;
+        return simulation.settings().surfaces().rollingResistance;
     }
 
     /**
@@ -922,7 +919,8 @@ public final class World implements AutoCloseable {
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
         int number = Limits.notNull("wall", wall).ordinal();
-        simulation.setWallSurface(number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
+        simulation.surroundings.setWallSurface(
+                number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
     }
 
     /**
@@ -932,7 +930,10 @@ public final class World implements AutoCloseable {
      * @return 0 to 1,000
      */
     public float wallFriction(Wall wall) {
-        return simulation.surfaces().wallFriction(Limits.notNull("wall", wall).ordinal());
+        return simulation
+                .settings()
+                .surfaces()
+                .wallFriction(Limits.notNull("wall", wall).ordinal());
     }
 
     /**
@@ -943,6 +944,7 @@ public final class World implements AutoCloseable {
      */
     public float wallRollingResistance(Wall wall) {
         return simulation
+                .settings()
                 .surfaces()
                 .wallRollingResistance(Limits.notNull("wall", wall).ordinal());
     }
@@ -955,7 +957,7 @@ public final class World implements AutoCloseable {
      */
     public float wallBeltSpeed(Wall wall) {
         int number = Limits.notNull("wall", wall).ordinal();
-        return BeltSpeed.ofWall(number, simulation.surfaces().wallBelt(number));
+        return BeltSpeed.ofWall(number, simulation.settings().surfaces().wallBelt(number));
     }
 
     /**
@@ -964,7 +966,7 @@ public final class World implements AutoCloseable {
      * @return 1 to 16
      */
     public int subSteps() {
-        return simulation.subSteps();
+        return simulation.settings().subSteps();
     }
 
     /**
@@ -973,7 +975,7 @@ public final class World implements AutoCloseable {
      * @return lengths per second; -1 if it follows from gravity, radii and restitutions
      */
     public float restitutionThreshold() {
-        return simulation.contacts().restitutionThreshold();
+        return simulation.settings().contacts().restitutionThreshold();
     }
 
     /**
@@ -982,7 +984,7 @@ public final class World implements AutoCloseable {
      * @return hertz
      */
     public float contactFrequency() {
-        return simulation.contacts().frequency();
+        return simulation.settings().contacts().frequency();
     }
 
     /**
@@ -991,7 +993,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public float contactDamping() {
-        return simulation.contacts().damping();
+        return simulation.settings().contacts().damping();
     }
 
     /**
@@ -1000,7 +1002,7 @@ public final class World implements AutoCloseable {
      * @return mean radii of the pair a second
      */
     public float greatestPushOutSpeed() {
-        return simulation.contacts().pushOutSpeed();
+        return simulation.settings().contacts().pushOutSpeed();
     }
 
     /**
@@ -1047,7 +1049,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void read(float[] circles) {
-        simulation.readings().read(circles);
+        simulation.readings.read(circles);
     }
 
     /**
@@ -1057,7 +1059,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
-        simulation.readings().read(circles);
+        simulation.readings.read(circles);
     }
 
     /**
@@ -1076,7 +1078,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readById(float[] circles, long[] living) {
-        simulation.readings().readById(circles, living);
+        simulation.readings.readById(circles, living);
     }
 
     /**
@@ -1087,7 +1089,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
-        simulation.readings().readVelocitiesById(velocities, living);
+        simulation.readings.readVelocitiesById(velocities, living);
     }
 
     /**
@@ -1098,12 +1100,12 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readAnglesById(float[] angles, long[] living) {
-        simulation.readings().readAnglesById(angles, living);
+        simulation.readings.readAnglesById(angles, living);
     }
 
     /** Reads angles by id in units of a turn's 2^-32; 0 where there is no circle. */
     void readAngleUnits(int[] units) {
-        simulation.readings().readUnitsById(units);
+        simulation.readings.readUnitsById(units);
     }
 
     /**
@@ -1115,7 +1117,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readAngularVelocitiesById(float[] angularVelocities, long[] living) {
-        simulation.readings().readAngularVelocitiesById(angularVelocities, living);
+        simulation.readings.readAngularVelocitiesById(angularVelocities, living);
     }
 
     /**
@@ -1127,7 +1129,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readRadiiById(float[] radii, long[] living) {
-        simulation.readings().readRadiiById(radii, living);
+        simulation.readings.readRadiiById(radii, living);
     }
 
     /**
@@ -1139,7 +1141,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readKindsById(int[] kinds, long[] living) {
-        simulation.readings().readKindsById(kinds, living);
+        simulation.readings.readKindsById(kinds, living);
     }
 
     /**
@@ -1151,7 +1153,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readTagsById(long[] tags, long[] living) {
-        simulation.readings().readTagsById(tags, living);
+        simulation.readings.readTagsById(tags, living);
     }
 
     /**
@@ -1166,7 +1168,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if an array is too short
      */
     public void readLoadsById(float[] loads, long[] living) {
-        simulation.loads().readById(loads, living);
+        simulation.loads.readById(loads, living);
     }
 
     /**
@@ -1178,7 +1180,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public FloatBuffer positionsById(long[] living) {
-        return simulation.readings().positionsById(living);
+        return simulation.readings.positionsById(living);
     }
 
     /**
@@ -1189,7 +1191,7 @@ public final class World implements AutoCloseable {
      *     method or of {@link #positionsById} overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
-        return simulation.readings().positions();
+        return simulation.readings.positions();
     }
 
     /**
@@ -1200,7 +1202,7 @@ public final class World implements AutoCloseable {
      *     same object: the next call of this method overwrites what it shows, no other does
      */
     public FloatBuffer angles() {
-        return simulation.readings().angles();
+        return simulation.readings.angles();
     }
 
     /**
@@ -1217,7 +1219,7 @@ public final class World implements AutoCloseable {
      * their ids. A request that has not been taken is replaced by the next.
      */
     public void requestPositions() {
-        simulation.readings().requestPositions();
+        simulation.readings.requestPositions();
     }
 
     /**
@@ -1230,7 +1232,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
-        return simulation.readings().takePositions();
+        return simulation.readings.takePositions();
     }
 
     /**
@@ -1244,12 +1246,12 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short; the positions can still be taken
      */
     public FloatBuffer takePositionsById(long[] living) {
-        return simulation.readings().takePositionsById(living);
+        return simulation.readings.takePositionsById(living);
     }
 
     /** A number that is another one after each request for positions. */
     int positionRequests() {
-        return simulation.readings().requests();
+        return simulation.readings.requests();
     }
 
     /**
@@ -1257,12 +1259,12 @@ public final class World implements AutoCloseable {
      * now, and may be null.
      */
     void markGone(FloatBuffer values, int each, long[] living) {
-        simulation.readings().markGone(values, each, living);
+        simulation.readings.markGone(values, each, living);
     }
 
     /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
     int nextNew(int from) {
-        return simulation.readings().nextNew(from);
+        return simulation.readings.nextNew(from);
     }
 
     /**
@@ -1272,7 +1274,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void readVelocities(float[] velocities) {
-        simulation.readings().readVelocities(velocities);
+        simulation.readings.readVelocities(velocities);
     }
 
     /**
@@ -1282,7 +1284,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
-        simulation.readings().readVelocities(velocities);
+        simulation.readings.readVelocities(velocities);
     }
 
     /**
@@ -1292,7 +1294,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the array is too short
      */
     public void readHandles(long[] handles) {
-        simulation.readings().readHandles(handles);
+        simulation.readings.readHandles(handles);
     }
 
     /**
@@ -1302,7 +1304,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
-        simulation.readings().readHandles(handles);
+        simulation.readings.readHandles(handles);
     }
 
     /**
@@ -1314,7 +1316,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float x(long handle) {
-        return simulation.readings().circle(handle, CircleRow.X);
+        return simulation.readings.circle(handle, CircleRow.X);
     }
 
     /**
@@ -1325,7 +1327,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float y(long handle) {
-        return simulation.readings().circle(handle, CircleRow.Y);
+        return simulation.readings.circle(handle, CircleRow.Y);
     }
 
     /**
@@ -1336,7 +1338,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float radius(long handle) {
-        return simulation.readings().circle(handle, CircleRow.RADIUS);
+        return simulation.readings.circle(handle, CircleRow.RADIUS);
     }
 
     /**
@@ -1347,7 +1349,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float mass(long handle) {
-        return simulation.readings().circle(handle, CircleRow.MASS);
+        return simulation.readings.circle(handle, CircleRow.MASS);
     }
 
     /**
@@ -1358,7 +1360,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float vx(long handle) {
-        return simulation.readings().vx(handle);
+        return simulation.readings.vx(handle);
     }
 
     /**
@@ -1369,7 +1371,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float vy(long handle) {
-        return simulation.readings().vy(handle);
+        return simulation.readings.vy(handle);
     }
 
     /**
@@ -1380,7 +1382,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angle(long handle) {
-        return simulation.readings().angle(handle);
+        return simulation.readings.angle(handle);
     }
 
     /**
@@ -1391,7 +1393,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angularVelocity(long handle) {
-        return simulation.readings().angularVelocity(handle);
+        return simulation.readings.angularVelocity(handle);
     }
 
     /**
@@ -1402,7 +1404,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float restitution(long handle) {
-        return simulation.circles().restitution(handle);
+        return simulation.circles.restitution(handle);
     }
 
     /**
@@ -1413,7 +1415,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int growthSteps(long handle) {
-        return simulation.growth().steps(handle);
+        return simulation.growth.steps(handle);
     }
 
     /**
@@ -1424,7 +1426,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceX(long handle) {
-        return simulation.fields().force(CircleField.FORCE_X, handle);
+        return simulation.fields.force(CircleField.FORCE_X, handle);
     }
 
     /**
@@ -1435,7 +1437,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float forceY(long handle) {
-        return simulation.fields().force(CircleField.FORCE_Y, handle);
+        return simulation.fields.force(CircleField.FORCE_Y, handle);
     }
 
     /**
@@ -1446,7 +1448,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float torque(long handle) {
-        return simulation.fields().force(CircleField.TORQUE, handle);
+        return simulation.fields.force(CircleField.TORQUE, handle);
     }
 
     /**
@@ -1457,7 +1459,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float friction(long handle) {
-        return simulation.fields().friction(handle);
+        return simulation.fields.friction(handle);
     }
 
     /**
@@ -1468,7 +1470,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float rollingResistance(long handle) {
-        return simulation.fields().rollingResistance(handle);
+        return simulation.fields.rollingResistance(handle);
     }
 
     /**
@@ -1479,7 +1481,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public long tag(long handle) {
-        return simulation.fields().get(CircleField.TAG, handle);
+        return simulation.fields.get(CircleField.TAG, handle);
     }
 
     /**
@@ -1490,7 +1492,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int kindOf(long handle) {
-        return (int) simulation.fields().get(CircleField.KIND, handle);
+        return (int) simulation.fields.get(CircleField.KIND, handle);
     }
 
     /**
@@ -1501,7 +1503,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public int group(long handle) {
-        return (int) simulation.fields().get(CircleField.GROUP, handle);
+        return (int) simulation.fields.get(CircleField.GROUP, handle);
     }
 
     /**
@@ -1530,7 +1532,7 @@ public final class World implements AutoCloseable {
      * @return always the same object; its calls follow the rules of this class
      */
     public Queries queries() {
-        simulation.searches().requireOpen();
+        simulation.searches.requireOpen();
         return queries;
     }
 
@@ -1582,7 +1584,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there are other types
      */
     public void report(int types) {
-        simulation.reports().report(types);
+        simulation.reports.report(types);
     }
 
     /**
@@ -1597,7 +1599,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void report(int kindA, int kindB, int types) {
-        simulation.reports().report(kindA, kindB, types);
+        simulation.reports.report(kindA, kindB, types);
     }
 
     /**
@@ -1609,7 +1611,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void reportWalls(int kind, int types) {
-        simulation.reports().reportWalls(kind, types);
+        simulation.reports.reportWalls(kind, types);
     }
 
     /**
@@ -1624,7 +1626,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public int touching(int kindA, int kindB, long[] handles) {
-        return simulation.reports().touching(kindA, kindB, handles);
+        return simulation.reports.touching(kindA, kindB, handles);
     }
 
     /**
@@ -1639,7 +1641,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such kind
      */
     public int touchingPieces(int kind, int kindOfPieces, long[] handles) {
-        return simulation.reports().touchingPieces(kind, kindOfPieces, handles);
+        return simulation.reports.touchingPieces(kind, kindOfPieces, handles);
     }
 
     /**
@@ -1653,7 +1655,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the value is out of range
      */
     public void setHitSpeed(float speed) {
-        simulation.reports().setHitSpeed(speed);
+        simulation.reports.setHitSpeed(speed);
     }
 
     /**
@@ -1663,7 +1665,7 @@ public final class World implements AutoCloseable {
      * @return always the same object, which the next call fills again
      */
     public Events events() {
-        return events.of(simulation.reports().take());
+        return events.of(simulation.reports.take());
     }
 
     /**
@@ -1680,7 +1682,7 @@ public final class World implements AutoCloseable {
      * no request.
      */
     public void requestEvents() {
-        simulation.reports().request();
+        simulation.reports.request();
     }
 
     /**
@@ -1691,7 +1693,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public Events takeEvents() {
-        return events.of(simulation.reports().takeRequested());
+        return events.of(simulation.reports.takeRequested());
     }
 
     // ---- snapshots
@@ -1704,7 +1706,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if it is more than one buffer holds
      */
     public int snapshotBytes() {
-        return simulation.snapshots().bytes();
+        return simulation.snapshots.bytes();
     }
 
     /**
@@ -1725,7 +1727,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if the snapshot is more than one buffer holds
      */
     public void snapshot(ByteBuffer to) {
-        simulation.snapshots().write(to);
+        simulation.snapshots.write(to);
     }
 
     /**
@@ -1739,7 +1741,7 @@ public final class World implements AutoCloseable {
      *     before
      */
     public void restore(ByteBuffer from) {
-        simulation.snapshots().restore(from);
+        simulation.snapshots.restore(from);
     }
 
     /**

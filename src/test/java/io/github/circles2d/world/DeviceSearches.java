@@ -6,12 +6,12 @@ public final class DeviceSearches {
 
     /** From now on, if the device can. */
     public static Simulation always(Simulation simulation) {
-        simulation.searches().alwaysOnDevice();
+        simulation.searches.alwaysOnDevice();
         return simulation;
     }
 
     /** How many calls the device has answered. */
     public static int answered(Simulation simulation) {
-        return simulation.searches().answeredOnDevice();
+        return simulation.searches.answeredOnDevice();
     }
 }

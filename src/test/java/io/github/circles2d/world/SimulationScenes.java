@@ -21,9 +21,10 @@ public final class SimulationScenes {
                 subSteps,
                 0);
         Simulation simulation = new Simulation(pipeline, parameters);
-        SceneLoader.circles(scene, simulation.newCircles()::add, (handle, restitution) -> simulation
-                .circles()
-                .set(Commands.RESTITUTION, handle, restitution, 0));
+        SceneLoader.circles(
+                scene,
+                simulation.newCircles::add,
+                (handle, restitution) -> simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0));
         return simulation;
     }
 }

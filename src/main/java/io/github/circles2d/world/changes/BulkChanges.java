@@ -1,16 +1,13 @@
 package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.search.CategoryFilter;
 import io.github.circles2d.world.search.TerrainView;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.function.ToIntFunction;
 
 /** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
@@ -26,59 +23,46 @@ public final class BulkChanges {
     }
 
     /** A call with many handles, and elements for each; the name of its values is null if it has none. */
-    private record Call<A>(
+    private record ManyChanges<A>(
             String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
 
-    private final Guard guard;
-    private final Copies copies;
-    private final WorldSettings settings;
-    private final HandleTable handles;
+    private final WorldParts world;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
     private final CategoryFilter filter;
     private final TerrainView view;
 
-    private final Call<Void> removal;
-    private final Call<float[]> positions;
-    private final Call<float[]> velocities;
-    private final Call<float[]> impulses;
-    private final Call<float[]> forces;
-    private final Call<float[]> angularVelocities;
-    private final Call<int[]> kinds;
+    private final ManyChanges<Void> removal;
+    private final ManyChanges<float[]> positions;
+    private final ManyChanges<float[]> velocities;
+    private final ManyChanges<float[]> impulses;
+    private final ManyChanges<float[]> forces;
+    private final ManyChanges<float[]> angularVelocities;
+    private final ManyChanges<int[]> kinds;
 
-    public BulkChanges(
-            Guard guard,
-            HandleTable handles,
-            KindTable kindTable,
-            Copies copies,
-            WorldSettings settings,
-            PreparedChanges changes,
-            TerrainView view) {
-        this.view = view;
-        this.guard = guard;
-        this.handles = handles;
-        this.copies = copies;
-        this.settings = settings;
+    public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView view) {
+        this.world = world;
         this.changes = changes;
-        removal = new Call<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
+        this.view = view;
+        removal = new ManyChanges<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
         positions = ofTwo("positions", Commands.POSITION, changes::move);
-        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Commands.VELOCITY, id, x, y));
-        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Commands.IMPULSE, id, x, y));
+        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Call.VELOCITY, id, x, y));
+        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Call.IMPULSE, id, x, y));
         forces = ofTwo("forces", Commands.FIELD, changes::setForce);
-        angularVelocities = new Call<>(
+        angularVelocities = new ManyChanges<>(
                 "angularVelocities", 1, values -> values.length, Commands.ANGULAR_VELOCITY, (id, values, i) -> {
                     changes.setAngularVelocity(id, values[i]);
                     return true;
                 });
-        kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
+        kinds = new ManyChanges<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
             changes.setKind(id, values[i]);
             return true;
         });
-        filter = new CategoryFilter(handles.fields(), kindTable, 0);
+        filter = new CategoryFilter(world, 0);
     }
 
-    private static Call<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
-        return new Call<>(values, 2, array -> array.length, operation, (id, array, i) -> {
+    private static ManyChanges<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
+        return new ManyChanges<>(values, 2, array -> array.length, operation, (id, array, i) -> {
             preparation.prepare(id, array[2 * i], array[2 * i + 1]);
             return true;
         });
@@ -115,8 +99,8 @@ public final class BulkChanges {
     }
 
     /** In the order of the handles. Refuses stale handles, or leaves them out, and returns how many. */
-    private <A> int change(Call<A> call, long[] circles, int count, A values, boolean skipStale) {
-        guard.enter();
+    private <A> int change(ManyChanges<A> call, long[] circles, int count, A values, boolean skipStale) {
+        world.guard.enter();
         try {
             checkLengths(call, circles, count, values);
             changes.begin(count);
@@ -127,16 +111,18 @@ public final class BulkChanges {
                     left++;
                 }
             }
+            changes.makeRoom(call.operation);
+            changes.writeToLog();
             changes.make(call.operation);
             return left;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
-    private static <A> void checkLengths(Call<A> call, long[] circles, int count, A values) {
+    private static <A> void checkLengths(ManyChanges<A> call, long[] circles, int count, A values) {
         Limits.notNull("handles", circles);
         if (count < 0 || count > circles.length) {
             throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
@@ -155,14 +141,14 @@ public final class BulkChanges {
     /** The id of handle i; -1 if it is stale and left out. Each element is read once: another thread may write to the array. */
     private int find(long[] circles, int i, boolean skipStale) {
         long handle = circles[i];
-        int id = handles.find(handle);
+        int id = world.handles.find(handle);
         if (id < 0 && !skipStale) {
-            throw new IllegalArgumentException("handle " + i + ": " + Circles.gone(handle));
+            throw new IllegalArgumentException("handle " + i + ": " + WorldParts.goneCircle(handle));
         }
         return id;
     }
 
-    private <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
+    private <A> boolean prepare(ManyChanges<A> call, int id, A values, int i, boolean skipStale) {
         boolean isThere;
         try {
             isThere = call.preparation.prepare(id, values, i);
@@ -171,46 +157,46 @@ public final class BulkChanges {
         }
         if (!isThere && !skipStale) {
             throw new IllegalArgumentException(
-                    "handle " + i + ": the circle with the handle " + handles.handle(id) + " occurs twice");
+                    "handle " + i + ": the circle with the handle " + world.handles.handle(id) + " occurs twice");
         }
         return isThere;
     }
 
     /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
-        guard.enter();
+        world.guard.enter();
         try {
             return explode(masked, mask, false, x, y, radius, impulse, falloff);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The same of the circles that no piece of terrain hides. */
     public int explodeInSight(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
-        guard.enter();
+        world.guard.enter();
         try {
             return explode(masked, mask, true, x, y, radius, impulse, falloff);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private int explode(
             boolean masked, int mask, boolean inSight, float x, float y, float radius, float impulse, float falloff) {
-        explosion.set(x, y, radius, impulse, falloff, settings.bounds());
+        explosion.set(x, y, radius, impulse, falloff, world.settings.bounds());
         filter.setMask(mask);
-        float[] circles = copies.last().circles();
+        float[] circles = world.last.circles();
         boolean hides = inSight && view.look();
         changes.begin(0);
         int pushed = 0;
         int s = 0;
-        for (int id = 0; id < handles.end(); id++) {
-            if (handles.lives(id)) {
+        for (int id = 0; id < world.handles.end(); id++) {
+            if (world.handles.lives(id)) {
                 if ((!masked || filter.admits(id)) && explosion.reaches(circles, s) && !(hides && isHidden(id))) {
                     changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     pushed++;
@@ -218,6 +204,7 @@ public final class BulkChanges {
                 s += CircleRow.STRIDE;
             }
         }
+        changes.writeToLog();
         changes.make(Commands.IMPULSE);
         return pushed;
     }

@@ -1,273 +1,178 @@
 package io.github.circles2d.world.changes;
 
+import static io.github.circles2d.world.shared.Call.real;
+
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * The calls on circles that are there: they go and change. A change waits as a record in {@link Commands} until the next step or read. What
  * only calls change is in {@link HandleTable} at once; {@link FieldCalls} has the calls on single fields of that. A call checks its
  * arguments and makes room before it changes the state.
  */
-public final class Circles {
-    private final Guard guard;
-    private final HandleTable handles;
-    private final Commands commands;
-    private final PendingWork pending;
-    private final Copies copies;
-    private final WorldSettings settings;
+public final class Circles implements Calls.Effects {
+    private final WorldParts world;
     private final NextStep nextStep;
     private final PreparedChanges changes;
 
-    public Circles(
-            Guard guard,
-            HandleTable handles,
-            Commands commands,
-            PendingWork pending,
-            Copies copies,
-            WorldSettings settings,
-            NextStep nextStep,
-            PreparedChanges changes) {
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.pending = pending;
-        this.copies = copies;
-        this.settings = settings;
+    public Circles(WorldParts world, NextStep nextStep, PreparedChanges changes) {
+        this.world = world;
         this.nextStep = nextStep;
         this.changes = changes;
+        world.calls.define(
+                this,
+                Call.REMOVE,
+                Call.POSITION,
+                Call.MOVE,
+                Call.VELOCITY,
+                Call.RADIUS,
+                Call.MASS,
+                Call.RESTITUTION,
+                Call.IMPULSE,
+                Call.ANGLE,
+                Call.ANGULAR_VELOCITY,
+                Call.ANGULAR_IMPULSE,
+                Call.CIRCLE_KIND,
+                Call.STEADY_FORCE);
     }
 
     /** Removes a circle. */
-    public void remove(long handle) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(1);
-            changes.setChecked(Commands.REMOVE, id, 0, 0);
-            changes.make(Commands.REMOVE);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void remove(long circle) {
+        world.calls.change(Call.REMOVE, circle, 0, 0, 0);
     }
 
     /** Whether a handle is that of a circle. */
     public boolean contains(long handle) {
-        guard.check();
-        return handles.find(handle) >= 0;
+        world.guard.check();
+        return world.handles.find(handle) >= 0;
     }
 
     /** One more than the greatest id that a circle has had. */
     public int idLimit() {
-        guard.check();
-        return handles.end();
+        world.guard.check();
+        return world.handles.end();
     }
 
     /** The handle of the circle that has an id; 0 if there is none. */
     public long handle(int id) {
-        guard.enter();
+        world.guard.enter();
         try {
-            if (id < 0 || id >= handles.end()) {
+            if (id < 0 || id >= world.handles.end()) {
                 throw new IllegalArgumentException(
-                        "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+                        "the id is " + id + ", but must be at least 0 and less than " + world.handles.end());
             }
-            return handles.lives(id) ? handles.handle(id) : 0;
+            return world.handles.lives(id) ? world.handles.handle(id) : 0;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The number of circles. */
     public int size() {
-        guard.check();
-        return handles.size();
+        world.guard.check();
+        return world.handles.size();
     }
 
-    /**
-     * Changes a circle.
-     *
-     * @param operation an operation of {@link Commands} that changes a circle
-     * @param handle the circle
-     * @param a first value of the operation
-     * @param b second value; of no meaning if the operation has one
-     */
-    public void set(int operation, long handle, float a, float b) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.checkValues(operation, a, b);
-            pending.expect(2);
-            copies.forgetBy(operation);
-            guard.changing = true;
-            if (operation == Commands.MASS) {
-                setMass(id, a);
-            }
-            boolean places = operation == Commands.POSITION;
-            commands.set(
-                    operation,
-                    id,
-                    places ? settings.bounds().placeX(a) : a,
-                    places ? settings.bounds().placeY(b) : b);
-            if (places) {
-                nextStep.travels.forget(id);
-            } else if (operation == Commands.RADIUS) {
-                handles.setRadius(id, a);
-                nextStep.growth.forget(id);
-            } else if (operation == Commands.RESTITUTION) {
-                handles.setRestitution(id, a);
-            }
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    /** Changes a circle by an operation of {@link Commands} of one or two values. */
+    public void set(int operation, long circle, float a, float b) {
+        world.calls.changeByFloats(Call.of(operation), circle, a, b, 0);
     }
 
-    private void setMass(int id, float mass) {
-        if (mass != Float.POSITIVE_INFINITY && nextStep.travels.travels(id)) {
-            nextStep.travels.end(id);
-        }
-        handles.setMass(id, mass);
-    }
-
-    /**
-     * Puts a circle somewhere else. A static one is to travel there in the next step.
-     *
-     * @param handle the circle
-     * @param x x of the place
-     * @param y y of the place
-     */
-    public void move(long handle, float x, float y) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(1);
-            changes.move(id, x, y);
-            changes.make(Commands.POSITION);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    /** Puts a circle somewhere else. A static one is to travel there in the next step. */
+    public void move(long circle, float x, float y) {
+        world.calls.changeByFloats(Call.MOVE, circle, x, y, 0);
     }
 
     /** Turns a circle to an angle in radians. */
-    public void setAngle(long handle, float angle) {
+    public void setAngle(long circle, float angle) {
         Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
-        turnTo(handle, Surface.units(angle));
+        world.calls.change(Call.ANGLE, circle, Surface.units(angle), 0, 0);
     }
 
-    /** Turns a circle to an angle in units of a turn's 2^-32. */
-    public void turnTo(long handle, int units) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(1);
-            changes.setAngle(id, units);
-            changes.make(Commands.ANGLE);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void setAngularVelocity(long circle, float velocity) {
+        world.calls.changeByFloats(Call.ANGULAR_VELOCITY, circle, velocity, 0, 0);
     }
 
-    public void setAngularVelocity(long handle, float velocity) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(1);
-            changes.setAngularVelocity(id, velocity);
-            changes.make(Commands.ANGULAR_VELOCITY);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
-    }
-
-    /** Applies an angular impulse to a circle of its kind. */
-    public void applyAngularImpulse(long handle, float impulse) {
-        applyAngularImpulse(handle, impulse, Float.NaN);
-    }
-
-    /** Applies an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
-    public void applyAngularImpulse(long handle, float impulse, float inertia) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(1);
-            changes.pushAround(id, impulse, inertia);
-            changes.make(Commands.ANGULAR_IMPULSE);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void applyAngularImpulse(long circle, float impulse) {
+        world.calls.changeByFloats(Call.ANGULAR_IMPULSE, circle, impulse, 0, 0);
     }
 
     /** Gives a circle another kind, and the restitution of the kind if it has one. */
-    public void setKind(long handle, int kind) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(2);
-            changes.setKind(id, kind);
-            changes.make(Commands.FIELD);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void setKind(long circle, int kind) {
+        world.calls.change(Call.CIRCLE_KIND, circle, kind, 0, 0);
     }
 
     /** Sets the force on a circle. */
-    public void setForce(long handle, float x, float y) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            changes.begin(2);
-            changes.setForce(id, x, y);
-            changes.make(Commands.FIELD);
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
+    public void setForce(long circle, float x, float y) {
+        world.calls.changeByFloats(Call.STEADY_FORCE, circle, x, y, 0);
+    }
+
+    @Override
+    public void prepare(Call call, int[] w) {
+        changes.begin(2);
+        switch (call) {
+            case REMOVE -> changes.setChecked(Commands.REMOVE, w[0], 0, 0);
+            case MOVE -> changes.move(w[0], real(w[1]), real(w[2]));
+            case ANGLE -> changes.setAngle(w[0], w[1]);
+            case ANGULAR_VELOCITY -> changes.setAngularVelocity(w[0], real(w[1]));
+            case ANGULAR_IMPULSE -> changes.pushAround(w[0], real(w[1]));
+            case CIRCLE_KIND -> changes.setKind(w[0], w[1]);
+            case STEADY_FORCE -> changes.setForce(w[0], real(w[1]), real(w[2]));
+            default -> world.copies.forgetBy(call.number);
         }
+        changes.makeRoom(operation(call));
     }
 
-    private int find(long handle) {
-        return find(handles, handle);
+    /** By which {@link PreparedChanges} makes a call. */
+    private static int operation(Call call) {
+        return switch (call) {
+            case MOVE -> Commands.POSITION;
+            case CIRCLE_KIND, STEADY_FORCE -> Commands.FIELD;
+            default -> call.number;
+        };
     }
 
-    /** The id of the circle that has a handle. */
-    public static int find(HandleTable handles, long handle) {
-        int id = handles.find(handle);
-        if (id < 0) {
-            throw new IllegalArgumentException(gone(handle));
+    @Override
+    public long apply(Call call, int[] w) {
+        switch (call) {
+            case POSITION, VELOCITY, RADIUS, MASS, RESTITUTION, IMPULSE -> change(call, w[0], real(w[1]), real(w[2]));
+            default -> changes.make(operation(call));
         }
-        return id;
+        return 0;
     }
 
-    /** Why a handle is refused. */
-    static String gone(long handle) {
-        return "no circle has the handle " + handle + Handle.reason(handle, 0);
+    private void change(Call call, int id, float a, float b) {
+        if (call == Call.POSITION) {
+            Bounds bounds = world.settings.bounds();
+            world.commands.set(Commands.POSITION, id, bounds.placeX(a), bounds.placeY(b));
+            nextStep.travels.forget(id);
+            return;
+        }
+        if (call == Call.MASS) {
+            if (a != Float.POSITIVE_INFINITY && nextStep.travels.travels(id)) {
+                nextStep.travels.end(id);
+            }
+            world.handles.setMass(id, a);
+        } else if (call == Call.RADIUS) {
+            world.handles.setRadius(id, a);
+            nextStep.growth.forget(id);
+        } else if (call == Call.RESTITUTION) {
+            world.handles.setRestitution(id, a);
+        }
+        world.commands.set(call.number, id, a, b);
     }
 
     /** The restitution of one circle. */
     public float restitution(long handle) {
-        guard.check();
-        return handles.restitution(find(handle));
+        world.guard.check();
+        return world.handles.restitution(world.circle(handle));
     }
 }

@@ -2,76 +2,47 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
-import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.Needs;
-import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 
 /** The calls on single fields of a circle, {@link CircleField}, which only calls change. The pipeline gets those that steps read. */
-public final class FieldCalls {
-    private final Guard guard;
-    private final HandleTable handles;
+public final class FieldCalls implements Calls.Effects {
+    private final WorldParts world;
     private final CircleFields fields;
-    private final Commands commands;
-    private final CallLog log;
-    private final PendingWork pending;
-    private final Copies copies;
     private final Kinds kinds;
-    private final Needs needs;
 
-    public FieldCalls(
-            Guard guard,
-            HandleTable handles,
-            Commands commands,
-            CallLog log,
-            PendingWork pending,
-            Copies copies,
-            Kinds kinds,
-            Needs needs) {
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.log = log;
-        this.pending = pending;
-        this.copies = copies;
+    public FieldCalls(WorldParts world, Kinds kinds) {
+        this.world = world;
         this.kinds = kinds;
-        this.needs = needs;
-        fields = handles.fields();
+        fields = world.handles.fields();
+        world.calls.define(this, Call.FIELD);
     }
 
-    /**
-     * Changes a field of a circle.
-     *
-     * @param field what changes
-     * @param handle the circle
-     * @param value the new value
-     */
-    public void set(CircleField field, long handle, long value) {
-        guard.enter();
-        try {
-            int id = find(handle);
-            field.check(value);
-            pending.expect(1);
-            fields.ensure(field, id + 1);
-            copies.forgetSaved();
-            if (!field.isOfSteps()) {
-                log.field(field, id, value);
-            }
-            guard.changing = true;
-            if (field.isOfTurning() && value != field.initial()) {
-                needs.askToTurn();
-            }
-            enter(field, id, value);
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
+    /** Changes a field of a circle. */
+    public void set(CircleField field, long circle, long value) {
+        world.calls.change(Call.FIELD, circle, field.number(), (int) value, (int) (value >> Integer.SIZE));
+    }
+
+    @Override
+    public void prepare(Call call, int[] words) {
+        world.pending.expect(1);
+        fields.ensure(CircleField.ofNumber(words[1]), words[0] + 1);
+    }
+
+    @Override
+    public long apply(Call call, int[] words) {
+        CircleField field = CircleField.ofNumber(words[1]);
+        long value = Call.value(words[2], words[3]);
+        if (field.isOfTurning() && value != field.initial()) {
+            world.needs.askToTurn();
         }
+        fields.set(field, words[0], value);
+        if (field.isOfSteps()) {
+            world.commands.setField(field, words[0], (int) value);
+        }
+        return 0;
     }
 
     /** Gives a circle friction of its own, or takes it away. */
@@ -92,16 +63,16 @@ public final class FieldCalls {
 
     /** The friction of a circle: its own, else that of its kind, else the world's. */
     public float friction(long handle) {
-        guard.check();
-        int id = find(handle);
+        world.guard.check();
+        int id = world.circle(handle);
         float own = fields.getFloat(CircleField.FRICTION, id);
         return Float.isNaN(own) ? kinds.friction(kindOf(id)) : own;
     }
 
     /** Likewise. */
     public float rollingResistance(long handle) {
-        guard.check();
-        int id = find(handle);
+        world.guard.check();
+        int id = world.circle(handle);
         float own = fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
         return Float.isNaN(own) ? kinds.rollingResistance(kindOf(id)) : own;
     }
@@ -115,26 +86,14 @@ public final class FieldCalls {
         return fields.getInt(CircleField.KIND, id);
     }
 
-    private int find(long handle) {
-        return Circles.find(handles, handle);
-    }
-
     /** What is set for a circle: {@link CircleField#FORCE_X}, {@code FORCE_Y} or {@code TORQUE}. */
     public float force(CircleField component, long handle) {
         return Float.intBitsToFloat((int) get(component, handle));
     }
 
-    /** Takes down the value of a field, for which there is room. */
-    private void enter(CircleField field, int id, long value) {
-        fields.set(field, id, value);
-        if (field.isOfSteps()) {
-            commands.setField(field, id, (int) value);
-        }
-    }
-
     /** A field of a circle. */
     public long get(CircleField field, long handle) {
-        guard.check();
-        return fields.get(field, find(handle));
+        world.guard.check();
+        return fields.get(field, world.circle(handle));
     }
 }

@@ -2,15 +2,12 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
-import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.Needs;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /**
@@ -18,28 +15,19 @@ import java.util.Arrays;
  * host: the pipelines get the sum for that step, and then what was set again. If a step fails before it has begun, the next one does the
  * same once more.
  */
-public final class Forces {
-    private final Guard guard;
-    private final HandleTable handles;
+public final class Forces implements Calls.Effects {
+    private final WorldParts world;
     private final CircleFields fields;
-    private final Commands commands;
-    private final CallLog log;
-    private final Copies copies;
-    private final Needs needs;
 
     /** Circles on which a force or a torque may have been applied since the last step; some may be gone. */
     private int[] ids = new int[16];
 
     private int count;
 
-    public Forces(Guard guard, HandleTable handles, Commands commands, CallLog log, Copies copies, Needs needs) {
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.log = log;
-        this.copies = copies;
-        this.needs = needs;
-        fields = handles.fields();
+    public Forces(WorldParts world) {
+        this.world = world;
+        fields = world.handles.fields();
+        world.calls.define(this, Call.FORCE, Call.TORQUE);
     }
 
     /** Whether some circle has a force, or has had one. */
@@ -51,56 +39,43 @@ public final class Forces {
     }
 
     /** Applies a force to a circle in the next step. */
-    public void apply(long handle, float x, float y) {
-        guard.enter();
-        try {
-            int id = Circles.find(handles, handle);
-            Limits.force(x, y);
-            ensure();
-            fields.ensure(CircleField.APPLIED_X, id + 1);
-            fields.ensure(CircleField.APPLIED_Y, id + 1);
-            log.force(id, x, y);
-            copies.forgetSaved();
-            guard.changing = true;
-            list(id);
-            fields.set(CircleField.APPLIED_X, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_X, id), x)));
-            fields.set(CircleField.APPLIED_Y, id, CircleField.bits(sum(fields.getFloat(CircleField.APPLIED_Y, id), y)));
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void apply(long circle, float x, float y) {
+        world.calls.changeByFloats(Call.FORCE, circle, x, y, 0);
     }
 
     /** Applies a torque to a circle in the next step. */
-    public void applyTorque(long handle, float torque) {
-        guard.enter();
-        try {
-            int id = Circles.find(handles, handle);
-            Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
-            ensure();
-            fields.ensure(CircleField.APPLIED_TORQUE, id + 1);
-            log.torque(id, torque);
-            copies.forgetSaved();
-            guard.changing = true;
-            needs.askToTurn();
-            list(id);
-            float before = fields.getFloat(CircleField.APPLIED_TORQUE, id);
-            fields.set(CircleField.APPLIED_TORQUE, id, CircleField.bits(sum(before, torque)));
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void applyTorque(long circle, float torque) {
+        world.calls.changeByFloats(Call.TORQUE, circle, torque, 0, 0);
     }
 
-    /** Makes room for one more circle that a force or a torque is applied to. */
-    private void ensure() {
+    @Override
+    public void prepare(Call call, int[] words) {
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
         }
+        if (call == Call.FORCE) {
+            fields.ensure(CircleField.APPLIED_X, words[0] + 1);
+            fields.ensure(CircleField.APPLIED_Y, words[0] + 1);
+        } else {
+            fields.ensure(CircleField.APPLIED_TORQUE, words[0] + 1);
+        }
+    }
+
+    @Override
+    public long apply(Call call, int[] words) {
+        list(words[0]);
+        if (call == Call.FORCE) {
+            add(CircleField.APPLIED_X, words[0], Call.real(words[1]));
+            add(CircleField.APPLIED_Y, words[0], Call.real(words[2]));
+        } else {
+            world.needs.askToTurn();
+            add(CircleField.APPLIED_TORQUE, words[0], Call.real(words[1]));
+        }
+        return 0;
+    }
+
+    private void add(CircleField applied, int id, float more) {
+        fields.set(applied, id, CircleField.bits(sum(fields.getFloat(applied, id), more)));
     }
 
     private void list(int id) {
@@ -146,7 +121,7 @@ public final class Forces {
     }
 
     private void hand(int id, CircleField set, CircleField applied) {
-        commands.setField(set, id, CircleField.bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
+        world.commands.setField(set, id, CircleField.bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
     }
 
     /** After the step: puts back what has been set. There is room, since as many records were there for {@link #begin}. */
@@ -154,13 +129,13 @@ public final class Forces {
         for (int k = 0; k < count; k++) {
             int id = ids[k];
             if (isForced(id)) {
-                commands.setField(CircleField.FORCE_X, id, fields.getInt(CircleField.FORCE_X, id));
-                commands.setField(CircleField.FORCE_Y, id, fields.getInt(CircleField.FORCE_Y, id));
+                world.commands.setField(CircleField.FORCE_X, id, fields.getInt(CircleField.FORCE_X, id));
+                world.commands.setField(CircleField.FORCE_Y, id, fields.getInt(CircleField.FORCE_Y, id));
                 fields.set(CircleField.APPLIED_X, id, 0);
                 fields.set(CircleField.APPLIED_Y, id, 0);
             }
             if (isTurned(id)) {
-                commands.setField(CircleField.TORQUE, id, fields.getInt(CircleField.TORQUE, id));
+                world.commands.setField(CircleField.TORQUE, id, fields.getInt(CircleField.TORQUE, id));
                 fields.set(CircleField.APPLIED_TORQUE, id, 0);
             }
         }

@@ -3,15 +3,12 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LoggedCall;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /**
@@ -20,16 +17,11 @@ import java.util.Arrays;
  * <p>The radius and the steps left are values of {@link CircleField#GROWTH}, so they are in snapshots and in the hash. The step itself
  * knows nothing of this: a command before it gives the circle its next radius.
  */
-public final class Growth {
+public final class Growth implements Calls.Effects {
     private static final CircleField GROWTH = CircleField.GROWTH;
 
-    private final Guard guard;
-    private final HandleTable handles;
+    private final WorldParts world;
     private final CircleFields fields;
-    private final Commands commands;
-    private final CallLog log;
-    private final Copies copies;
-    private final WorldSettings settings;
 
     /** Circles that may grow, each once; some may have stopped, or be gone. */
     private int[] ids = new int[0];
@@ -43,42 +35,34 @@ public final class Growth {
     private long[] growthBefore = new long[0];
     private float[] radiusBefore = new float[0];
 
-    public Growth(
-            Guard guard, HandleTable handles, Commands commands, CallLog log, Copies copies, WorldSettings settings) {
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.log = log;
-        this.copies = copies;
-        this.settings = settings;
-        fields = handles.fields();
+    public Growth(WorldParts world) {
+        this.world = world;
+        fields = world.handles.fields();
+        world.calls.define(this, Call.GROW);
     }
 
     /** Lets a circle grow or shrink to a radius in a number of steps, from the radius that it has. */
-    public void grow(long handle, float radius, int steps) {
-        guard.enter();
-        try {
-            int id = Circles.find(handles, handle);
-            Limits.growth(radius, steps, settings.bounds());
-            fields.ensure(GROWTH, id + 1);
-            ensure(count + 1, handles.end());
-            log.call(LoggedCall.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
-            copies.forgetSaved();
-            guard.changing = true;
-            list(id);
-            fields.set(GROWTH, id, CircleField.growth(radius, steps));
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void grow(long circle, float radius, int steps) {
+        world.calls.change(Call.GROW, circle, Float.floatToRawIntBits(radius), steps, 0);
+    }
+
+    @Override
+    public void prepare(Call call, int[] words) {
+        fields.ensure(GROWTH, words[0] + 1);
+        ensure(count + 1, world.handles.end());
+    }
+
+    @Override
+    public long apply(Call call, int[] words) {
+        list(words[0]);
+        fields.set(GROWTH, words[0], CircleField.growth(Call.real(words[1]), words[2]));
+        return 0;
     }
 
     /** The steps that a circle goes on to grow or shrink; 0 if it does neither. */
     public int steps(long handle) {
-        guard.check();
-        return CircleField.growthSteps(fields.get(GROWTH, Circles.find(handles, handle)));
+        world.guard.check();
+        return CircleField.growthSteps(fields.get(GROWTH, world.circle(handle)));
     }
 
     private void ensure(int circles, int idLimit) {
@@ -147,12 +131,12 @@ public final class Growth {
             long growth = fields.get(GROWTH, id);
             float target = CircleField.growthRadius(growth);
             int steps = CircleField.growthSteps(growth);
-            float radius = handles.radius(id);
+            float radius = world.handles.radius(id);
             float next = steps == 1 ? target : radius + (target - radius) / steps;
             growthBefore[k] = growth;
             radiusBefore[k] = radius;
-            commands.set(Commands.GROW, id, next, 0);
-            handles.setRadius(id, next);
+            world.commands.set(Commands.GROW, id, next, 0);
+            world.handles.setRadius(id, next);
             fields.set(GROWTH, id, steps == 1 ? GROWTH.initial() : CircleField.growth(target, steps - 1));
         }
     }
@@ -160,7 +144,7 @@ public final class Growth {
     /** The step has not begun for want of memory: all is as before it. */
     void undo() {
         for (int k = 0; k < count; k++) {
-            handles.setRadius(ids[k], radiusBefore[k]);
+            world.handles.setRadius(ids[k], radiusBefore[k]);
             fields.set(GROWTH, ids[k], growthBefore[k]);
         }
     }
@@ -196,7 +180,7 @@ public final class Growth {
     void restored() {
         count = 0;
         Arrays.fill(listed, 0);
-        for (int id = 0; id < handles.end() && fields.isUsed(GROWTH); id++) {
+        for (int id = 0; id < world.handles.end() && fields.isUsed(GROWTH); id++) {
             if (grows(id)) {
                 list(id);
             }

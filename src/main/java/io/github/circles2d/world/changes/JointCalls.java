@@ -1,32 +1,23 @@
 package io.github.circles2d.world.changes;
 
-import io.github.circles2d.world.circles.Handle;
-import io.github.circles2d.world.circles.HandleTable;
+import static io.github.circles2d.world.shared.Call.real;
+import static java.lang.Float.floatToRawIntBits;
+
 import io.github.circles2d.world.joints.GoneJoints;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.joints.JointTable;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LoggedCall;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.terrain.TerrainTables;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 
 /** The calls that change joints. A change acts from the next step on. */
-public final class JointCalls {
-    private final Guard guard;
-    private final HandleTable handles;
-    private final TerrainTables terrain;
-    private final JointTables joints;
+public final class JointCalls implements Calls.Effects {
+    private final WorldParts world;
     private final JointTable table;
-    private final CallLog log;
-    private final PendingWork pending;
-    private final Copies copies;
 
     /** What a call names. */
     private int[] found = new int[0];
@@ -34,44 +25,45 @@ public final class JointCalls {
     private int[] foundOthers = new int[0];
     private final IdSet leaving = new IdSet();
 
+    /** What the next joints of a log are; null if it has not said so. */
+    private JointForm form;
+
+    private final int[] words = new int[Call.MOST_WORDS];
+
     // circles as of now, if new joints look at them
     private float[] circles;
     private int[] angles;
 
-    public JointCalls(
-            Guard guard,
-            HandleTable handles,
-            TerrainTables terrain,
-            JointTables joints,
-            CallLog log,
-            PendingWork pending,
-            Copies copies) {
-        this.guard = guard;
-        this.handles = handles;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.log = log;
-        this.pending = pending;
-        this.copies = copies;
-        table = joints.table;
+    public JointCalls(WorldParts world) {
+        this.world = world;
+        table = world.joints.table;
+        world.calls.define(
+                this,
+                Call.JOINT_FORM,
+                Call.JOINT,
+                Call.ANCHORED_JOINT,
+                Call.JOINT_ALONE,
+                Call.JOINT_SETTING,
+                Call.REMOVE_JOINT,
+                Call.CLEAR_JOINTS);
     }
 
     /** One more than the greatest id that a joint has had. */
     public int idLimit() {
-        guard.check();
+        world.guard.check();
         return table.ids.end();
     }
 
     /** The handle of the joint that has an id; 0 if there is none. */
     public long handle(int id) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             return table.ids.handleOrNone(id);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -80,83 +72,88 @@ public final class JointCalls {
 
     /** Adds a joint between two circles, and returns its handle. */
     public long add(long circle, long other, JointForm form) {
-        return add(LoggedCall.JOINT, circle, other, form);
+        return add(Call.JOINT, circle, other, 0, 0, form);
     }
 
     /** Adds a joint that holds a circle to no place, and returns its handle. */
     public long add(long circle, JointForm form) {
-        return add(LoggedCall.JOINT_ALONE, circle, 0, form);
+        return add(Call.JOINT_ALONE, circle, 0, 0, 0, form);
     }
 
-    private long add(LoggedCall call, long circle, long other, JointForm form) {
-        guard.enter();
+    /** Adds a joint that holds a circle to a place of a body of terrain, in the body's coordinates, and returns its handle. */
+    public long add(long circle, long body, float x, float y, JointForm form) {
+        return add(Call.ANCHORED_JOINT, circle, body, x, y, form);
+    }
+
+    private long add(Call call, long circle, long other, float x, float y, JointForm form) {
+        world.guard.enter();
         try {
-            pending.settleJoints();
-            int a = Circles.find(handles, circle);
-            int b = call == LoggedCall.JOINT ? Circles.find(handles, other) : JointRow.NONE;
-            check(form, a, b);
-            begin(form, 1);
-            log.joints(form);
-            log.call(call, a, b);
-            guard.changing = true;
-            int joint = addOne(form, a, b);
-            guard.changing = false;
-            return table.ids.handle(joint);
+            world.pending.settleJoints();
+            words[0] = world.circle(circle);
+            if (call != Call.JOINT_ALONE) {
+                words[1] = call == Call.JOINT ? world.circle(other) : world.body(other);
+            }
+            words[2] = floatToRawIntBits(x);
+            words[3] = floatToRawIntBits(y);
+            prepare(call, words, form);
+            world.log.joints(form);
+            world.log.write(call, words);
+            world.guard.changing = true;
+            long joint = apply(call, words, form);
+            world.guard.changing = false;
+            return joint;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
+    }
+
+    /** Checks a joint that is to come, and makes room for it. */
+    private void prepare(Call call, int[] w, JointForm of) {
+        if (call == Call.ANCHORED_JOINT) {
+            JointLimits.anchor(of, w[0], real(w[2]), real(w[3]), world.handles);
+        } else {
+            check(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE);
+        }
+        begin(of, 1);
+    }
+
+    /** Adds a joint, for which there is room, and returns its handle. */
+    private long apply(Call call, int[] w, JointForm of) {
+        if (call != Call.ANCHORED_JOINT) {
+            return table.ids.handle(addOne(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE));
+        }
+        int joint = world.joints.add(of, w[0], w[1], real(w[2]), real(w[3]));
+        complete(of, joint);
+        return table.ids.handle(joint);
     }
 
     /** Without a circle b, it holds a to no place. */
     private void check(JointForm form, int a, int b) {
         if (b == JointRow.NONE) {
-            JointLimits.alone(form, a, handles);
+            JointLimits.alone(form, a, world.handles);
         } else {
-            JointLimits.circles(form, a, b, handles);
-        }
-    }
-
-    /** Adds a joint that holds a circle to a place of a body of terrain, in the body's coordinates, and returns its handle. */
-    public long add(long circle, long body, float x, float y, JointForm form) {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            int a = Circles.find(handles, circle);
-            int of = Bodies.find(terrain, body);
-            JointLimits.anchor(form, a, x, y, handles);
-            begin(form, 1);
-            log.joints(form);
-            log.call(LoggedCall.ANCHORED_JOINT, a, of, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
-            guard.changing = true;
-            int joint = joints.add(form, a, of, x, y);
-            complete(form, joint);
-            guard.changing = false;
-            return table.ids.handle(joint);
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
+            JointLimits.circles(form, a, b, world.handles);
         }
     }
 
     /** Adds joints between two circles each; the handles are optional. Returns how many. */
     public int addAll(long[] firsts, long[] others, JointForm form, long[] to) {
-        return addAll(LoggedCall.JOINT, firsts, others, form, to);
+        return addAll(Call.JOINT, firsts, others, form, to);
     }
 
     /** Adds joints that hold a circle each to no place; the handles are optional. Returns how many. */
     public int addAll(long[] circlesOf, JointForm form, long[] to) {
-        return addAll(LoggedCall.JOINT_ALONE, circlesOf, null, form, to);
+        return addAll(Call.JOINT_ALONE, circlesOf, null, form, to);
     }
 
-    private int addAll(LoggedCall call, long[] firsts, long[] others, JointForm form, long[] to) {
-        guard.enter();
+    private int addAll(Call call, long[] firsts, long[] others, JointForm form, long[] to) {
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             int n = Limits.notNull("circles", firsts).length;
-            if (call == LoggedCall.JOINT) {
+            if (call == Call.JOINT) {
                 checkOthers(others, n);
             }
             checkRoom(to, n);
@@ -166,18 +163,20 @@ public final class JointCalls {
                 find(k, firsts[k], others, form);
             }
             begin(form, n);
-            log.joints(form);
+            world.log.joints(form);
             for (int k = 0; k < n; k++) {
-                log.call(call, found[k], foundOthers[k]);
+                words[0] = found[k];
+                words[1] = foundOthers[k];
+                world.log.write(call, words);
             }
-            guard.changing = true;
+            world.guard.changing = true;
             addFound(n, form, to);
-            guard.changing = false;
+            world.guard.changing = false;
             return n;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -216,8 +215,8 @@ public final class JointCalls {
     /** Finds the circles of joint k; others is null if the joints hold circles to no place. */
     private void find(int k, long circle, long[] others, JointForm form) {
         try {
-            found[k] = Circles.find(handles, circle);
-            foundOthers[k] = others == null ? JointRow.NONE : Circles.find(handles, others[k]);
+            found[k] = world.circle(circle);
+            foundOthers[k] = others == null ? JointRow.NONE : world.circle(others[k]);
             check(form, found[k], foundOthers[k]);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);
@@ -227,26 +226,26 @@ public final class JointCalls {
     /** Makes room for joints, which have been checked, and looks at what they take from circles. */
     private void begin(JointForm form, int more) {
         JointLimits.room(more, table.ids.size());
-        table.ensure(more, handles.end());
+        table.ensure(more, world.handles.end());
         if (form.springs()) {
             table.ensureSpring(); // all have the same
         }
         if (form.looks()) {
-            circles = copies.last().circles();
-            angles = copies.last().angles();
+            circles = world.last.circles();
+            angles = world.last.angles();
         }
-        copies.forgetSaved();
+        world.copies.forgetSaved();
     }
 
     private int addOne(JointForm form, int a, int b) {
-        int joint = joints.add(form, a, b);
+        int joint = world.joints.add(form, a, b);
         complete(form, joint);
         return joint;
     }
 
     private void complete(JointForm form, int joint) {
         if (form.looks()) {
-            joints.complete(joint, circles, angles);
+            world.joints.complete(joint, circles, angles);
         }
     }
 
@@ -254,104 +253,50 @@ public final class JointCalls {
     // -----------------------------------------------------------------------------------------------
 
     /** Sets something of a joint, by one or two values. */
-    public void set(JointSetting setting, long handle, float a, float b) {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            int joint = find(handle);
-            joints.check(joint, setting, a, b);
-            if (setting == JointSetting.SPRING) {
-                table.ensureSpring();
-            }
-            copies.forgetSaved();
-            log.call(
-                    LoggedCall.JOINT_SETTING,
-                    joint,
-                    setting.number,
-                    Float.floatToRawIntBits(a),
-                    Float.floatToRawIntBits(b));
-            guard.changing = true;
-            joints.set(joint, setting, a, b);
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
-    }
-
-    private int find(long handle) {
-        return find(table, handle);
-    }
-
-    /** The id of the joint that has a handle. */
-    public static int find(JointTable table, long handle) {
-        int joint = table.ids.find(handle);
-        if (joint < 0) {
-            throw new IllegalArgumentException(gone(handle));
-        }
-        return joint;
-    }
-
-    private static String gone(long handle) {
-        return "no joint has the handle " + handle
-                + (Handle.has(handle, Handle.JOINT)
-                        ? ": it was removed or has broken, or is none of this world's"
-                        : Handle.reason(handle, Handle.JOINT));
+    public void set(JointSetting setting, long joint, float a, float b) {
+        world.calls.change(Call.JOINT_SETTING, joint, setting.number, floatToRawIntBits(a), floatToRawIntBits(b));
     }
 
     // ---- joints go
     // ---------------------------------------------------------------------------------------------------
 
     /** Removes a joint. */
-    public void remove(long handle) {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            int joint = find(handle);
-            copies.forgetSaved();
-            log.call(LoggedCall.REMOVE_JOINT, joint, 0);
-            guard.changing = true;
-            table.remove(joint);
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void remove(long joint) {
+        world.calls.change(Call.REMOVE_JOINT, joint, 0, 0, 0);
     }
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             int n = Limits.notNull("joints", them).length;
             ensureFound(n);
             leaving.begin(table.ids.end());
             for (int k = 0; k < n; k++) {
                 findLeaving(k, them[k]);
             }
-            copies.forgetSaved();
+            world.copies.forgetSaved();
             for (int k = 0; k < n; k++) {
-                log.call(LoggedCall.REMOVE_JOINT, found[k], 0);
+                words[0] = found[k];
+                world.log.write(Call.REMOVE_JOINT, words);
             }
-            guard.changing = true;
+            world.guard.changing = true;
             for (int k = 0; k < n; k++) {
                 table.remove(found[k]);
             }
-            guard.changing = false;
+            world.guard.changing = false;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private void findLeaving(int k, long handle) {
         int joint = table.ids.find(handle);
         if (joint < 0) {
-            throw new IllegalArgumentException("handle " + k + ": " + gone(handle));
+            throw new IllegalArgumentException("handle " + k + ": " + WorldParts.goneJoint(handle));
         }
         if (!leaving.add(joint)) {
             throw new IllegalArgumentException(
@@ -362,19 +307,60 @@ public final class JointCalls {
 
     /** Removes all joints. */
     public void clear() {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            copies.forgetSaved();
-            log.call(LoggedCall.CLEAR_JOINTS, 0, 0);
-            guard.changing = true;
-            table.clear();
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
+        world.calls.make(Call.CLEAR_JOINTS, 0, 0, 0, 0);
+    }
+
+    // ---- calls by their words
+    // ----------------------------------------------------------------------------------------
+
+    @Override
+    public void prepare(Call call, int[] w) {
+        world.pending.settleJoints();
+        switch (call) {
+            case JOINT_FORM -> prepareForm(w);
+            case JOINT, ANCHORED_JOINT, JOINT_ALONE -> {
+                if (form == null) {
+                    throw new IllegalArgumentException("a joint comes without a form");
+                }
+                if (call != Call.JOINT_ALONE) {
+                    world.calls.requireId(call == Call.JOINT ? Call.Named.CIRCLE : Call.Named.BODY, w[1]);
+                }
+                prepare(call, w, form);
+            }
+            case JOINT_SETTING -> {
+                JointSetting setting = JointSetting.of(w[1]);
+                world.joints.check(w[0], setting, real(w[2]), real(w[3]));
+                if (setting == JointSetting.SPRING) {
+                    table.ensureSpring();
+                }
+            }
+            default -> {
+                // joints that go take no room
+            }
         }
+    }
+
+    private void prepareForm(int[] w) {
+        form = JointForm.of(w);
+        if (form == null) {
+            throw new IllegalArgumentException("no joint has the form " + w[0]);
+        }
+    }
+
+    @Override
+    public long apply(Call call, int[] w) {
+        switch (call) {
+            case JOINT, ANCHORED_JOINT, JOINT_ALONE -> {
+                return apply(call, w, form);
+            }
+            case JOINT_SETTING -> world.joints.set(w[0], JointSetting.of(w[1]), real(w[2]), real(w[3]));
+            case REMOVE_JOINT -> table.remove(w[0]);
+            case CLEAR_JOINTS -> table.clear();
+            default -> {
+                // a form changes nothing yet
+            }
+        }
+        return 0;
     }
 
     // ---- joints that go by themselves
@@ -382,33 +368,33 @@ public final class JointCalls {
 
     /** Sets whether they are told of. */
     public void report(boolean on) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints(); // what has gone so far is told of as it was to be
-            joints.departures().report(on);
+            world.pending.settleJoints(); // what has gone so far is told of as it was to be
+            world.joints.departures().report(on);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Whether somebody is told of joints that go by themselves. */
     public boolean reports() {
-        guard.check();
-        return joints.departures().reports();
+        world.guard.check();
+        return world.joints.departures().reports();
     }
 
     /** Gives those that went since the last call. */
     public void take(GoneJoints to) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
-            joints.departures().gone().moveTo(to);
+            world.pending.settleJoints();
+            world.joints.departures().gone().moveTo(to);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 }

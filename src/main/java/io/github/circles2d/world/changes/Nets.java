@@ -5,15 +5,10 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointTable;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.CircleRow;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LoggedCall;
-import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.shared.WorldSettings;
-import io.github.circles2d.world.terrain.TerrainTables;
 import java.util.Arrays;
 
 /**
@@ -21,44 +16,24 @@ import java.util.Arrays;
  * comes. A log has it as calls that add circles, and joints.
  */
 public final class Nets {
-    private final Guard guard;
-    private final HandleTable handles;
-    private final TerrainTables terrain;
-    private final JointTables joints;
+    private final WorldParts world;
     private final JointTable table;
-    private final CallLog log;
-    private final PendingWork pending;
-    private final Copies copies;
-    private final WorldSettings settings;
     private final NewCircles newCircles;
 
-    public Nets(
-            Guard guard,
-            HandleTable handles,
-            TerrainTables terrain,
-            JointTables joints,
-            CallLog log,
-            PendingWork pending,
-            Copies copies,
-            WorldSettings settings,
-            NewCircles newCircles) {
-        this.guard = guard;
-        this.handles = handles;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.log = log;
-        this.pending = pending;
-        this.copies = copies;
-        this.settings = settings;
+    /** Those of a joint. */
+    private final int[] words = new int[Call.MOST_WORDS];
+
+    public Nets(WorldParts world, NewCircles newCircles) {
+        this.world = world;
         this.newCircles = newCircles;
-        table = joints.table;
+        table = world.joints.table;
     }
 
     /** Adds a net, and gives the handles of its circles and joints. */
     public void add(Net net, long[] circlesTo, long[] jointsTo) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             JointLimits.room(net.joints(), table.ids.size());
             for (int k = 0; k < net.joints(); k++) {
                 check(net, k);
@@ -66,22 +41,20 @@ public final class Nets {
             boolean looks = makeRoom(net);
             int n = net.size();
             // a read hands the changes that wait to the pipeline, and circles are prepared behind those that still wait
-            Looked before = looks
-                    ? new Looked(handles, copies.last().circles(), copies.last().angles(), n)
-                    : null;
+            Looked before = looks ? new Looked(world.handles, world.last.circles(), world.last.angles(), n) : null;
             int[] own = newCircles.prepareAll(n, net.circles, null, kinds(net, n));
-            copies.forget();
-            guard.changing = true;
+            world.copies.forget();
+            world.guard.changing = true;
             newCircles.admitAll(n, own, circlesTo);
             if (looks) {
-                before.enter(circlesTo, net.circles, settings);
+                before.enter(circlesTo, net.circles, world.settings);
             }
             addJoints(net, circlesTo, jointsTo, before);
-            guard.changing = false;
+            world.guard.changing = false;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -93,7 +66,7 @@ public final class Nets {
             JointForm form = net.form(k);
             boolean isStatic = isStatic(net, net.firstIsThere(k), net.firstEnd(k));
             if (net.second(k) == Net.PLACE) {
-                Bodies.find(terrain, net.secondEnd(k));
+                world.body(net.secondEnd(k));
                 JointLimits.anchor(form, net.placeX(k), net.placeY(k));
                 if (isStatic) {
                     throw new IllegalArgumentException("its circle is static, but must move");
@@ -111,7 +84,7 @@ public final class Nets {
 
     private boolean isStatic(Net net, boolean isThere, long end) {
         return isThere
-                ? handles.isStatic(Circles.find(handles, end))
+                ? world.handles.isStatic(world.circle(end))
                 : net.circles[CircleRow.STRIDE * (int) end + CircleRow.MASS] == Float.POSITIVE_INFINITY;
     }
 
@@ -126,7 +99,7 @@ public final class Nets {
 
     /** Makes room for joints; returns whether one of them looks at circles. */
     private boolean makeRoom(Net net) {
-        table.ensure(net.joints(), handles.end() + net.size());
+        table.ensure(net.joints(), world.handles.end() + net.size());
         boolean looks = false;
         int springs = 0;
         for (int k = 0; k < net.joints(); k++) {
@@ -151,14 +124,14 @@ public final class Nets {
         for (int k = 0; k < net.joints(); k++) {
             JointForm form = net.form(k);
             if (isOther(net, k)) {
-                log.joints(form);
+                world.log.joints(form);
             }
             int a = id(net.firstIsThere(k), net.firstEnd(k), circles);
             int joint = net.second(k) == Net.PLACE
                     ? anchor(net, k, form, a)
                     : join(form, a, id(net.second(k) == Net.CIRCLE, net.secondEnd(k), circles));
             if (form.looks()) {
-                joints.complete(joint, before.circles, before.angles);
+                world.joints.complete(joint, before.circles, before.angles);
             }
             to[k] = table.ids.handle(joint);
         }
@@ -169,16 +142,22 @@ public final class Nets {
     }
 
     private int join(JointForm form, int a, int b) {
-        log.call(LoggedCall.JOINT, a, b);
-        return joints.add(form, a, b);
+        words[0] = a;
+        words[1] = b;
+        world.log.write(Call.JOINT, words);
+        return world.joints.add(form, a, b);
     }
 
     private int anchor(Net net, int k, JointForm form, int a) {
-        int body = Bodies.find(terrain, net.secondEnd(k));
+        int body = world.body(net.secondEnd(k));
         float x = net.placeX(k);
         float y = net.placeY(k);
-        log.call(LoggedCall.ANCHORED_JOINT, a, body, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
-        return joints.add(form, a, body, x, y);
+        words[0] = a;
+        words[1] = body;
+        words[2] = Float.floatToRawIntBits(x);
+        words[3] = Float.floatToRawIntBits(y);
+        world.log.write(Call.ANCHORED_JOINT, words);
+        return world.joints.add(form, a, body, x, y);
     }
 
     /** Circles as of now, with those that come, as a bulk read would give them. A joint can look at them before the pipeline knows them. */

@@ -1,15 +1,15 @@
 package io.github.circles2d.world.changes;
 
-import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * What calls have asked of circles in the next step alone: forces that act once, static circles that travel, and circles that grow. The
  * step itself knows nothing of this: commands before it and after it make such a step.
  */
 public final class NextStep {
-    private final Commands commands;
+    private final WorldParts world;
     final Forces forces;
     final Travels travels;
     final Growth growth;
@@ -17,8 +17,8 @@ public final class NextStep {
     /** Commands that waited before those of the step. */
     private int before;
 
-    public NextStep(Commands commands, Forces forces, Travels travels, Growth growth) {
-        this.commands = commands;
+    public NextStep(WorldParts world, Forces forces, Travels travels, Growth growth) {
+        this.world = world;
         this.forces = forces;
         this.travels = travels;
         this.growth = growth;
@@ -41,14 +41,14 @@ public final class NextStep {
 
     /** Makes room for {@link #begin}. If there is none, nothing has changed. */
     public void makeRoom() {
-        commands.ensure(forces.most() + growth.count() + travels.count());
+        world.commands.ensure(forces.most() + growth.count() + travels.count());
         growth.makeRoom();
         travels.makeRoom();
     }
 
     /** Before the step. */
     public void begin(float timeStep, Bounds bounds) {
-        before = commands.count();
+        before = world.commands.count();
         forces.begin();
         growth.begin();
         travels.depart(timeStep, bounds);
@@ -56,7 +56,7 @@ public final class NextStep {
 
     /** The step has not begun for want of memory: all is as before {@link #begin}, and its commands are taken back. */
     public void undo() {
-        commands.drop(commands.count() - before);
+        world.commands.drop(world.commands.count() - before);
         travels.stay();
         growth.undo();
     }

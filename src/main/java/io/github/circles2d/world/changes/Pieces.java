@@ -1,110 +1,108 @@
 package io.github.circles2d.world.changes;
 
-import io.github.circles2d.world.circles.Handle;
+import static io.github.circles2d.world.shared.Call.real;
+import static java.lang.Float.floatToRawIntBits;
+
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LoggedCall;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.ChainPath;
 import io.github.circles2d.world.terrain.PieceRead;
 import io.github.circles2d.world.terrain.PieceTable;
-import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The calls on pieces of terrain. A change acts from the next step on. */
-public final class Pieces {
+public final class Pieces implements Calls.Effects {
     private static final int SEGMENT_STRIDE = 4;
 
-    private final Guard guard;
-    private final TerrainTables terrain;
+    private final WorldParts world;
     private final PieceTable table;
-    private final JointTables joints;
-    private final CallLog log;
-    private final PendingWork pending;
-    private final Copies copies;
-    private final WorldSettings settings;
     private final PieceRead read;
 
     /** A copy of the caller's array. */
     private float[] copied = new float[0];
 
-    public Pieces(
-            Guard guard,
-            TerrainTables terrain,
-            JointTables joints,
-            CallLog log,
-            PendingWork pending,
-            Copies copies,
-            WorldSettings settings) {
-        this.guard = guard;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.log = log;
-        this.pending = pending;
-        this.copies = copies;
-        this.settings = settings;
-        table = terrain.pieces;
-        read = new PieceRead(terrain);
+    /** Those of a segment of many, or of a part of a chain. */
+    private final int[] words = new int[Call.MOST_WORDS];
+
+    /** The chain of which a log has the parts; null if none has begun. */
+    private ChainPath chain;
+
+    public Pieces(WorldParts world) {
+        this.world = world;
+        table = world.terrain.pieces;
+        read = new PieceRead(world.terrain);
+        world.calls.define(
+                this,
+                Call.SEGMENT,
+                Call.ARC,
+                Call.CHAIN_START,
+                Call.CHAIN_LINE,
+                Call.CHAIN_ARC,
+                Call.CHAIN,
+                Call.REMOVE_PIECE,
+                Call.PIECE_KIND,
+                Call.CLEAR_TERRAIN);
     }
 
     /** Adds a segment to a body, in the frame of the body, and returns its handle. */
     public long addSegment(long body, int kind, float x1, float y1, float x2, float y2, float thickness) {
-        guard.enter();
-        try {
-            int of = Bodies.find(terrain, body);
-            KindTable.check(kind);
-            TerrainLimits.segment(x1, y1, x2, y2, thickness, settings.bounds());
-            begin(1);
-            log.segment(of, kind, x1, y1, x2, y2, thickness);
-            guard.changing = true;
-            long handle = table.ids.handle(terrain.addSegment(of, kind, x1, y1, x2, y2, thickness + 0f));
-            guard.changing = false;
-            return handle;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        return world.calls.change(
+                Call.SEGMENT,
+                body,
+                kind,
+                floatToRawIntBits(x1),
+                floatToRawIntBits(y1),
+                floatToRawIntBits(x2),
+                floatToRawIntBits(y2),
+                floatToRawIntBits(thickness),
+                0);
     }
 
     /** Adds segments without thickness, four elements each; the handles are optional. */
     public int addSegments(long body, float[] ends, int kind, long[] handles) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int of = Bodies.find(terrain, body);
+            int of = world.body(body);
             KindTable.check(kind);
             int n = copy(ends);
             checkHandles(handles, n);
             for (int k = 0; k < n; k++) {
-                checkSegment(k);
+                checkSegment(of, kind, k);
             }
-            begin(n);
+            makeRoom(n);
+            world.copies.forgetSaved();
             for (int k = 0; k < n; k++) {
-                int at = SEGMENT_STRIDE * k;
-                log.segment(of, kind, copied[at], copied[at + 1], copied[at + 2], copied[at + 3], 0f);
+                world.log.write(Call.SEGMENT, segment(of, kind, k));
             }
-            guard.changing = true;
+            world.guard.changing = true;
             for (int k = 0; k < n; k++) {
-                int at = SEGMENT_STRIDE * k;
-                int piece =
-                        terrain.addSegment(of, kind, copied[at], copied[at + 1], copied[at + 2], copied[at + 3], 0f);
+                long handle = apply(Call.SEGMENT, segment(of, kind, k));
                 if (handles != null) {
-                    handles[k] = table.ids.handle(piece);
+                    handles[k] = handle;
                 }
             }
-            guard.changing = false;
+            world.guard.changing = false;
             return n;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
+    }
+
+    /** The words of segment k of many. */
+    private int[] segment(int body, int kind, int k) {
+        words[0] = body;
+        words[1] = kind;
+        for (int i = 0; i < SEGMENT_STRIDE; i++) {
+            words[2 + i] = floatToRawIntBits(copied[SEGMENT_STRIDE * k + i]);
+        }
+        words[2 + SEGMENT_STRIDE] = 0;
+        return words;
     }
 
     /** Another thread may write to the caller's array. */
@@ -120,10 +118,9 @@ public final class Pieces {
         return length / SEGMENT_STRIDE;
     }
 
-    private void checkSegment(int k) {
-        int at = SEGMENT_STRIDE * k;
+    private void checkSegment(int body, int kind, int k) {
         try {
-            TerrainLimits.segment(copied[at], copied[at + 1], copied[at + 2], copied[at + 3], 0f, settings.bounds());
+            Call.SEGMENT.check(segment(body, kind, k), world.settings);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("segment " + k + ": " + e.getMessage(), e);
         }
@@ -138,186 +135,228 @@ public final class Pieces {
 
     /** Adds an arc, counterclockwise between two angles in radians, and returns its handle. inside: circles are inside it. */
     public long addArc(long body, int kind, float x, float y, float radius, float from, float to, boolean inside) {
-        guard.enter();
-        try {
-            int of = Bodies.find(terrain, body);
-            KindTable.check(kind);
-            Limits.within("from", from, -Limits.ANGLE, Limits.ANGLE);
-            Limits.within("to", to, -Limits.ANGLE, Limits.ANGLE);
-            long opening = TerrainLimits.opening(from, to);
-            TerrainLimits.arc(x, y, radius, (int) (opening >>> 1), settings.bounds());
-            begin(1);
-            log.arc(of, kind, x, y, radius, from, to, inside);
-            guard.changing = true;
-            long handle = table.ids.handle(terrain.addArc(of, kind, x, y, radius, from, opening, inside));
-            guard.changing = false;
-            return handle;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        return world.calls.change(
+                Call.ARC,
+                body,
+                kind,
+                floatToRawIntBits(x),
+                floatToRawIntBits(y),
+                floatToRawIntBits(radius),
+                floatToRawIntBits(from),
+                floatToRawIntBits(to),
+                inside ? 1 : 0);
     }
 
     /** Adds the pieces of a chain, and returns how many; the handles are optional. */
     public int addChain(long body, ChainPath chain, int kind, long[] handles) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int of = Bodies.find(terrain, body);
+            int of = world.body(body);
             KindTable.check(kind);
             boolean closed = chain.isClosed();
             int n = chain.pieces();
-            if (n == 0) {
-                throw new IllegalArgumentException("the chain has 1 point, but must have at least 2");
-            }
             checkHandles(handles, n);
-            chain.check(n, settings.bounds());
-            begin(n);
-            log.chain(of, kind, chain, n, closed);
-            guard.changing = true;
-            terrain.addChain(of, kind, chain, n, closed, handles);
-            guard.changing = false;
+            checkChain(chain, n);
+            makeRoom(n);
+            world.copies.forgetSaved();
+            logChain(of, kind, chain, n, closed);
+            world.guard.changing = true;
+            world.terrain.addChain(of, kind, chain, n, closed, handles);
+            world.guard.changing = false;
             return n;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
-    /** Makes room for pieces, whose values have been checked. */
-    private void begin(int more) {
+    private void checkChain(ChainPath of, int n) {
+        if (n == 0) {
+            throw new IllegalArgumentException("the chain has 1 point, but must have at least 2");
+        }
+        of.check(n, world.settings.bounds());
+    }
+
+    /** The first pieces of a chain, so many, are to be added. */
+    private void logChain(int body, int kind, ChainPath of, int n, boolean closed) {
+        log(Call.CHAIN_START, floatToRawIntBits(of.x(0)), floatToRawIntBits(of.y(0)), 0, 0);
+        for (int k = 0; k < n; k++) {
+            long turn = of.turn(k);
+            if (turn == 0) {
+                log(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
+            } else {
+                int x = floatToRawIntBits(of.centreX(k));
+                log(Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
+            }
+        }
+        log(Call.CHAIN, body, kind, closed ? 1 : 0, 0);
+    }
+
+    private void log(Call call, int a, int b, int c, int d) {
+        words[0] = a;
+        words[1] = b;
+        words[2] = c;
+        words[3] = d;
+        world.log.write(call, words);
+    }
+
+    private void makeRoom(int more) {
         if (more > TerrainLimits.PIECES - table.ids.size()) {
             throw new IllegalArgumentException("a world has at most " + TerrainLimits.PIECES
                     + " pieces of terrain, not " + (table.ids.size() + more));
         }
         table.ensure(more);
-        copies.forgetSaved();
     }
 
     /** Removes a piece. */
-    public void remove(long handle) {
-        guard.enter();
-        try {
-            int piece = find(handle);
-            copies.forgetSaved();
-            log.call(LoggedCall.REMOVE_PIECE, piece, 0);
-            guard.changing = true;
-            terrain.remove(piece);
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
-        }
+    public void remove(long piece) {
+        world.calls.change(Call.REMOVE_PIECE, piece, 0, 0, 0);
     }
 
     /** Removes all pieces and bodies. */
     public void clear() {
-        guard.enter();
-        try {
-            pending.settleJoints();
-            joints.departures().ensure(joints.table.places.count());
-            copies.forgetSaved();
-            log.call(LoggedCall.CLEAR_TERRAIN, 0, 0);
-            guard.changing = true;
-            joints.departures().removeOfBodies();
-            terrain.clear();
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
+        world.calls.make(Call.CLEAR_TERRAIN, 0, 0, 0, 0);
+    }
+
+    public void setKind(long piece, int kind) {
+        world.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
+    }
+
+    @Override
+    public void prepare(Call call, int[] w) {
+        switch (call) {
+            case SEGMENT, ARC -> makeRoom(1);
+            case CHAIN_START -> chain = new ChainPath(real(w[0]), real(w[1]));
+            case CHAIN_LINE -> begunChain().lineTo(real(w[0]), real(w[1]));
+            case CHAIN_ARC -> begunChain().arcBy(real(w[0]), real(w[1]), Call.value(w[2], w[3]));
+            case CHAIN -> {
+                if (w[2] == 1) {
+                    close(begunChain());
+                }
+                checkChain(begunChain(), chain.pieces());
+                makeRoom(chain.pieces());
+            }
+            case CLEAR_TERRAIN -> {
+                world.pending.settleJoints();
+                world.joints.departures().ensure(world.joints.table.places.count());
+            }
+            default -> {
+                // it takes no room
+            }
         }
     }
 
-    public void setKind(long handle, int kind) {
-        guard.enter();
+    private ChainPath begunChain() {
+        if (chain == null) {
+            throw new IllegalArgumentException("a chain goes on that has not begun");
+        }
+        return chain;
+    }
+
+    /** A log has the line that closes a chain, if there is one. */
+    private static void close(ChainPath whole) {
+        int before = whole.pieces();
         try {
-            int piece = find(handle);
-            KindTable.check(kind);
-            copies.forgetSaved();
-            log.call(LoggedCall.PIECE_KIND, piece, kind);
-            guard.changing = true;
-            terrain.setKind(piece, kind);
-            guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
-        } finally {
-            guard.user = null;
+            whole.close();
+        } catch (IllegalStateException e) {
+            throw new IllegalArgumentException("a chain cannot be closed", e);
+        }
+        if (whole.pieces() != before) {
+            throw new IllegalArgumentException("a chain is closed that has a gap");
         }
     }
 
-    private int find(long handle) {
-        int piece = table.ids.find(handle);
-        if (piece < 0) {
-            throw new IllegalArgumentException(
-                    "no piece of terrain has the handle " + handle + Handle.reason(handle, Handle.PIECE));
+    @Override
+    public long apply(Call call, int[] w) {
+        switch (call) {
+            case SEGMENT -> {
+                return table.ids.handle(world.terrain.addSegment(
+                        w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), real(w[6]) + 0f));
+            }
+            case ARC -> {
+                long opening = TerrainLimits.opening(real(w[5]), real(w[6]));
+                return table.ids.handle(world.terrain.addArc(
+                        w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), opening, w[7] == 1));
+            }
+            case CHAIN -> {
+                world.terrain.addChain(w[0], w[1], chain, chain.pieces(), w[2] == 1, null);
+                chain = null;
+            }
+            case REMOVE_PIECE -> world.terrain.remove(w[0]);
+            case PIECE_KIND -> world.terrain.setKind(w[0], w[1]);
+            case CLEAR_TERRAIN -> {
+                world.joints.departures().removeOfBodies();
+                world.terrain.clear();
+            }
+            default -> {
+                // a part of a chain changes nothing yet
+            }
         }
-        return piece;
+        return 0;
     }
 
     public boolean contains(long handle) {
-        guard.check();
+        world.guard.check();
         return table.ids.find(handle) >= 0;
     }
 
     /** One more than the greatest id that a piece has had. */
     public int idLimit() {
-        guard.check();
+        world.guard.check();
         return table.ids.end();
     }
 
     /** The handle of the piece that has an id; 0 if there is none. */
     public long handle(int id) {
-        guard.check();
+        world.guard.check();
         return table.ids.handleOrNone(id);
     }
 
     /** The number of pieces. */
     public int size() {
-        guard.check();
+        world.guard.check();
         return table.ids.size();
     }
 
     public int kindOf(long handle) {
-        guard.check();
-        return table.kindOf(find(handle));
+        world.guard.check();
+        return table.kindOf(world.piece(handle));
     }
 
     /** The handle of the body of a piece. */
     public long bodyOf(long handle) {
-        guard.check();
-        return terrain.bodies.ids.handle(table.bodyOf(find(handle)));
+        world.guard.check();
+        return world.terrain.bodies.ids.handle(table.bodyOf(world.piece(handle)));
     }
 
     /** What pieces look like, in the order of ids, and their handles, which are optional; returns how many there are. */
     public int read(float[] to, long[] handles) {
-        guard.enter();
+        world.guard.enter();
         try {
             int n = checkRead(to, handles);
             read.read(to, handles);
             return n;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The same with bodies on the way from before a step to after it, whose poses are kept in the third ones. */
     public int readBetween(
             BodyPoses before, BodyPoses after, float alpha, BodyPoses between, float[] to, long[] handles) {
-        guard.enter();
+        world.guard.enter();
         try {
             int n = checkRead(to, handles);
-            between.keepBetween(before, after, alpha, terrain.bodies, terrain.bounds());
+            between.keepBetween(before, after, alpha, world.terrain.bodies, world.terrain.bounds());
             read.read(between, to, handles);
             return n;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 

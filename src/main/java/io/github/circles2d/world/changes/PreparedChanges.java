@@ -2,113 +2,78 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.joints.JointTables;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
- * {@link Commands}; {@link AdmittedChanges} then makes them. So a call for one circle and a call for many follow the same rules.
+ * {@link Commands}. So a call for one circle and a call for many follow the same rules.
  */
 public final class PreparedChanges {
-    private final HandleTable handles;
-    private final Commands commands;
-    private final PendingWork pending;
-    private final WorldSettings settings;
+    private final WorldParts world;
     private final Kinds kinds;
     private final Travels travelling;
-    private final JointTables joints;
-    private final AdmittedChanges admitted;
     private int count;
 
     /** Positions of static circles, which travel there. */
     private int travels;
 
+    /** Those of a change that is checked. */
+    private final int[] words = new int[Call.MOST_WORDS];
+
     /** The circles that are to be removed. Only valid if the call removes circles. */
     private final IdSet leaving = new IdSet();
 
-    public PreparedChanges(
-            HandleTable handles,
-            Commands commands,
-            PendingWork pending,
-            WorldSettings settings,
-            Kinds kinds,
-            Travels travelling,
-            JointTables joints,
-            AdmittedChanges admitted) {
-        this.handles = handles;
-        this.commands = commands;
-        this.pending = pending;
-        this.settings = settings;
+    public PreparedChanges(WorldParts world, Kinds kinds, Travels travelling) {
+        this.world = world;
         this.kinds = kinds;
         this.travelling = travelling;
-        this.joints = joints;
-        this.admitted = admitted;
-    }
-
-    void checkValues(int operation, float a, float b) {
-        switch (operation) {
-            case Commands.POSITION -> Limits.position(a, b, settings.bounds());
-            case Commands.VELOCITY -> Limits.velocity(a, b);
-            case Commands.RADIUS -> Limits.radius(a, settings.bounds());
-            case Commands.MASS -> Limits.mass(a);
-            case Commands.RESTITUTION -> Limits.restitution(a);
-            case Commands.IMPULSE -> Limits.impulse(a, b);
-            case Commands.ANGULAR_VELOCITY ->
-                Limits.within("angular velocity", a, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
-            case Commands.ANGULAR_IMPULSE -> {
-                Limits.within("angular impulse", a, -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE);
-                Limits.within("the inverse inertia by inverse mass", b, 0, 2);
-            }
-            default -> throw new IllegalArgumentException("operation " + operation + " changes no circle");
-        }
     }
 
     /** Begins a call of about so many changes. */
     void begin(int changes) {
-        pending.expect(changes);
+        world.pending.expect(changes);
         count = 0;
         travels = 0;
     }
 
-    void set(int operation, int id, float a, float b) {
-        checkValues(operation, a, b);
-        setChecked(operation, id, a, b);
+    void set(Call call, int id, float a, float b) {
+        words[1] = Float.floatToRawIntBits(a);
+        words[2] = Float.floatToRawIntBits(b);
+        call.check(words, world.settings);
+        setChecked(call.number, id, a, b);
     }
 
     /** Prepares an operation whose values are in range. */
     void setChecked(int operation, int id, float a, float b) {
-        commands.prepareChange(count++, operation, id, a, b);
+        world.commands.prepareChange(count++, operation, id, a, b);
     }
 
     /** Prepares a new angle, in units of a turn's 2^-32. */
     void setAngle(int id, int units) {
-        commands.prepareInt(count++, Commands.ANGLE, id, units);
+        world.commands.prepareInt(count++, Commands.ANGLE, id, units);
     }
 
     /** Prepares a new angular velocity. There is one zero. */
     void setAngularVelocity(int id, float velocity) {
-        set(Commands.ANGULAR_VELOCITY, id, velocity + 0f, 0);
+        set(Call.ANGULAR_VELOCITY, id, velocity + 0f, 0);
     }
 
-    /** Prepares an angular impulse. The inverse inertia by inverse mass is that of the circle's kind if it is NaN. */
-    void pushAround(int id, float impulse, float inertia) {
-        float ofKind = kinds.inertia(handles.fields().getInt(CircleField.KIND, id));
-        set(Commands.ANGULAR_IMPULSE, id, impulse, Float.isNaN(inertia) ? ofKind : inertia);
+    /** Prepares an angular impulse, which is in range. */
+    void pushAround(int id, float impulse) {
+        float inertia = kinds.inertia(world.handles.fields().getInt(CircleField.KIND, id));
+        setChecked(Commands.ANGULAR_IMPULSE, id, impulse, inertia);
     }
 
     /** Prepares a new position. A static circle travels there. */
     void move(int id, float x, float y) {
-        checkValues(Commands.POSITION, x, y);
-        setChecked(
-                Commands.POSITION,
-                id,
-                settings.bounds().placeX(x),
-                settings.bounds().placeY(y));
-        if (handles.isStatic(id)) {
+        Bounds bounds = world.settings.bounds();
+        Limits.position(x, y, bounds);
+        setChecked(Commands.POSITION, id, bounds.placeX(x), bounds.placeY(y));
+        if (world.handles.isStatic(id)) {
             travelling.ensure(id, travels++);
         }
     }
@@ -129,14 +94,14 @@ public final class PreparedChanges {
     }
 
     private void setField(CircleField field, int id, int value) {
-        handles.fields().ensure(field, id + 1);
-        commands.prepareField(count++, field, id, value);
+        world.handles.fields().ensure(field, id + 1);
+        world.commands.prepareField(count++, field, id, value);
     }
 
     /** Prepares that a circle goes. Returns false if this has been prepared already. */
     boolean remove(int id) {
         if (count == 0) {
-            leaving.begin(handles.end());
+            leaving.begin(world.handles.end());
         }
         if (!leaving.add(id)) {
             return false;
@@ -145,21 +110,90 @@ public final class PreparedChanges {
         return true;
     }
 
-    /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. */
-    void make(int operation) {
-        if (operation == Commands.REMOVE && joints.isThere()) {
+    /** Makes the last room for what has been prepared. */
+    void makeRoom(int operation) {
+        if (operation == Commands.REMOVE && world.joints.isThere()) {
             makeRoomForJoints();
         }
-        admitted.make(operation, count, travels);
     }
 
     /** Joints go with their circles. */
     private void makeRoomForJoints() {
-        pending.settleJoints();
+        world.pending.settleJoints();
         int leavingToo = 0;
         for (int k = 0; k < count; k++) {
-            leavingToo += joints.departures().countOf(commands.preparedId(k));
+            leavingToo += world.joints.departures().countOf(world.commands.preparedId(k));
         }
-        joints.departures().ensure(leavingToo);
+        world.joints.departures().ensure(leavingToo);
+    }
+
+    /** Writes what has been prepared to the log, if no call has that tells it all. */
+    void writeToLog() {
+        for (int k = 0; k < count; k++) {
+            writeToLog(k);
+        }
+    }
+
+    private void writeToLog(int k) {
+        int operation = world.commands.preparedOperation(k);
+        if (operation == Commands.FIELD) {
+            world.log.writeField(
+                    world.commands.preparedField(k), world.commands.preparedId(k), world.commands.preparedValue(k));
+        } else {
+            world.log.writeRecord(
+                    operation == Commands.POSITION ? Call.MOVE : Call.of(operation), world.commands.count() + k);
+        }
+    }
+
+    /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. There is room. */
+    void make(int operation) {
+        if (travels < count) {
+            world.copies.forgetBy(operation);
+        } else {
+            world.copies.forgetSaved(); // reads give the old places
+        }
+        boolean turns = Commands.turns(operation);
+        boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        world.guard.changing = true;
+        if (turns && count > 0) {
+            world.needs.askToTurn();
+        }
+        world.commands.admitChanges(ofPipelines ? count : changeAll());
+        world.guard.changing = false;
+    }
+
+    /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
+    private int changeAll() {
+        int recorded = 0;
+        for (int k = 0; k < count; k++) {
+            if (change(k)) {
+                world.commands.advancePrepared(k, recorded++);
+            }
+        }
+        return recorded;
+    }
+
+    /** Makes one change likewise. Returns whether a pipeline has to know it too. */
+    private boolean change(int k) {
+        int id = world.commands.preparedId(k);
+        switch (world.commands.preparedOperation(k)) {
+            case Commands.POSITION -> {
+                if (world.handles.isStatic(id)) {
+                    travelling.set(id, world.commands.preparedFirst(k), world.commands.preparedSecond(k));
+                    return false;
+                }
+            }
+            case Commands.REMOVE -> {
+                world.joints.departures().removeOfCircle(id);
+                world.handles.remove(id);
+            }
+            case Commands.RESTITUTION -> world.handles.setRestitution(id, world.commands.preparedFirst(k));
+            case Commands.FIELD ->
+                world.handles.fields().set(world.commands.preparedField(k), id, world.commands.preparedValue(k));
+            default ->
+                throw new IllegalStateException(
+                        "no change of the host's is operation " + world.commands.preparedOperation(k));
+        }
+        return true;
     }
 }

@@ -3,10 +3,10 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /**
@@ -19,9 +19,8 @@ import java.util.Arrays;
 public final class Travels {
     private static final CircleField TARGET = CircleField.TARGET;
 
-    private final HandleTable handles;
+    private final WorldParts world;
     private final CircleFields fields;
-    private final Commands commands;
 
     /** Circles that have got a target since the last step; some may have lost it, or be gone, or be here twice. */
     private int[] ids = new int[8];
@@ -31,10 +30,9 @@ public final class Travels {
     /** During a step: where each of them will be. */
     private long[] places = new long[8];
 
-    public Travels(HandleTable handles, Commands commands) {
-        this.handles = handles;
-        this.commands = commands;
-        fields = handles.fields();
+    public Travels(WorldParts world) {
+        this.world = world;
+        fields = world.handles.fields();
     }
 
     /** Whether no circle travels in the next step. */
@@ -81,7 +79,7 @@ public final class Travels {
     /** A circle that travels is put at its target at once, by a command for which there is room. */
     void end(int id) {
         long target = target(id);
-        commands.set(Commands.POSITION, id, CircleField.placeX(target), CircleField.placeY(target));
+        world.commands.set(Commands.POSITION, id, CircleField.placeX(target), CircleField.placeY(target));
         forget(id);
     }
 
@@ -114,7 +112,7 @@ public final class Travels {
             int id = ids[k];
             long target = target(id);
             if (target != TARGET.initial()) {
-                commands.depart(id, CircleField.placeX(target), CircleField.placeY(target), timeStep, bounds);
+                world.commands.depart(id, CircleField.placeX(target), CircleField.placeY(target), timeStep, bounds);
                 fields.set(TARGET, id, TARGET.initial());
                 ids[travelling] = id;
                 places[travelling++] = target;
@@ -132,9 +130,9 @@ public final class Travels {
 
     /** After the step: puts the circles at their targets. */
     void arrive() {
-        commands.ensure(count);
+        world.commands.ensure(count);
         for (int k = 0; k < count; k++) {
-            commands.set(Commands.ARRIVE, ids[k], CircleField.placeX(places[k]), CircleField.placeY(places[k]));
+            world.commands.set(Commands.ARRIVE, ids[k], CircleField.placeX(places[k]), CircleField.placeY(places[k]));
         }
         count = 0;
     }
@@ -150,7 +148,7 @@ public final class Travels {
     /** A saved state, for which there is room, has taken the place of all that was. */
     void restored() {
         count = 0;
-        for (int id = 0; id < handles.end(); id++) {
+        for (int id = 0; id < world.handles.end(); id++) {
             if (travels(id)) {
                 ids[count++] = id;
             }

@@ -148,18 +148,6 @@ public final class Commands {
         return records[STRIDE * record + SECOND];
     }
 
-    /** Values of an operation, from {@link #FIRST} on, as many as in a log; -1 if there is no such operation. */
-    public static int values(int operation) {
-        return switch (operation) {
-            case ADD -> STRIDE - FIRST;
-            case REMOVE -> 0;
-            case RADIUS, MASS, RESTITUTION, GROW, ANGLE, ANGULAR_VELOCITY -> 1;
-            case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE, ANGULAR_IMPULSE -> 2;
-            case DEPART -> 3;
-            default -> -1;
-        };
-    }
-
     /** Whether an operation makes a circle turn. */
     public static boolean turns(int operation) {
         return operation >= ANGLE;

@@ -30,6 +30,11 @@ public final class IdTable {
         return live[id];
     }
 
+    /** Whether something lives that has an id, which may be any number. */
+    public boolean has(int id) {
+        return id >= 0 && id < end && live[id];
+    }
+
     public long handle(int id) {
         return Handle.of(generation[id], mark | id);
     }

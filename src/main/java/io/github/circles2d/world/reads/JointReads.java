@@ -1,8 +1,5 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.changes.Circles;
-import io.github.circles2d.world.changes.JointCalls;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.joints.DrawnJointEnds;
 import io.github.circles2d.world.joints.DrawnPlaces;
@@ -10,13 +7,9 @@ import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LastReading;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /** The reads of joints. */
@@ -30,86 +23,70 @@ public final class JointReads {
     /** Elements of the ends of a joint. */
     private static final int ENDS = 4;
 
-    private final Guard guard;
-    private final HandleTable handles;
-    private final JointTables joints;
+    private final WorldParts world;
     private final JointTable table;
-    private final PendingWork pending;
-    private final LastReading last;
-    private final WorldSettings settings;
 
     /** The joints of a circle. */
     private int[] found = new int[0];
 
-    public JointReads(
-            Guard guard,
-            HandleTable handles,
-            JointTables joints,
-            PendingWork pending,
-            LastReading last,
-            WorldSettings settings) {
-        this.guard = guard;
-        this.handles = handles;
-        this.joints = joints;
-        this.pending = pending;
-        this.last = last;
-        this.settings = settings;
-        table = joints.table;
+    public JointReads(WorldParts world) {
+        this.world = world;
+        table = world.joints.table;
     }
 
     public boolean contains(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             return table.ids.find(handle) >= 0;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The number of joints. */
     public int size() {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             return table.ids.size();
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The handle of the first circle of a joint, or of the other one; 0 if there is none. */
     public long circle(long handle, boolean other) {
-        guard.enter();
+        world.guard.enter();
         try {
             int joint = find(handle);
             int circle = other ? table.b(joint) : table.a(joint);
-            return circle == JointRow.NONE ? 0 : handles.handle(circle);
+            return circle == JointRow.NONE ? 0 : world.handles.handle(circle);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private int find(long handle) {
-        pending.settleJoints();
-        return JointCalls.find(table, handle);
+        world.pending.settleJoints();
+        return world.joint(handle);
     }
 
     /** What a joint does. */
     public JointForm form(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
             return table.formOf(find(handle));
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -117,58 +94,58 @@ public final class JointReads {
     // --------------------------------------------------------------------------------------------
 
     public float anchorX(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
             return anchor(handle, false);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     public float anchorY(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
             return anchor(handle, true);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private float anchor(long handle, boolean y) {
         int joint = find(handle);
-        joints.requireAnchor(joint);
-        return y ? joints.anchorY(joint) : joints.anchorX(joint);
+        world.joints.requireAnchor(joint);
+        return y ? world.joints.anchorY(joint) : world.joints.anchorX(joint);
     }
 
     /** How far its ends are apart now. */
     public float length(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
             int joint = find(handle);
-            JointEnds ends = joints.ends().look(last.circles());
+            JointEnds ends = world.joints.ends().look(world.last.circles());
             ends.of(joint);
             return ends.length();
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** x and y of both ends of all joints, in the order of ids; returns how many there are. */
     public int readEnds(float[] to) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
-            if (!joints.isThere()) {
+            if (!world.joints.isThere()) {
                 return 0;
             }
-            JointEnds ends = joints.ends().look(last.circles());
+            JointEnds ends = world.joints.ends().look(world.last.circles());
             int n = 0;
             for (int joint = 0; joint < table.ids.end(); joint++) {
                 if (table.ids.lives(joint)) {
@@ -177,9 +154,9 @@ public final class JointReads {
             }
             return n;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -193,28 +170,28 @@ public final class JointReads {
 
     /** The same where circles and bodies of terrain are drawn; handles may be null. */
     public int readEnds(DrawnPlaces drawn, float[] to, long[] handles) {
-        guard.enter();
+        world.guard.enter();
         try {
             return copyEnds(drawn, to, handles);
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private int copyEnds(DrawnPlaces drawn, float[] to, long[] handles) {
-        pending.settleJoints();
+        world.pending.settleJoints();
         Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
         if (handles != null) {
             Readings.requireRoom("handles", handles, table.ids.size());
         }
-        DrawnJointEnds ends = joints.drawnEnds().look(drawn);
+        DrawnJointEnds ends = world.joints.drawnEnds().look(drawn);
         int n = 0;
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint)) {
                 if (ends.hasNewCircle(joint)) {
-                    ends.look(last.circles());
+                    ends.look(world.last.circles());
                 }
                 copyEnds(ends, joint, to, ENDS * n);
                 if (handles != null) {
@@ -228,15 +205,15 @@ public final class JointReads {
 
     /** The joint whose line is nearest to a point, of several the one of the lowest id; 0 if all are farther away than a distance. */
     public long pick(float x, float y, float most) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             Limits.within("x", x, -Limits.COORDINATE, Limits.COORDINATE);
             Limits.within("y", y, -Limits.COORDINATE, Limits.COORDINATE);
             Limits.within("the greatest distance", most, 0f, Float.POSITIVE_INFINITY);
             int nearest = -1;
             double least = most;
-            JointEnds ends = joints.isThere() ? joints.ends().look(last.circles()) : null;
+            JointEnds ends = world.joints.isThere() ? world.joints.ends().look(world.last.circles()) : null;
             for (int joint = 0; ends != null && joint < table.ids.end(); joint++) {
                 if (table.ids.lives(joint)) {
                     ends.of(joint);
@@ -249,20 +226,20 @@ public final class JointReads {
             }
             return nearest < 0 ? 0 : table.ids.handle(nearest);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The joints of a circle, in the order of ids, of which the array takes the first ones; returns how many there are. */
     public int ofCircle(long circle, long[] into) {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settleJoints();
+            world.pending.settleJoints();
             Limits.notNull("joints", into);
-            int id = Circles.find(handles, circle);
-            int count = joints.departures().countOf(id);
+            int id = world.circle(circle);
+            int count = world.joints.departures().countOf(id);
             if (found.length < count) {
                 found = new int[count + (count >> 1)];
             }
@@ -276,9 +253,9 @@ public final class JointReads {
             }
             return count;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -305,18 +282,18 @@ public final class JointReads {
     }
 
     private float load(long handle, int which) {
-        guard.enter();
+        world.guard.enter();
         try {
             int joint = find(handle);
-            SavedJointStates states = last.joints();
+            SavedJointStates states = world.last.joints();
             if (joint >= states.joints || states.serial[joint] != table.serial(joint)) {
                 return 0; // it is new
             }
-            return load(states, joint, which, settings.lastStep());
+            return load(states, joint, which, world.settings.lastStep());
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -335,7 +312,7 @@ public final class JointReads {
                 if (!JointForm.isAxial(table.form(joint))) {
                     return JointLoads.force(states, joint, dt);
                 }
-                JointEnds ends = joints.ends().look(last.circles());
+                JointEnds ends = world.joints.ends().look(world.last.circles());
                 ends.of(joint);
                 return ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
             }

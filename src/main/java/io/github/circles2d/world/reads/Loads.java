@@ -1,14 +1,11 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /** Reads how hard circles are pressed, from the impulses that the next step starts from. */
@@ -16,29 +13,23 @@ public final class Loads {
     /** Elements of a circle: the number of what presses it, and the sum of the forces. */
     private static final int EACH = 2;
 
-    private final Guard guard;
-    private final HandleTable handles;
-    private final Copies copies;
-    private final WorldSettings settings;
+    private final WorldParts world;
     private final IdMask mask = new IdMask();
 
-    public Loads(Guard guard, HandleTable handles, Copies copies, WorldSettings settings) {
-        this.guard = guard;
-        this.handles = handles;
-        this.copies = copies;
-        this.settings = settings;
+    public Loads(WorldParts world) {
+        this.world = world;
     }
 
     /** Two elements an id; living, with a bit an id, may be null. */
     public void readById(float[] loads, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * handles.end());
-            Readings.requireRoom(living, handles.end());
-            SavedState state = copies.saved();
-            mask.copy(handles);
+            Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * world.handles.end());
+            Readings.requireRoom(living, world.handles.end());
+            SavedState state = world.copies.saved();
+            mask.copy(world.handles);
             Arrays.fill(loads, Float.NaN);
-            float subStep = settings.lastSubStep();
+            float subStep = world.settings.lastSubStep();
             addWalls(state, subStep, loads);
             addPieces(state, subStep, loads);
             for (int k = 0; k < state.impulses; k++) {
@@ -50,9 +41,9 @@ public final class Loads {
                 mask.copyTo(living);
             }
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 

@@ -1,27 +1,18 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.changes.Circles;
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LastReading;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.shared.WorldParts;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
 /** Reads of all circles, in the order of the ids, and of single numbers, which come from the last read of all. */
 public final class Readings {
-    private final Guard guard;
-    private final HandleTable handles;
-    private final Pipeline pipeline;
-    private final PendingWork pending;
-    private final LastReading last;
+    private final WorldParts world;
 
     /** The ids of the circles of a read by id. */
     private final IdMask mask = new IdMask();
@@ -37,133 +28,129 @@ public final class Readings {
     /** The number of requests for positions; may overflow. */
     private int requests;
 
-    public Readings(Guard guard, HandleTable handles, Pipeline pipeline, PendingWork pending, LastReading last) {
-        this.guard = guard;
-        this.handles = handles;
-        this.pipeline = pipeline;
-        this.pending = pending;
-        this.last = last;
+    public Readings(WorldParts world) {
+        this.world = world;
     }
 
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(float[] circles) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
-            pending.settle();
-            pipeline.readCircles(handles, circles);
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
+            world.pending.settle();
+            world.pipeline.readCircles(world.handles, circles);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads x, y, radius and mass of every circle, in the order of the ids. */
     public void read(FloatBuffer circles) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
-            circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
+            circles.put(world.last.circles(), 0, CircleRow.STRIDE * world.handles.size());
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** x, y, radius and mass; living, with a bit an id, may be null. */
     public void readById(float[] circles, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.end());
-            requireRoom(living, handles.end());
-            pending.settle();
-            pipeline.readCircles(handles, circles);
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.end());
+            requireRoom(living, world.handles.end());
+            world.pending.settle();
+            world.pipeline.readCircles(world.handles, circles);
             spread(circles, CircleRow.STRIDE, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Two elements an id; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("velocities", velocities, 2L * handles.end());
-            requireRoom(living, handles.end());
-            pending.settle();
-            pipeline.readVelocities(handles, velocities);
+            requireRoom("velocities", velocities, 2L * world.handles.end());
+            requireRoom(living, world.handles.end());
+            world.pending.settle();
+            world.pipeline.readVelocities(world.handles, velocities);
             spread(velocities, 2, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** An element an id, in radians; living as above. */
     public void readAnglesById(float[] to, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("angles", to, handles.end());
-            requireRoom(living, handles.end());
-            int[] units = last.angles();
-            for (int k = 0; k < handles.size(); k++) {
+            requireRoom("angles", to, world.handles.end());
+            requireRoom(living, world.handles.end());
+            int[] units = world.last.angles();
+            for (int k = 0; k < world.handles.size(); k++) {
                 to[k] = units == null ? 0f : Surface.radians(units[k]);
             }
             spread(to, 1, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** An element an id, in units of a turn's 2^-32; 0 where there is no circle. */
     public void readUnitsById(int[] to) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("angles", to.length, handles.end());
-            int[] units = last.angles();
+            requireRoom("angles", to.length, world.handles.end());
+            int[] units = world.last.angles();
             int k = 0;
             for (int id = 0; id < to.length; id++) {
-                boolean turns = units != null && id < handles.end() && handles.lives(id);
+                boolean turns = units != null && id < world.handles.end() && world.handles.lives(id);
                 to[id] = turns ? units[k++] : 0;
             }
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** An element an id, in radians a second; living as above. */
     public void readAngularVelocitiesById(float[] to, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("angularVelocities", to, handles.end());
-            requireRoom(living, handles.end());
-            float[] velocities = last.angularVelocities();
-            for (int k = 0; k < handles.size(); k++) {
+            requireRoom("angularVelocities", to, world.handles.end());
+            requireRoom(living, world.handles.end());
+            float[] velocities = world.last.angularVelocities();
+            for (int k = 0; k < world.handles.size(); k++) {
                 to[k] = velocities == null ? 0f : velocities[k];
             }
             spread(to, 1, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads the angle of every circle, in the order of the ids, into memory of the world. */
     public FloatBuffer angles() {
-        guard.enter();
+        world.guard.enter();
         try {
-            int[] units = last.angles();
-            int circles = handles.size();
+            int[] units = world.last.angles();
+            int circles = world.handles.size();
             if (angles.capacity() < circles) {
                 FloatBuffer larger = FloatBuffer.allocate(circles + (circles >> 1));
                 viewOfAngles = larger.asReadOnlyBuffer();
@@ -175,70 +162,70 @@ public final class Readings {
             ((Buffer) viewOfAngles).clear().limit(circles);
             return viewOfAngles;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads kinds by id, and -1 where there is no circle; living takes a bit for each id, and may be null. */
     public void readKindsById(int[] kinds, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("kinds", Limits.notNull("kinds", kinds).length, handles.end());
-            requireRoom(living, handles.end());
+            requireRoom("kinds", Limits.notNull("kinds", kinds).length, world.handles.end());
+            requireRoom(living, world.handles.end());
             for (int id = 0; id < kinds.length; id++) {
-                boolean lives = id < handles.end() && handles.lives(id);
-                kinds[id] = lives ? handles.fields().getInt(CircleField.KIND, id) : -1;
+                boolean lives = id < world.handles.end() && world.handles.lives(id);
+                kinds[id] = lives ? world.handles.fields().getInt(CircleField.KIND, id) : -1;
             }
-            mask.copy(handles);
+            mask.copy(world.handles);
             copy(mask, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads radii by id, and NaN where there is no circle; living takes a bit for each id, and may be null. */
     public void readRadiiById(float[] radii, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("radii", radii, handles.end());
-            requireRoom(living, handles.end());
+            requireRoom("radii", radii, world.handles.end());
+            requireRoom(living, world.handles.end());
             for (int id = 0; id < radii.length; id++) {
-                radii[id] = id < handles.end() && handles.lives(id) ? handles.radius(id) : Float.NaN;
+                radii[id] = id < world.handles.end() && world.handles.lives(id) ? world.handles.radius(id) : Float.NaN;
             }
-            mask.copy(handles);
+            mask.copy(world.handles);
             copy(mask, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
     public void readTagsById(long[] tags, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("tags", tags, handles.end());
-            requireRoom(living, handles.end());
+            requireRoom("tags", tags, world.handles.end());
+            requireRoom(living, world.handles.end());
             for (int id = 0; id < tags.length; id++) {
-                tags[id] = id < handles.end() ? handles.fields().get(CircleField.TAG, id) : 0;
+                tags[id] = id < world.handles.end() ? world.handles.fields().get(CircleField.TAG, id) : 0;
             }
-            mask.copy(handles);
+            mask.copy(world.handles);
             copy(mask, living);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private void spread(float[] values, int each, long[] living) {
-        mask.copy(handles);
-        mask.spread(values, each, handles.size());
+        mask.copy(world.handles);
+        mask.spread(values, each, world.handles.size());
         copy(mask, living);
     }
 
@@ -250,85 +237,85 @@ public final class Readings {
 
     /** Reads x and y of every circle, in the order of the ids, into memory of the pipeline. */
     public FloatBuffer positions() {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.settle();
-            return pipeline.positions(handles, false);
+            world.pending.settle();
+            return world.pipeline.positions(world.handles, false);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads x and y by id into memory of the pipeline; living takes a bit for each id, and may be null. */
     public FloatBuffer positionsById(long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom(living, handles.end());
-            pending.settle();
-            FloatBuffer positions = pipeline.positions(handles, true);
-            mask.copy(handles);
+            requireRoom(living, world.handles.end());
+            world.pending.settle();
+            FloatBuffer positions = world.pipeline.positions(world.handles, true);
+            mask.copy(world.handles);
             copy(mask, living);
             return positions;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Asks for x and y of every circle as they are now, without waiting for them. */
     public void requestPositions() {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.apply();
-            handles.makeRoomForSurvivors();
-            pipeline.makeRoomForPositions(handles);
+            world.pending.apply();
+            world.handles.makeRoomForSurvivors();
+            world.pipeline.makeRoomForPositions(world.handles);
             positionsRequested = false; // what was requested before is lost if the pipeline fails
-            handles.markSurvivors();
-            pipeline.requestPositions(handles);
+            world.handles.markSurvivors();
+            world.pipeline.requestPositions(world.handles);
             requests++;
             positionsRequested = true;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** A number that is another one after each request for positions. */
     public int requests() {
-        guard.check();
+        world.guard.check();
         return requests;
     }
 
     /** Gives the positions that were requested last. */
     public FloatBuffer takePositions() {
-        guard.enter();
+        world.guard.enter();
         try {
             requireRequest();
             return take(null);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Gives the positions that were requested last, by id; living takes a bit for each id, and may be null. */
     public FloatBuffer takePositionsById(long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
             requireRequest();
-            requireRoom(living, handles.survivors().end());
-            FloatBuffer positions = take(handles.survivors());
-            copy(handles.survivors(), living);
+            requireRoom(living, world.handles.survivors().end());
+            FloatBuffer positions = take(world.handles.survivors());
+            copy(world.handles.survivors(), living);
             return positions;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -340,10 +327,10 @@ public final class Readings {
     }
 
     private FloatBuffer take(IdMask shown) {
-        if (!pipeline.positionsArrived()) {
-            pending.finish();
+        if (!world.pipeline.positionsArrived()) {
+            world.pending.finish();
         }
-        FloatBuffer taken = pipeline.takePositions(shown);
+        FloatBuffer taken = world.pipeline.takePositions(shown);
         positionsRequested = false;
         return taken;
     }
@@ -353,36 +340,36 @@ public final class Readings {
      * of now, also of those that came after the request.
      */
     public void markGone(FloatBuffer values, int each, long[] living) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom(living, Math.max(handles.survivors().end(), handles.end()));
-            handles.survivors().markGaps(values, each);
-            copy(handles.survivors(), living);
+            requireRoom(living, Math.max(world.handles.survivors().end(), world.handles.end()));
+            world.handles.survivors().markGaps(values, each);
+            copy(world.handles.survivors(), living);
             for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
                 living[id >>> 6] |= 1L << id;
             }
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The least id, from one on, of a circle that came after the last request for positions; -1 if there is none. */
     public int nextNew(int from) {
-        guard.enter();
+        world.guard.enter();
         try {
             return newFrom(from);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private int newFrom(int from) {
-        for (int id = from; id < handles.end(); id++) {
-            if (handles.lives(id) && !handles.survivors().has(id)) {
+        for (int id = from; id < world.handles.end(); id++) {
+            if (world.handles.lives(id) && !world.handles.survivors().has(id)) {
                 return id;
             }
         }
@@ -391,76 +378,76 @@ public final class Readings {
 
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(float[] velocities) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("velocities", velocities, 2L * handles.size());
-            pending.settle();
-            pipeline.readVelocities(handles, velocities);
+            requireRoom("velocities", velocities, 2L * world.handles.size());
+            world.pending.settle();
+            world.pipeline.readVelocities(world.handles, velocities);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads the velocity of every circle, in the order of the ids. */
     public void readVelocities(FloatBuffer velocities) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("velocities", velocities, 2L * handles.size());
-            velocities.put(last.velocities(), 0, 2 * handles.size());
+            requireRoom("velocities", velocities, 2L * world.handles.size());
+            velocities.put(world.last.velocities(), 0, 2 * world.handles.size());
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(long[] to) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("handles", to, handles.size());
+            requireRoom("handles", to, world.handles.size());
             int k = 0;
-            for (int id = 0; id < handles.end(); id++) {
-                if (handles.lives(id)) {
-                    to[k++] = handles.handle(id);
+            for (int id = 0; id < world.handles.end(); id++) {
+                if (world.handles.lives(id)) {
+                    to[k++] = world.handles.handle(id);
                 }
             }
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Reads the handle of every circle, in the order of the ids. */
     public void readHandles(LongBuffer to) {
-        guard.enter();
+        world.guard.enter();
         try {
-            requireRoom("handles", to, handles.size());
-            for (int id = 0; id < handles.end(); id++) {
-                if (handles.lives(id)) {
-                    to.put(handles.handle(id));
+            requireRoom("handles", to, world.handles.size());
+            for (int id = 0; id < world.handles.end(); id++) {
+                if (world.handles.lives(id)) {
+                    to.put(world.handles.handle(id));
                 }
             }
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS} of one circle, from the last bulk read if it still holds. */
     public float circle(long handle, int field) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int place = handles.place(Circles.find(handles, handle));
-            return last.circles()[CircleRow.STRIDE * place + field];
+            int place = world.handles.place(world.circle(handle));
+            return world.last.circles()[CircleRow.STRIDE * place + field];
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
@@ -475,42 +462,42 @@ public final class Readings {
     }
 
     private float velocity(long handle, int component) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int place = handles.place(Circles.find(handles, handle));
-            return last.velocities()[2 * place + component];
+            int place = world.handles.place(world.circle(handle));
+            return world.last.velocities()[2 * place + component];
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The angle of one circle in radians, from the last bulk read if it still holds. */
     public float angle(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int id = Circles.find(handles, handle);
-            int[] units = last.angles();
-            return units == null ? 0 : Surface.radians(units[handles.place(id)]);
+            int id = world.circle(handle);
+            int[] units = world.last.angles();
+            return units == null ? 0 : Surface.radians(units[world.handles.place(id)]);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The angular velocity of one circle, likewise. */
     public float angularVelocity(long handle) {
-        guard.enter();
+        world.guard.enter();
         try {
-            int id = Circles.find(handles, handle);
-            float[] velocities = last.angularVelocities();
-            return velocities == null ? 0 : velocities[handles.place(id)];
+            int id = world.circle(handle);
+            float[] velocities = world.last.angularVelocities();
+            return velocities == null ? 0 : velocities[world.handles.place(id)];
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 

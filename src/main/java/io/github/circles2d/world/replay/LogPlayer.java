@@ -3,10 +3,8 @@ package io.github.circles2d.world.replay;
 import static java.lang.Float.intBitsToFloat;
 
 import io.github.circles2d.world.Simulation;
-import io.github.circles2d.world.changes.Circles;
-import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.log.LogReader;
-import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.Call;
 import java.io.IOException;
 import java.io.InputStream;
 
@@ -15,9 +13,8 @@ import java.io.InputStream;
  */
 public final class LogPlayer {
     private final Simulation simulation;
-    private final RepeatedCalls calls;
     private final LogReader log;
-    private final int[] words = new int[LoggedCall.MOST_WORDS];
+    private final int[] words = new int[Call.MOST_WORDS];
     private float timeStep;
 
     /** Steps of the call that is being made that are still to come. */
@@ -33,7 +30,6 @@ public final class LogPlayer {
     /** Reads the head of a log, and makes the world what it was when the log began. Does not close the stream. */
     public LogPlayer(InputStream in, Simulation simulation) throws IOException {
         this.simulation = simulation;
-        calls = new RepeatedCalls(simulation);
         simulation.check();
         log = new LogReader(in, LogPlayer::words);
         try {
@@ -56,10 +52,7 @@ public final class LogPlayer {
 
     /** The number of ints of a call; negative if there is no such call. */
     private static int words(int number) {
-        if (number < LoggedCall.FIRST) {
-            return number == Commands.FIELD ? -1 : Commands.values(number) < 0 ? -1 : 1 + Commands.values(number);
-        }
-        LoggedCall call = LoggedCall.of(number);
+        Call call = Call.of(number);
         return call == null ? -1 : call.words;
     }
 
@@ -110,7 +103,7 @@ public final class LogPlayer {
             simulation.step(timeStep, 1);
             steps++;
             stepsLeft--;
-            while (stepsLeft == 0 && log.next() == LogReader.Next.CALL && log.number() == LoggedCall.HASH.number) {
+            while (stepsLeft == 0 && log.next() == LogReader.Next.CALL && log.number() == Call.HASH.number) {
                 call();
             }
         } catch (IllegalArgumentException e) {
@@ -134,28 +127,26 @@ public final class LogPlayer {
                 return false;
             }
             case SNAPSHOT -> restore();
-            default -> make(log.call(words));
+            default -> make(Call.of(log.call(words)));
         }
         return true;
     }
 
     private void restore() {
-        simulation.snapshots().restore(log.snapshot());
+        simulation.snapshots.restore(log.snapshot());
     }
 
-    private void make(int number) {
-        if (number < LoggedCall.FIRST) {
-            makeCommand(number);
-        } else if (number == LoggedCall.STEP.number) {
-            timeStep = intBitsToFloat(words[0]);
-            stepsLeft = words[1];
-            if (stepsLeft < 1) {
-                throw LogReader.refused("a number of steps is " + stepsLeft);
+    private void make(Call call) {
+        switch (call) {
+            case STEP -> {
+                timeStep = intBitsToFloat(words[0]);
+                stepsLeft = words[1];
+                if (stepsLeft < 1) {
+                    throw LogReader.refused("a number of steps is " + stepsLeft);
+                }
             }
-        } else if (number == LoggedCall.HASH.number) {
-            compare(LoggedCall.value(words[0], words[1]));
-        } else {
-            calls.repeat(LoggedCall.of(number), words);
+            case HASH -> compare(Call.value(words[0], words[1]));
+            default -> simulation.calls.repeat(call, words);
         }
     }
 
@@ -168,43 +159,5 @@ public final class LogPlayer {
             recordedHash = expected;
             hash = found;
         }
-    }
-
-    private void makeCommand(int operation) {
-        int id = words[0];
-        Circles circles = simulation.circles();
-        if (operation == Commands.ADD) {
-            long handle = simulation
-                    .newCircles()
-                    .add(
-                            value(Commands.ADD_X),
-                            value(Commands.ADD_Y),
-                            value(Commands.ADD_RADIUS),
-                            value(Commands.ADD_MASS),
-                            value(Commands.ADD_VX),
-                            value(Commands.ADD_VY));
-            if ((int) handle != id) {
-                throw LogReader.refused("a new circle has the id " + id + ", and not the lowest free one");
-            }
-            float restitution = value(Commands.ADD_RESTITUTION);
-            if (Float.floatToRawIntBits(restitution) != Float.floatToRawIntBits(circles.restitution(handle))) {
-                circles.set(Commands.RESTITUTION, handle, restitution, 0);
-            }
-        } else if (operation == Commands.REMOVE) {
-            circles.remove(calls.handle(id));
-        } else if (operation == Commands.ANGLE) {
-            circles.turnTo(calls.handle(id), words[1]);
-        } else if (operation == Commands.ANGULAR_VELOCITY) {
-            circles.setAngularVelocity(calls.handle(id), value(Commands.FIRST));
-        } else if (operation == Commands.ANGULAR_IMPULSE) {
-            circles.applyAngularImpulse(calls.handle(id), value(Commands.FIRST), value(Commands.SECOND));
-        } else {
-            circles.set(operation, calls.handle(id), value(Commands.FIRST), value(Commands.SECOND));
-        }
-    }
-
-    /** A value of a command, by its place in a record of {@link Commands}. */
-    private float value(int place) {
-        return intBitsToFloat(words[1 + place - Commands.FIRST]);
     }
 }

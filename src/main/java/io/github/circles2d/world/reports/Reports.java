@@ -1,41 +1,21 @@
 package io.github.circles2d.world.reports;
 
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.shared.WorldParts;
 
 /** The calls on events. */
 public final class Reports {
-    private final Guard guard;
-    private final Pipeline pipeline;
-    private final HandleTable handles;
-    private final ContactEvents events;
-    private final PendingWork pending;
-    private final Copies copies;
+    private final WorldParts world;
     private ReportSettings settings = ReportSettings.NOTHING;
 
     /** What the settings become by the change under way. */
     private ReportSettings next;
 
-    public Reports(
-            Guard guard,
-            Pipeline pipeline,
-            HandleTable handles,
-            ContactEvents events,
-            PendingWork pending,
-            Copies copies) {
-        this.guard = guard;
-        this.pipeline = pipeline;
-        this.handles = handles;
-        this.events = events;
-        this.pending = pending;
-        this.copies = copies;
+    public Reports(WorldParts world) {
+        this.world = world;
     }
 
     /** Sets which events are reported of all circles from the next step on. */
@@ -43,10 +23,10 @@ public final class Reports {
         change(
                 () -> check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL"),
                 () -> {
-                    events.makeRoom(handles);
+                    world.events.makeRoom(world.handles);
                     next = settings.ofAll(types);
                 },
-                () -> events.report(types, handles));
+                () -> world.events.report(types, world.handles));
     }
 
     public void report(int kindA, int kindB, int types) {
@@ -57,10 +37,10 @@ public final class Reports {
                     check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
                 },
                 () -> {
-                    events.makeRoomForPairs(handles);
+                    world.events.makeRoomForPairs(world.handles);
                     next = settings.ofPair(kindA, kindB, types);
                 },
-                () -> events.reportPair(kindA, kindB, types, handles));
+                () -> world.events.reportPair(kindA, kindB, types, world.handles));
     }
 
     public void reportWalls(int kind, int types) {
@@ -70,39 +50,39 @@ public final class Reports {
                     check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
                 },
                 () -> {
-                    events.makeRoom(handles);
+                    world.events.makeRoom(world.handles);
                     next = settings.ofWalls(kind, types);
                 },
-                () -> events.reportWalls(kind, types, handles));
+                () -> world.events.reportWalls(kind, types, world.handles));
     }
 
     /** Checks refuse what is not allowed; room is made when all steps have been made. */
     private void change(Runnable checks, Runnable makeRoom, Runnable change) {
-        guard.enter();
+        world.guard.enter();
         try {
             checks.run();
-            pending.settle();
+            world.pending.settle();
             makeRoom.run();
-            pipeline.makeRoomToReport(events);
-            copies.forgetSaved();
-            boolean was = events.isOn();
-            boolean hadWalls = events.hasWalls();
-            guard.changing = true;
+            world.pipeline.makeRoomToReport(world.events);
+            world.copies.forgetSaved();
+            boolean was = world.events.isOn();
+            boolean hadWalls = world.events.hasWalls();
+            world.guard.changing = true;
             change.run();
             settings = next;
             tell(was, hadWalls);
-            guard.changing = false;
+            world.guard.changing = false;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Tells the pipeline, if it is to record something else. */
     private void tell(boolean was, boolean hadWalls) {
-        if (events.isOn() != was || events.hasWalls() != hadWalls) {
-            pipeline.report(events.isOn() ? events : null);
+        if (world.events.isOn() != was || world.events.hasWalls() != hadWalls) {
+            world.pipeline.report(world.events.isOn() ? world.events : null);
         }
     }
 
@@ -114,80 +94,80 @@ public final class Reports {
 
     /** Lists the pairs of two kinds that touch, two handles a pair, and returns their number. */
     public int touching(int kindA, int kindB, long[] to) {
-        guard.enter();
+        world.guard.enter();
         try {
             KindTable.check(kindA);
             KindTable.check(kindB);
-            pending.settle();
-            return events.list(kindA, kindB, Limits.notNull("handles", to));
+            world.pending.settle();
+            return world.events.list(kindA, kindB, Limits.notNull("handles", to));
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** The same of the pairs of a circle of a kind and a piece of terrain of a kind. */
     public int touchingPieces(int kind, int kindOfPieces, long[] to) {
-        guard.enter();
+        world.guard.enter();
         try {
             KindTable.check(kind);
             KindTable.check(kindOfPieces);
-            pending.settle();
-            return events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
+            world.pending.settle();
+            return world.events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Asks for the events of all steps so far, without waiting for them. */
     public void request() {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.requestEvents();
-            events.queue().request();
+            world.pending.requestEvents();
+            world.events.queue().request();
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     public EventRows takeRequested() {
-        guard.enter();
+        world.guard.enter();
         try {
-            if (!events.queue().isRequested()) {
+            if (!world.events.queue().isRequested()) {
                 throw new IllegalStateException("no events have been requested since the last were taken:"
                         + " call requestEvents before each takeEvents");
             }
-            if (!events.queue().haveArrived()) {
-                pending.finishRequestedEvents();
+            if (!world.events.queue().haveArrived()) {
+                world.pending.finishRequestedEvents();
             }
-            return events.queue().takeRequested();
+            return world.events.queue().takeRequested();
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     public void setHitSpeed(float speed) {
-        guard.enter();
+        world.guard.enter();
         try {
             hitSpeed(Limits.within("the hit speed", speed, 0, Limits.SPEED));
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     private void hitSpeed(float speed) {
         next = settings.withHitSpeed(speed);
-        pending.finish();
-        events.setHitSpeed(speed);
+        world.pending.finish();
+        world.events.setHitSpeed(speed);
         settings = next;
     }
 
@@ -203,27 +183,27 @@ public final class Reports {
         }
         report(before.types);
         before.repeat(this);
-        guard.enter();
+        world.guard.enter();
         try {
             hitSpeed(before.hitSpeed);
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
         settings = before;
     }
 
     /** The events since the last call. */
     public EventRows take() {
-        guard.enter();
+        world.guard.enter();
         try {
-            pending.finishEvents();
-            return events.queue().take();
+            world.pending.finishEvents();
+            return world.events.queue().take();
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(thrown);
+            throw world.guard.failed(thrown);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 }

@@ -1,10 +1,7 @@
 package io.github.circles2d.world.saves;
 
 import io.github.circles2d.world.log.LogWriter;
-import io.github.circles2d.world.shared.CallLog;
-import io.github.circles2d.world.shared.Copies;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.WorldParts;
 import java.io.IOException;
 import java.io.OutputStream;
 
@@ -32,58 +29,52 @@ public final class Journal {
         }
     }
 
-    private final Guard guard;
-    private final CallLog log;
-    private final PendingWork pending;
-    private final Copies copies;
+    private final WorldParts world;
 
-    public Journal(Guard guard, CallLog log, PendingWork pending, Copies copies) {
-        this.guard = guard;
-        this.log = log;
-        this.pending = pending;
-        this.copies = copies;
+    public Journal(WorldParts world) {
+        this.world = world;
     }
 
     /** Begins a log with a snapshot of now, and a hash every so many steps, until {@link #stop}. Does not close the stream. */
     public Progress start(OutputStream out, int every) throws IOException {
-        guard.enter();
+        world.guard.enter();
         try {
-            if (log.writer() != null) {
+            if (world.log.writer() != null) {
                 throw new IllegalStateException("this World is being recorded already");
             }
             LogWriter writer = new LogWriter(out, every);
-            log.write(copies.saved(), writer);
+            world.log.write(world.copies.saved(), writer);
             writer.requireWritten("the log cannot begin");
             Progress progress = new Progress(writer);
-            log.begin(writer, every, copies::hash); // last: a call that finds no room has begun no log
+            world.log.begin(writer, every); // last: a call that finds no room has begun no log
             return progress;
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 
     /** Ends the log, with a last hash if the state is there. Also if the world has been closed. */
     public void stop() throws IOException {
-        guard.takeTurn();
+        world.guard.takeTurn();
         try {
-            LogWriter last = log.writer();
+            LogWriter last = world.log.writer();
             if (last != null) {
                 try {
-                    if (guard.holds()) {
-                        pending.apply();
-                        log.writeHash();
+                    if (world.guard.holds()) {
+                        world.pending.apply();
+                        world.log.writeHash();
                     }
                 } finally {
-                    log.end();
+                    world.log.end();
                     last.close();
                 }
             }
         } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
+            throw world.guard.failed(e);
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 

@@ -3,23 +3,23 @@ package io.github.circles2d.world.search;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.KindField;
-import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.RemoteSearch;
+import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
 /** Admits the circles whose kind's category has a bit of a mask, by kinds and categories as of now. */
 public final class CategoryFilter implements IdFilter {
+    private final WorldParts world;
     private final CircleFields fields;
-    private final KindTable kinds;
     private int mask;
     private int[] words;
 
-    public CategoryFilter(CircleFields fields, KindTable kinds, int mask) {
-        this.fields = fields;
-        this.kinds = kinds;
+    public CategoryFilter(WorldParts world, int mask) {
+        this.world = world;
         this.mask = mask;
+        fields = world.handles.fields();
     }
 
     public void setMask(int to) {
@@ -32,7 +32,7 @@ public final class CategoryFilter implements IdFilter {
     }
 
     boolean admitsKind(int kind) {
-        return (kinds.get(KindField.CATEGORY, kind) & mask) != 0;
+        return (world.kinds.get(KindField.CATEGORY, kind) & mask) != 0;
     }
 
     /** The kinds that it admits, a bit for each; valid until the next call. */

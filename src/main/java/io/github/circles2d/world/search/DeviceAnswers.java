@@ -1,14 +1,10 @@
 package io.github.circles2d.world.search;
 
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.CircleTree;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.RemoteSearch;
-import io.github.circles2d.world.shared.LastReading;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.Pipeline;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
@@ -31,11 +27,7 @@ final class DeviceAnswers implements Answers {
     /** What a method returns that leaves the queries to the host. */
     static final int LEFT = -1;
 
-    private final Pipeline pipeline;
-    private final HandleTable handles;
-    private final PendingWork pending;
-    private final LastReading last;
-    private final WorldSettings settings;
+    private final WorldParts world;
     private final CastSearch hits = new CastSearch(new CircleTree());
     private RemoteSearch search;
 
@@ -58,13 +50,8 @@ final class DeviceAnswers implements Answers {
     /** Calls that were answered, whatever the state. */
     private int answered;
 
-    DeviceAnswers(
-            Pipeline pipeline, HandleTable handles, PendingWork pending, LastReading last, WorldSettings settings) {
-        this.pipeline = pipeline;
-        this.handles = handles;
-        this.pending = pending;
-        this.last = last;
-        this.settings = settings;
+    DeviceAnswers(WorldParts world) {
+        this.world = world;
     }
 
     /** Answers on any device, whether or not it is the faster way. */
@@ -79,7 +66,7 @@ final class DeviceAnswers implements Answers {
 
     /** Whether the device answers such a batch. Checks all of its queries if so. */
     private boolean takes(QueryBatch batch) {
-        search = settings.bounds().wraps() ? null : pipeline.search(); // kernels do not look across a seam
+        search = world.settings.bounds().wraps() ? null : world.pipeline.search(); // kernels do not look across a seam
         if (search == null || batch.n == 0 || !always && !isWorthIt(batch.n)) {
             return false;
         }
@@ -91,22 +78,22 @@ final class DeviceAnswers implements Answers {
             batch.take(q);
             System.arraycopy(batch.numbers, 0, queries, batch.at(q), stride);
         }
-        pending.settle();
-        return search.show(last.changes());
+        world.pending.settle();
+        return search.show(world.last.changes());
     }
 
     private boolean isWorthIt(int n) {
-        if (handles.size() < LEAST_CIRCLES || !search.pays()) {
+        if (world.handles.size() < LEAST_CIRCLES || !search.pays()) {
             return false;
         }
         if (n >= LEAST_BATCH) {
             return true;
         }
-        if (changes != last.changes()) {
-            changes = last.changes();
+        if (changes != world.last.changes()) {
+            changes = world.last.changes();
             calls = 0;
         }
-        return handles.size() >= MANY_CIRCLES && ++calls <= handles.size() / CIRCLES_A_CALL;
+        return world.handles.size() >= MANY_CIRCLES && ++calls <= world.handles.size() / CIRCLES_A_CALL;
     }
 
     private static int[] kinds(QueryBatch batch) {
@@ -150,7 +137,7 @@ final class DeviceAnswers implements Answers {
             hits.aim(batch.shape, queries, batch.at(q));
         }
         for (int k = from; k < end; k++) {
-            batch.handles[k] = handles.handle(search.id(k));
+            batch.handles[k] = world.handles.handle(search.id(k));
             if (batch.hits != null) {
                 writeHit(batch, k, k);
             }
@@ -170,7 +157,7 @@ final class DeviceAnswers implements Answers {
         int count = 0;
         for (int q = 0; q < batch.n; q++) {
             int id = search.id(q);
-            batch.handles[q] = id < 0 ? 0 : handles.handle(id);
+            batch.handles[q] = id < 0 ? 0 : world.handles.handle(id);
             count += id < 0 ? 0 : 1;
             if (batch.hits != null) {
                 hits.aim(batch.shape, queries, batch.at(q));
@@ -206,7 +193,7 @@ final class DeviceAnswers implements Answers {
             while (count < most && search.id(most * q + count) >= 0) {
                 int found = most * q + count;
                 double distance = batch.distances == null ? 0 : search.distance(found);
-                batch.takeNearest(q, count, handles.handle(search.id(found)), distance);
+                batch.takeNearest(q, count, world.handles.handle(search.id(found)), distance);
                 count++;
             }
             batch.fillUp(q, count);

@@ -1,27 +1,22 @@
 package io.github.circles2d.world.search;
 
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.TreeSearch;
 import io.github.circles2d.world.shared.LastReading;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 
 /** Answers queries by a tree on the host. The first after a change reads all circles and builds it. */
 final class HostAnswers implements Answers {
-    private final HandleTable handles;
-    private final LastReading last;
-    private final WorldSettings settings;
+    private final WorldParts world;
     private final TreeSearch search = new TreeSearch();
     private int[] ids = new int[0];
 
     /** Which reading the tree shows, by {@link LastReading#number}; none at first. */
     private long shown;
 
-    HostAnswers(HandleTable handles, LastReading last, WorldSettings settings) {
-        this.handles = handles;
-        this.last = last;
-        this.settings = settings;
+    HostAnswers(WorldParts world) {
+        this.world = world;
     }
 
     @Override
@@ -41,7 +36,7 @@ final class HostAnswers implements Answers {
 
     private void take(QueryBatch batch, int from, int end) {
         for (int k = from; k < end; k++) {
-            batch.handles[k] = handles.handle(search.id(batch.shape, k - from));
+            batch.handles[k] = world.handles.handle(search.id(batch.shape, k - from));
             if (batch.hits != null) {
                 search.writeHit(k - from, batch.hits, CastSearch.HIT_STRIDE * k);
             }
@@ -57,7 +52,7 @@ final class HostAnswers implements Answers {
             int id = batch.shape == QueryShape.POINT
                     ? search.pick(batch.numbers, batch.filter)
                     : search.first(batch.shape, batch.numbers, batch.filter, batch.hits, CastSearch.HIT_STRIDE * q);
-            batch.handles[q] = id < 0 ? 0 : handles.handle(id);
+            batch.handles[q] = id < 0 ? 0 : world.handles.handle(id);
             count += id < 0 ? 0 : 1;
         }
         return count;
@@ -71,7 +66,7 @@ final class HostAnswers implements Answers {
             show();
             int count = search.nearest(batch.numbers, batch.within, batch.most, batch.filter);
             for (int k = 0; k < count; k++) {
-                batch.takeNearest(q, k, handles.handle(search.nearestId(k)), search.nearestDistance(k));
+                batch.takeNearest(q, k, world.handles.handle(search.nearestId(k)), search.nearestDistance(k));
             }
             batch.fillUp(q, count);
             total += count;
@@ -81,22 +76,22 @@ final class HostAnswers implements Answers {
 
     /** Makes the tree that of the circles as of now. */
     private void show() {
-        float[] circles = last.circles();
-        if (shown == last.number()) {
+        float[] circles = world.last.circles();
+        if (shown == world.last.number()) {
             return;
         }
-        int n = handles.size();
+        int n = world.handles.size();
         if (ids.length < n) {
             ids = new int[Math.max(n, ids.length + (ids.length >> 1))];
         }
         int k = 0;
         for (int id = 0; k < n; id++) {
-            if (handles.lives(id)) {
+            if (world.handles.lives(id)) {
                 ids[k++] = id;
             }
         }
         shown = 0;
-        search.build(circles, ids, n, settings.bounds());
-        shown = last.number();
+        search.build(circles, ids, n, world.settings.bounds());
+        shown = world.last.number();
     }
 }

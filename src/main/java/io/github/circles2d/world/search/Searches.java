@@ -1,14 +1,8 @@
 package io.github.circles2d.world.search;
 
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.shared.Guard;
-import io.github.circles2d.world.shared.LastReading;
-import io.github.circles2d.world.shared.PendingWork;
-import io.github.circles2d.world.shared.Pipeline;
-import io.github.circles2d.world.shared.WorldSettings;
+import io.github.circles2d.world.shared.WorldParts;
 
 /**
  * The searches for circles, or for pieces of terrain, one or many in a call. The device that has the circles answers where that is faster,
@@ -22,9 +16,7 @@ public final class Searches {
         NEAREST
     }
 
-    private final Guard guard;
-    private final HandleTable handles;
-    private final KindTable kinds;
+    private final WorldParts world;
     private final QueryBatch batch;
     private final Answers host;
 
@@ -34,42 +26,32 @@ public final class Searches {
     /** Takes the handle that a single query finds. */
     private final long[] found = new long[1];
 
+    private Searches(WorldParts world, Answers host, DeviceAnswers device) {
+        this.world = world;
+        this.host = host;
+        this.device = device;
+        batch = new QueryBatch(world.settings);
+    }
+
     /** Searches for circles. */
-    public Searches(
-            Guard guard,
-            Pipeline pipeline,
-            HandleTable handles,
-            KindTable kinds,
-            PendingWork pending,
-            LastReading last,
-            WorldSettings settings) {
-        this.guard = guard;
-        this.handles = handles;
-        this.kinds = kinds;
-        batch = new QueryBatch(settings);
-        host = new HostAnswers(handles, last, settings);
-        device = new DeviceAnswers(pipeline, handles, pending, last, settings);
+    public static Searches forCircles(WorldParts world) {
+        return new Searches(world, new HostAnswers(world), new DeviceAnswers(world));
     }
 
     /** Searches for pieces of terrain. */
-    public Searches(Guard guard, HandleTable handles, KindTable kinds, WorldSettings settings, TerrainView terrain) {
-        this.guard = guard;
-        this.handles = handles;
-        this.kinds = kinds;
-        batch = new QueryBatch(settings);
-        host = new PieceAnswers(terrain);
-        device = null;
+    public static Searches forTerrain(WorldParts world, TerrainView terrain) {
+        return new Searches(world, new PieceAnswers(terrain), null);
     }
 
     /** Does nothing, if a query can be made at all. */
     public void requireOpen() {
-        guard.check();
+        world.guard.check();
     }
 
     /** Admits those whose kind's category has a bit of a mask. */
     public CategoryFilter filter(int mask) {
         requireOpen();
-        return new CategoryFilter(handles.fields(), kinds, mask);
+        return new CategoryFilter(world, mask);
     }
 
     /** Answers on any device from now on, whether or not it is the faster way: for tests. */
@@ -153,7 +135,7 @@ public final class Searches {
             int[] ends,
             long[] to,
             float[] places) {
-        guard.enter();
+        world.guard.enter();
         try {
             if (isBatch) {
                 batch.begin(filter, shape, queries, n);
@@ -178,9 +160,9 @@ public final class Searches {
             batch.end();
             return wanted == Wanted.ONE && !isBatch ? to[0] : count;
         } catch (RuntimeException | Error thrown) {
-            throw guard.failed(batch.named(thrown));
+            throw world.guard.failed(batch.named(thrown));
         } finally {
-            guard.user = null;
+            world.guard.user = null;
         }
     }
 

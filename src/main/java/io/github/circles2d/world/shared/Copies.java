@@ -5,30 +5,22 @@ import io.github.circles2d.world.circles.SavedState;
 
 /** The copies of the state that hold until it changes: the last bulk reading, and the saved state. Also its hash. */
 public final class Copies {
-    private final PendingWork pending;
-    private final WorldState state;
-    private final LastReading last;
+    private final WorldParts world;
     private final SavedState saved = new SavedState();
 
     /** Whether {@link #saved} is the state as it is now. */
     private boolean savedCurrent;
 
-    public Copies(PendingWork pending, WorldState state, LastReading last) {
-        this.pending = pending;
-        this.state = state;
-        this.last = last;
-    }
-
-    public LastReading last() {
-        return last;
+    Copies(WorldParts world) {
+        this.world = world;
     }
 
     /** Circles have changed, and all that was read or saved of them is out of date. */
     public void forget() {
-        last.forgetCircles();
-        last.forgetVelocities();
-        last.forgetTurns();
-        last.forgetJoints();
+        world.last.forgetCircles();
+        world.last.forgetVelocities();
+        world.last.forgetTurns();
+        world.last.forgetJoints();
         savedCurrent = false;
     }
 
@@ -40,13 +32,13 @@ public final class Copies {
     /** An operation of {@link Commands} makes what was read or saved out of date. */
     public void forgetBy(int operation) {
         switch (operation) {
-            case Commands.VELOCITY, Commands.IMPULSE -> last.forgetVelocities();
-            case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> last.forgetTurns();
+            case Commands.VELOCITY, Commands.IMPULSE -> world.last.forgetVelocities();
+            case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> world.last.forgetTurns();
             case Commands.REMOVE -> forget();
             case Commands.RESTITUTION, Commands.FIELD -> {
                 // no read has them
             }
-            default -> last.forgetCircles();
+            default -> world.last.forgetCircles();
         }
         savedCurrent = false;
     }
@@ -54,8 +46,8 @@ public final class Copies {
     /** The state as of now; valid until the next change. */
     public SavedState saved() {
         if (!savedCurrent) {
-            pending.settle();
-            state.save(saved);
+            world.pending.settle();
+            world.state.save(saved);
             savedCurrent = true;
         }
         return saved;
@@ -69,7 +61,7 @@ public final class Copies {
 
     /** The hash of the state as of now. */
     public long hash() {
-        pending.settle();
-        return state.hash();
+        world.pending.settle();
+        return world.state.hash();
     }
 }

@@ -1,15 +1,11 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.model.CircleRow;
 
 /** The last bulk read-back, which answers reads of single values until the state changes. */
 public final class LastReading {
-    private final Pipeline pipeline;
-    private final HandleTable handles;
-    private final PendingWork pending;
-    private final Needs needs;
+    private final WorldParts world;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
     private int[] angles = new int[0];
@@ -27,11 +23,8 @@ public final class LastReading {
     /** How often circles have been read. */
     private long number;
 
-    public LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending, Needs needs) {
-        this.pipeline = pipeline;
-        this.handles = handles;
-        this.pending = pending;
-        this.needs = needs;
+    LastReading(WorldParts world) {
+        this.world = world;
     }
 
     /** Circles have come, gone or changed. */
@@ -56,11 +49,11 @@ public final class LastReading {
     /** Circles as of now: x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change. */
     public float[] circles() {
         if (!circlesCurrent) {
-            pending.settle();
-            if (circles.length < CircleRow.STRIDE * handles.size()) {
-                circles = new float[CircleRow.STRIDE * handles.size()];
+            world.pending.settle();
+            if (circles.length < CircleRow.STRIDE * world.handles.size()) {
+                circles = new float[CircleRow.STRIDE * world.handles.size()];
             }
-            pipeline.readCircles(handles, circles);
+            world.pipeline.readCircles(world.handles, circles);
             circlesCurrent = true;
             number++;
         }
@@ -80,11 +73,11 @@ public final class LastReading {
     /** Velocities as of now: vx, vy of each, in ascending order of ids; may be longer; valid until the next change. */
     public float[] velocities() {
         if (!velocitiesCurrent) {
-            pending.settle();
-            if (velocities.length < 2 * handles.size()) {
-                velocities = new float[2 * handles.size()];
+            world.pending.settle();
+            if (velocities.length < 2 * world.handles.size()) {
+                velocities = new float[2 * world.handles.size()];
             }
-            pipeline.readVelocities(handles, velocities);
+            world.pipeline.readVelocities(world.handles, velocities);
             velocitiesCurrent = true;
         }
         return velocities;
@@ -96,32 +89,32 @@ public final class LastReading {
      */
     public int[] angles() {
         if (!anglesCurrent && settleTurns()) {
-            if (angles.length < handles.size()) {
-                angles = new int[handles.size()];
+            if (angles.length < world.handles.size()) {
+                angles = new int[world.handles.size()];
             }
-            pipeline.readAngles(handles, angles);
+            world.pipeline.readAngles(world.handles, angles);
             anglesCurrent = true;
         }
-        return needs.turns() ? angles : null;
+        return world.needs.turns() ? angles : null;
     }
 
     /** Angular velocities as of now, likewise. */
     public float[] angularVelocities() {
         if (!angularVelocitiesCurrent && settleTurns()) {
-            if (angularVelocities.length < handles.size()) {
-                angularVelocities = new float[handles.size()];
+            if (angularVelocities.length < world.handles.size()) {
+                angularVelocities = new float[world.handles.size()];
             }
-            pipeline.readAngularVelocities(handles, angularVelocities);
+            world.pipeline.readAngularVelocities(world.handles, angularVelocities);
             angularVelocitiesCurrent = true;
         }
-        return needs.turns() ? angularVelocities : null;
+        return world.needs.turns() ? angularVelocities : null;
     }
 
     /** What joints keep from the last step; of those whose serials are of joints that there are. Valid until the next change. */
     public SavedJointStates joints() {
         if (!jointsCurrent) {
-            pending.settle();
-            pipeline.saveJoints(joints);
+            world.pending.settle();
+            world.pipeline.saveJoints(joints);
             jointsCurrent = true;
         }
         return joints;
@@ -129,9 +122,9 @@ public final class LastReading {
 
     /** Makes the state what calls have led to, and returns whether circles turn. Where they cannot, there is nothing to wait for. */
     private boolean settleTurns() {
-        if (needs.turns() || needs.beginsToTurn()) {
-            pending.settle();
+        if (world.needs.turns() || world.needs.beginsToTurn()) {
+            world.pending.settle();
         }
-        return needs.turns();
+        return world.needs.turns();
     }
 }

@@ -1,12 +1,9 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.WorldParameters;
-import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.Features;
-import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
  * What the pipeline must be ready for. A world turns if circles in it may turn, grip or roll; it has terrain if there are pieces. Steps of
@@ -14,11 +11,7 @@ import io.github.circles2d.world.terrain.TerrainTables;
  * until all circles go, or another state takes their place.
  */
 public final class Needs {
-    private final Pipeline pipeline;
-    private final KindTable kinds;
-    private final TerrainTables terrain;
-    private final JointTables joints;
-    private final WorldSettings settings;
+    private final WorldParts world;
 
     /** Whether a call has made a circle turn, or has given it a surface or a torque. */
     private boolean asked;
@@ -31,13 +24,8 @@ public final class Needs {
     /** Whether the pipeline is ready for joints. */
     private boolean hasJoints;
 
-    public Needs(
-            Pipeline pipeline, KindTable kinds, TerrainTables terrain, JointTables joints, WorldSettings settings) {
-        this.pipeline = pipeline;
-        this.kinds = kinds;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.settings = settings;
+    Needs(WorldParts world) {
+        this.world = world;
     }
 
     /** Whether the world turns, and the pipeline is ready for that. */
@@ -52,21 +40,22 @@ public final class Needs {
 
     /** Whether the world has begun to turn, and the pipeline is not ready for that. */
     boolean beginsToTurn() {
-        return !turns && (asked || kinds.grips() || settings.surfaces().any() || joints.table.turns());
+        return !turns
+                && (asked || world.kinds.grips() || world.settings.surfaces().any() || world.joints.table.turns());
     }
 
     /** Whether the pipeline is not ready for what the world has begun to need. */
     boolean begins() {
-        return beginsToTurn() || !hasTerrain && terrain.isThere() || !hasJoints && joints.isThere();
+        return beginsToTurn() || !hasTerrain && world.terrain.isThere() || !hasJoints && world.joints.isThere();
     }
 
     /** Makes the pipeline ready, all steps of which have been made. If it cannot be made so, nothing has changed. */
     public void prepare() {
         prepare(
-                settings.parameters(),
+                world.settings.parameters(),
                 turns || beginsToTurn(),
-                hasTerrain || terrain.isThere(),
-                hasJoints || joints.isThere());
+                hasTerrain || world.terrain.isThere(),
+                hasJoints || world.joints.isThere());
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
@@ -81,7 +70,7 @@ public final class Needs {
     }
 
     private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
-        pipeline.prepare(p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints));
+        world.pipeline.prepare(p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints));
         turns = turning;
         hasTerrain = withTerrain;
         hasJoints = withJoints;

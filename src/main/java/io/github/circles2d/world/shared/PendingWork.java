@@ -1,63 +1,38 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.events.ContactEvents;
 
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
 public final class PendingWork {
-    private final Pipeline pipeline;
-    private final Guard guard;
-    private final HandleTable handles;
-    private final Commands commands;
-    private final ContactEvents events;
-    private final CallLog log;
-    private final Breaking breaking;
-    private final Needs needs;
+    private final WorldParts world;
 
-    public PendingWork(
-            Pipeline pipeline,
-            Guard guard,
-            HandleTable handles,
-            Commands commands,
-            ContactEvents events,
-            CallLog log,
-            Breaking breaking,
-            Needs needs) {
-        this.pipeline = pipeline;
-        this.guard = guard;
-        this.handles = handles;
-        this.commands = commands;
-        this.events = events;
-        this.log = log;
-        this.breaking = breaking;
-        this.needs = needs;
+    PendingWork(WorldParts world) {
+        this.world = world;
     }
 
     /** Makes room for changes to come, so that none fails half-way. */
     public void expect(int more) {
-        if (commands.count() >= Commands.MANY) {
+        if (world.commands.count() >= Commands.MANY) {
             apply();
         }
-        commands.ensure(more);
+        world.commands.ensure(more);
     }
 
     /** Hands the changes that wait to the pipeline. */
     public void apply() {
-        boolean changes = commands.count() > 0;
-        boolean learns = events.isOn() && !events.knowsPieces();
+        boolean changes = world.commands.count() > 0;
+        boolean learns = world.events.isOn() && !world.events.knowsPieces();
         if (changes || learns) {
-            log.writeCommands();
             finish();
             makeRoom(changes);
-            guard.changing = true;
+            world.guard.changing = true;
             if (changes) {
                 applyCommands();
             }
             if (learns) {
-                events.learnPieces();
+                world.events.learnPieces();
             }
-            guard.changing = false;
+            world.guard.changing = false;
         }
     }
 
@@ -65,57 +40,55 @@ public final class PendingWork {
     private void makeRoom(boolean changes) {
         if (changes) {
             prepareNeeds();
-            pipeline.makeRoom(commands);
+            world.pipeline.makeRoom(world.commands);
         }
-        if (events.isOn()) {
-            events.makeRoom(commands);
+        if (world.events.isOn()) {
+            world.events.makeRoom(world.commands);
         }
     }
 
     private void applyCommands() {
-        if (events.isOn()) {
-            events.apply(commands, handles);
+        if (world.events.isOn()) {
+            world.events.apply(world.commands, world.handles);
         }
-        pipeline.apply(commands);
+        world.pipeline.apply(world.commands);
         drop();
     }
 
     /** Makes the pipeline ready for circles that turn, for terrain or for joints, if the world has begun to need that. */
     public void prepareNeeds() {
-        if (needs.begins()) {
+        if (world.needs.begins()) {
             finish();
-            needs.prepare();
+            world.needs.prepare();
         }
     }
 
     /** Drops the changes that wait. */
     public void drop() {
-        commands.clear();
-        log.logged = 0;
+        world.commands.clear();
     }
 
-    /** Records that each circle goes, for which there is room. The log has the call in place of the records. */
+    /** Records that each circle goes, for which there is room. */
     public void recordRemovals() {
-        for (int id = 0; id < handles.end(); id++) {
-            if (handles.lives(id)) {
-                commands.set(Commands.REMOVE, id, 0, 0);
+        for (int id = 0; id < world.handles.end(); id++) {
+            if (world.handles.lives(id)) {
+                world.commands.set(Commands.REMOVE, id, 0, 0);
             }
         }
-        log.skipCommands();
     }
 
     /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
-        guard.changing = true;
-        pipeline.finish();
-        guard.changing = false;
-        breaking.take();
+        world.guard.changing = true;
+        world.pipeline.finish();
+        world.guard.changing = false;
+        world.breaking.take();
     }
 
     /** Another state has taken the place of all that was, and of all changes that wait. */
     public void restored() {
         drop();
-        breaking.forget();
+        world.breaking.forget();
     }
 
     /** Makes the state what calls have led to, so that reading it changes nothing. */
@@ -126,28 +99,28 @@ public final class PendingWork {
 
     /** Makes joints what steps have led to, if any may have broken: before a call that looks at joints or changes them. */
     public void settleJoints() {
-        if (breaking.mayHappen()) {
+        if (world.breaking.mayHappen()) {
             finish();
         }
     }
 
     /** Waits for the events of all steps so far. */
     public void finishEvents() {
-        guard.changing = true;
-        pipeline.finishEvents();
-        guard.changing = false;
+        world.guard.changing = true;
+        world.pipeline.finishEvents();
+        world.guard.changing = false;
     }
 
     /** Asks for the events of all steps so far. */
     public void requestEvents() {
-        guard.changing = true;
-        pipeline.requestEvents();
-        guard.changing = false;
+        world.guard.changing = true;
+        world.pipeline.requestEvents();
+        world.guard.changing = false;
     }
 
     public void finishRequestedEvents() {
-        guard.changing = true;
-        pipeline.finishRequestedEvents();
-        guard.changing = false;
+        world.guard.changing = true;
+        world.pipeline.finishRequestedEvents();
+        world.guard.changing = false;
     }
 }

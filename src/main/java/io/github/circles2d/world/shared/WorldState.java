@@ -1,28 +1,16 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.joints.JointTables;
-import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
  * The state of a world, which its parts keep: saves it, hashes it, and puts another one in its place. The caller makes all changes that
  * wait, and all steps, before.
  */
 public final class WorldState {
-    private final Pipeline pipeline;
-    private final HandleTable handles;
-    private final KindTable kinds;
-    private final ContactEvents events;
-    private final WorldSettings settings;
-    private final TerrainTables terrain;
-    private final JointTables joints;
-    private final Needs needs;
+    private final WorldParts world;
     private final StepFigures figures = new StepFigures();
 
     // what the hash reads
@@ -33,23 +21,8 @@ public final class WorldState {
     /** A state without circles. */
     private final SavedState empty = new SavedState();
 
-    public WorldState(
-            Pipeline pipeline,
-            HandleTable handles,
-            KindTable kinds,
-            ContactEvents events,
-            WorldSettings settings,
-            TerrainTables terrain,
-            JointTables joints,
-            Needs needs) {
-        this.pipeline = pipeline;
-        this.handles = handles;
-        this.kinds = kinds;
-        this.events = events;
-        this.settings = settings;
-        this.terrain = terrain;
-        this.joints = joints;
-        this.needs = needs;
+    WorldState(WorldParts world) {
+        this.world = world;
     }
 
     /** Whether the pipeline's figures are those of this state. */
@@ -59,78 +32,78 @@ public final class WorldState {
 
     /** Copies it. */
     void save(SavedState into) {
-        handles.save(into);
-        pipeline.save(into);
-        terrain.save(into.terrain);
+        world.handles.save(into);
+        world.pipeline.save(into);
+        world.terrain.save(into.terrain);
         savePieceContacts(into.pieceContacts);
         saveJoints(into.joints, into.jointStates);
-        events.save(into.touches);
-        into.setParameters(settings.parameters());
-        into.kinds.copy(kinds);
+        world.events.save(into.touches);
+        into.setParameters(world.settings.parameters());
+        into.kinds.copy(world.kinds);
     }
 
     private void savePieceContacts(SavedPieceContacts into) {
         into.clear();
-        if (terrain.isThere()) {
-            pipeline.savePieceContacts(into);
-            terrain.keepPresent(into);
+        if (world.terrain.isThere()) {
+            world.pipeline.savePieceContacts(into);
+            world.terrain.keepPresent(into);
         }
     }
 
     private void saveJoints(SavedJoints into, SavedJointStates states) {
-        joints.saves.save(into);
+        world.joints.saves.save(into);
         states.begin(0);
-        if (joints.isThere()) {
-            pipeline.saveJoints(states);
+        if (world.joints.isThere()) {
+            world.pipeline.saveJoints(states);
         }
-        joints.saves.keepPresent(states);
+        world.joints.saves.keepPresent(states);
     }
 
     long hash() {
         savePieceContacts(contacts);
         saveJoints(savedJoints, jointStates);
-        return pipeline.hash()
-                + handles.fields().hash()
-                + kinds.hash()
-                + settings.hash()
-                + terrain.hash()
+        return world.pipeline.hash()
+                + world.handles.fields().hash()
+                + world.kinds.hash()
+                + world.settings.hash()
+                + world.terrain.hash()
                 + contacts.hash()
                 + savedJoints.hash(jointStates);
     }
 
     /** Makes room for {@link #load}. If that fails, nothing has changed. */
     public void makeRoom(SavedState saved) {
-        handles.makeRoom(saved);
-        terrain.makeRoom(saved.terrain);
-        joints.makeRoom(saved);
-        needs.prepare(saved); // first, since the room depends on it
-        pipeline.makeRoom(saved);
-        events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
+        world.handles.makeRoom(saved);
+        world.terrain.makeRoom(saved.terrain);
+        world.joints.makeRoom(saved);
+        world.needs.prepare(saved); // first, since the room depends on it
+        world.pipeline.makeRoom(saved);
+        world.events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
     }
 
     /** A saved state, for which there is room, takes the place of this one. */
     public void load(SavedState saved) {
-        handles.load(saved);
-        kinds.copy(saved.kinds);
-        terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
-        joints.load(saved);
-        pipeline.load(saved);
-        settings.set(saved.parameters());
-        needs.restored(saved);
+        world.handles.load(saved);
+        world.kinds.copy(saved.kinds);
+        world.terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
+        world.joints.load(saved);
+        world.pipeline.load(saved);
+        world.settings.set(saved.parameters());
+        world.needs.restored(saved);
         figures.forget();
-        events.load(saved.touches, handles);
+        world.events.load(saved.touches, world.handles);
     }
 
     /** Makes room for {@link #removeCircles}. If that fails, nothing has changed. */
     public void makeRoomToRemoveCircles() {
-        empty.ids = handles.end();
-        pipeline.makeRoom(empty);
+        empty.ids = world.handles.end();
+        world.pipeline.makeRoom(empty);
     }
 
     /** All circles go at once: the pipeline gets a state without circles, which takes no command for each. */
     public void removeCircles() {
-        handles.removeAll();
-        pipeline.load(empty);
-        needs.cleared();
+        world.handles.removeAll();
+        world.pipeline.load(empty);
+        world.needs.cleared();
     }
 }

@@ -99,7 +99,7 @@ class DeviceQueriesTest {
         }
         for (int kind = 0; kind < KINDS; kind++) {
             int category = random.nextInt();
-            both(kind, (s, k) -> s.kinds().set(KindField.CATEGORY, k, category));
+            both(kind, (s, k) -> s.kinds.set(KindField.CATEGORY, k, category));
         }
         compareAll();
         for (int frame = 0; frame < 2; frame++) {
@@ -135,8 +135,8 @@ class DeviceQueriesTest {
         float speed = random.nextInt(10) == 0 ? 3000 : 5;
         float vx = speed * (random.nextFloat() - 0.5f);
         int kind = random.nextInt(KINDS);
-        long handle = device.newCircles().add(x, y, radius, mass, vx, speed, kind);
-        assertThat(host.newCircles().add(x, y, radius, mass, vx, speed, kind)).isEqualTo(handle);
+        long handle = device.newCircles.add(x, y, radius, mass, vx, speed, kind);
+        assertThat(host.newCircles.add(x, y, radius, mass, vx, speed, kind)).isEqualTo(handle);
         living.add(handle);
     }
 
@@ -148,20 +148,20 @@ class DeviceQueriesTest {
     private void change() {
         for (int k = 0; k < 6 && living.size() > 1; k++) {
             long removed = living.remove(random.nextInt(living.size()));
-            both(0, (s, i) -> s.circles().remove(removed));
+            both(0, (s, i) -> s.circles.remove(removed));
         }
         add();
         long moved = any();
         float x = coordinate();
         float y = coordinate();
-        both(0, (s, i) -> s.circles().move(moved, x, y));
+        both(0, (s, i) -> s.circles.move(moved, x, y));
         long resized = any();
-        both(0, (s, i) -> s.circles().set(Commands.RADIUS, resized, radii.greatest * 0.8f, 0));
+        both(0, (s, i) -> s.circles.set(Commands.RADIUS, resized, radii.greatest * 0.8f, 0));
         long other = any();
         int kind = random.nextInt(KINDS);
-        both(kind, (s, i) -> s.fields().set(CircleField.KIND, other, i));
+        both(kind, (s, i) -> s.fields.set(CircleField.KIND, other, i));
         int category = random.nextInt();
-        both(kind, (s, i) -> s.kinds().set(KindField.CATEGORY, i, category));
+        both(kind, (s, i) -> s.kinds.set(KindField.CATEGORY, i, category));
     }
 
     private long any() {
@@ -202,14 +202,14 @@ class DeviceQueriesTest {
     private long[] admitted;
 
     private BruteForce truth(Integer mask) {
-        long[] handles = new long[host.circles().size()];
+        long[] handles = new long[host.circles.size()];
         float[] circles = new float[4 * handles.length];
-        host.readings().readHandles(handles);
-        host.readings().read(circles);
+        host.readings.readHandles(handles);
+        host.readings.read(circles);
         int n = 0;
         for (int k = 0; k < handles.length; k++) {
-            int kind = (int) host.fields().get(CircleField.KIND, handles[k]);
-            if (mask == null || (host.kinds().get(KindField.CATEGORY, kind) & mask) != 0) {
+            int kind = (int) host.fields.get(CircleField.KIND, handles[k]);
+            if (mask == null || (host.kinds.get(KindField.CATEGORY, kind) & mask) != 0) {
                 System.arraycopy(circles, 4 * k, circles, 4 * n, 4);
                 handles[n++] = handles[k];
             }
@@ -219,7 +219,7 @@ class DeviceQueriesTest {
     }
 
     private static CategoryFilter filter(Simulation simulation, Integer mask) {
-        return mask == null ? null : simulation.searches().filter(mask);
+        return mask == null ? null : simulation.searches.filter(mask);
     }
 
     private float[] queries(QueryShape shape) {
@@ -254,18 +254,18 @@ class DeviceQueriesTest {
     private void compareFindsOfAll(BruteForce truth, Integer mask, QueryShape shape, float[] queries) {
         int[] ends = new int[QUERIES];
         int[] endsOnHost = new int[QUERIES];
-        int total = host.searches().all(filter(host, mask), shape, queries, QUERIES, endsOnHost, new long[0], null);
+        int total = host.searches.all(filter(host, mask), shape, queries, QUERIES, endsOnHost, new long[0], null);
         int room = random.nextBoolean() ? total : random.nextInt(total + 1);
         long[] handles = new long[room];
         float[] hits = shape.isCast() ? new float[STRIDE * room] : null;
-        assertThat(device.searches().all(filter(device, mask), shape, queries, QUERIES, ends, handles, hits))
+        assertThat(device.searches.all(filter(device, mask), shape, queries, QUERIES, ends, handles, hits))
                 .isEqualTo(total);
         calls++;
         found += room;
         assertThat(ends).isEqualTo(endsOnHost);
         long[] handlesOnHost = new long[room];
         float[] hitsOnHost = shape.isCast() ? new float[STRIDE * room] : null;
-        host.searches().all(filter(host, mask), shape, queries, QUERIES, ends, handlesOnHost, hitsOnHost);
+        host.searches.all(filter(host, mask), shape, queries, QUERIES, ends, handlesOnHost, hitsOnHost);
         assertThat(handles).isEqualTo(handlesOnHost);
         assertThat(hits).isEqualTo(hitsOnHost);
         for (int q = 0; q < QUERIES; q++) {
@@ -299,12 +299,12 @@ class DeviceQueriesTest {
     private void compareFindsOfOne(BruteForce truth, Integer mask, QueryShape shape, float[] queries) {
         long[] handles = new long[QUERIES];
         float[] hits = shape.isCast() ? new float[STRIDE * QUERIES] : null;
-        int count = device.searches().one(filter(device, mask), shape, queries, QUERIES, handles, hits);
+        int count = device.searches.one(filter(device, mask), shape, queries, QUERIES, handles, hits);
         calls++;
         found += count;
         long[] handlesOnHost = new long[QUERIES];
         float[] hitsOnHost = shape.isCast() ? new float[STRIDE * QUERIES] : null;
-        assertThat(host.searches().one(filter(host, mask), shape, queries, QUERIES, handlesOnHost, hitsOnHost))
+        assertThat(host.searches.one(filter(host, mask), shape, queries, QUERIES, handlesOnHost, hitsOnHost))
                 .isEqualTo(count);
         assertThat(handles).isEqualTo(handlesOnHost);
         assertThat(hits).isEqualTo(hitsOnHost);
@@ -328,13 +328,13 @@ class DeviceQueriesTest {
     private void compareNearest(BruteForce truth, Integer mask, float[] points, float within, int most) {
         long[] handles = new long[most * QUERIES];
         float[] distances = new float[handles.length];
-        int count = device.searches().nearest(filter(device, mask), points, QUERIES, within, most, handles, distances);
+        int count = device.searches.nearest(filter(device, mask), points, QUERIES, within, most, handles, distances);
         calls++;
         found += count;
         long[] handlesOnHost = new long[handles.length];
         float[] distancesOnHost = new float[handles.length];
-        assertThat(host.searches()
-                        .nearest(filter(host, mask), points, QUERIES, within, most, handlesOnHost, distancesOnHost))
+        assertThat(host.searches.nearest(
+                        filter(host, mask), points, QUERIES, within, most, handlesOnHost, distancesOnHost))
                 .isEqualTo(count);
         assertThat(handles).isEqualTo(handlesOnHost);
         assertThat(distances).isEqualTo(distancesOnHost);
@@ -363,25 +363,25 @@ class DeviceQueriesTest {
         }
         long[] handles = new long[300];
         float[] hit = new float[STRIDE];
-        int total = device.searches().all(null, QueryShape.BOX, 0, 0, SIDE, SIDE, 0, handles, null);
+        int total = device.searches.all(null, QueryShape.BOX, 0, 0, SIDE, SIDE, 0, handles, null);
         assertThat(total).isEqualTo(300);
-        long first = device.searches().one(null, QueryShape.RAY, 0, 50, SIDE, 0, 0, hit);
+        long first = device.searches.one(null, QueryShape.RAY, 0, 50, SIDE, 0, 0, hit);
         float[] hitOnHost = new float[STRIDE];
         assertThat(first)
-                .isEqualTo(host.searches().one(null, QueryShape.RAY, 0, 50, SIDE, 0, 0, hitOnHost))
+                .isEqualTo(host.searches.one(null, QueryShape.RAY, 0, 50, SIDE, 0, 0, hitOnHost))
                 .isPositive();
         assertThat(hit).isEqualTo(hitOnHost);
         assertThat(DeviceSearches.answered(device)).isEqualTo(2);
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> device.searches()
-                        .one(null, QueryShape.RAY, new float[] {1, 1, 1, 1, 1, Float.NaN, 1, 1}, 2, handles, null))
+                .isThrownBy(() -> device.searches.one(
+                        null, QueryShape.RAY, new float[] {1, 1, 1, 1, 1, Float.NaN, 1, 1}, 2, handles, null))
                 .withMessageStartingWith("query 1: y is NaN");
         for (long handle : living) {
-            both(0, (s, k) -> s.circles().remove(handle));
+            both(0, (s, k) -> s.circles.remove(handle));
         }
-        assertThat(device.searches().one(null, QueryShape.POINT, 5, 5, 0, 0, 0, null))
+        assertThat(device.searches.one(null, QueryShape.POINT, 5, 5, 0, 0, 0, null))
                 .isZero();
-        assertThat(device.searches().nearest(null, 5, 5, Float.POSITIVE_INFINITY, 3, handles, null))
+        assertThat(device.searches.nearest(null, 5, 5, Float.POSITIVE_INFINITY, 3, handles, null))
                 .isZero();
     }
 
@@ -394,7 +394,7 @@ class DeviceQueriesTest {
         try (Simulation crowded =
                 DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false, true), parameters))) {
             for (int k = 0; k < 5000; k++) {
-                crowded.newCircles().add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
+                crowded.newCircles.add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
             }
             long[] handles = new long[5000];
             int[] ends = new int[1000];
@@ -402,16 +402,16 @@ class DeviceQueriesTest {
             for (int q = 0; q < 1000; q++) {
                 discs[3 * q + 2] = 1000;
             }
-            assertThat(crowded.searches().all(null, QueryShape.DISC, discs, 3, ends, handles, null))
+            assertThat(crowded.searches.all(null, QueryShape.DISC, discs, 3, ends, handles, null))
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).isOne();
-            assertThat(crowded.searches().all(null, QueryShape.DISC, discs, 1000, ends, new long[5_000_000], null))
+            assertThat(crowded.searches.all(null, QueryShape.DISC, discs, 1000, ends, new long[5_000_000], null))
                     .isEqualTo(5_000_000);
             assertThat(DeviceSearches.answered(crowded))
                     .as("more than it lists")
                     .isOne();
-            crowded.newCircles().add(9e5f, 9e5f, 1, 1, 0, 0);
-            assertThat(crowded.searches().all(null, QueryShape.DISC, discs, 3, ends, handles, null))
+            crowded.newCircles.add(9e5f, 9e5f, 1, 1, 0, 0);
+            assertThat(crowded.searches.all(null, QueryShape.DISC, discs, 3, ends, handles, null))
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).as("in a crowd").isOne();
         }
@@ -429,33 +429,33 @@ class DeviceQueriesTest {
             float[] points = new float[2 * 512];
             long[] handles = new long[512];
             for (int k = 1; k < 1000; k++) {
-                world.newCircles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
             }
-            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
+            world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a small world").isZero();
             for (int k = 1000; k < circles; k++) {
-                world.newCircles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
             }
-            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
+            world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a large batch").isOne();
-            world.searches().one(null, QueryShape.POINT, points, 511, handles, null);
+            world.searches.one(null, QueryShape.POINT, points, 511, handles, null);
             assertThat(DeviceSearches.answered(world))
                     .as("a smaller one, and not enough circles for that")
                     .isOne();
-            world.newCircles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0);
             for (int k = 0; k < 30; k++) {
-                assertThat(world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
+                assertThat(world.searches.one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
                         .isPositive();
             }
             assertThat(DeviceSearches.answered(world))
                     .as("a call for 1,000 circles")
                     .isEqualTo(21);
-            world.searches().one(null, QueryShape.POINT, points, 511, handles, null);
+            world.searches.one(null, QueryShape.POINT, points, 511, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(21);
-            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
+            world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(22);
-            world.newCircles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
-            world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
+            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.searches.one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
             assertThat(DeviceSearches.answered(world)).as("after a change").isEqualTo(23);
         }
     }
@@ -481,7 +481,7 @@ class DeviceQueriesTest {
         }
         for (int frame = 0; frame < 5; frame++) {
             float[] queries = queries(QueryShape.DISC_CAST);
-            device.searches().one(null, QueryShape.DISC_CAST, queries, QUERIES, new long[QUERIES], null);
+            device.searches.one(null, QueryShape.DISC_CAST, queries, QUERIES, new long[QUERIES], null);
             step();
             assertThat(device.figures().contacts()).isEqualTo(host.figures().contacts());
             assertThat(device.hash()).isEqualTo(host.hash());

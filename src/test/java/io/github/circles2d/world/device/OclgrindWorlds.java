@@ -466,15 +466,13 @@ final class OclgrindWorlds {
         long[] handles = new long[1000];
         float[] hits = new float[CastSearch.HIT_STRIDE * handles.length];
         int found = 0;
-        for (CategoryFilter filter :
-                new CategoryFilter[] {null, simulation.searches().filter(1)}) {
+        for (CategoryFilter filter : new CategoryFilter[] {null, simulation.searches.filter(1)}) {
             found += switch (shape) {
-                case POINT -> simulation.searches().one(filter, shape, numbers, 2, handles, null);
-                case NEAREST -> simulation.searches().nearest(filter, numbers, 2, 100, 3, handles, hits);
+                case POINT -> simulation.searches.one(filter, shape, numbers, 2, handles, null);
+                case NEAREST -> simulation.searches.nearest(filter, numbers, 2, 100, 3, handles, hits);
                 default ->
-                    simulation
-                            .searches()
-                            .all(filter, shape, numbers, 2, new int[2], handles, shape.isCast() ? hits : null);
+                    simulation.searches.all(
+                            filter, shape, numbers, 2, new int[2], handles, shape.isCast() ? hits : null);
             };
         }
         return found;

@@ -42,7 +42,7 @@ final class RandomJoints {
         this.simulation = simulation;
         this.random = random;
         this.turning = turning;
-        Bounds bounds = simulation.bounds();
+        Bounds bounds = simulation.settings().bounds();
         width = bounds.maxX() - bounds.minX();
     }
 
@@ -59,21 +59,21 @@ final class RandomJoints {
     private void make(long circle, long other, long body) {
         long joint = anyJoint();
         switch (random.nextInt(10)) {
-            case 0, 1, 2 -> simulation.joints().add(circle, other, form(OF_CIRCLES, turning ? OF_CIRCLES.length : 3));
+            case 0, 1, 2 -> simulation.joints.add(circle, other, form(OF_CIRCLES, turning ? OF_CIRCLES.length : 3));
             case 3, 4 -> {
-                boolean ground = body == simulation.bodies().ground();
-                float x = ground ? at(simulation.bounds().minX()) : 0.1f * between(-1, 1);
-                float y = ground ? at(simulation.bounds().minY()) : 0.1f * between(-1, 1);
-                simulation.joints().add(circle, body, x, y, form(OF_ANCHORS, OF_ANCHORS.length));
+                boolean ground = body == simulation.bodies.ground();
+                float x = ground ? at(simulation.settings().bounds().minX()) : 0.1f * between(-1, 1);
+                float y = ground ? at(simulation.settings().bounds().minY()) : 0.1f * between(-1, 1);
+                simulation.joints.add(circle, body, x, y, form(OF_ANCHORS, OF_ANCHORS.length));
             }
             case 5 -> {
                 if (turning) {
-                    simulation.joints().add(circle, form(ALONE, ALONE.length));
+                    simulation.joints.add(circle, form(ALONE, ALONE.length));
                 }
             }
             case 6 -> {
                 if (joint != 0) {
-                    simulation.joints().remove(joint);
+                    simulation.joints.remove(joint);
                 }
             }
             default -> {
@@ -87,20 +87,18 @@ final class RandomJoints {
     private void set(long joint) {
         JointSetting setting = SETTINGS[random.nextInt(SETTINGS.length)];
         switch (setting) {
-            case LENGTH -> simulation.joints().set(setting, joint, 0.1f * width * between(0, 1), 0);
+            case LENGTH -> simulation.joints.set(setting, joint, 0.1f * width * between(0, 1), 0);
             case LIMITS ->
-                simulation.joints().set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
+                simulation.joints.set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
             case ANCHOR ->
-                simulation
-                        .joints()
-                        .set(
-                                setting,
-                                joint,
-                                at(simulation.bounds().minX()),
-                                at(simulation.bounds().minY()));
-            case COLLIDING -> simulation.joints().set(setting, joint, random.nextInt(2), 0);
-            case BREAKING -> simulation.joints().set(setting, joint, between(0, 50), between(0, 5));
-            default -> simulation.joints().set(setting, joint, between(0, 5), between(0, 2));
+                simulation.joints.set(
+                        setting,
+                        joint,
+                        at(simulation.settings().bounds().minX()),
+                        at(simulation.settings().bounds().minY()));
+            case COLLIDING -> simulation.joints.set(setting, joint, random.nextInt(2), 0);
+            case BREAKING -> simulation.joints.set(setting, joint, between(0, 50), between(0, 5));
+            default -> simulation.joints.set(setting, joint, between(0, 5), between(0, 2));
         }
     }
 
@@ -120,8 +118,8 @@ final class RandomJoints {
     }
 
     private long anyJoint() {
-        int ids = simulation.joints().idLimit();
-        return ids == 0 ? 0 : simulation.joints().handle(random.nextInt(ids));
+        int ids = simulation.joints.idLimit();
+        return ids == 0 ? 0 : simulation.joints.handle(random.nextInt(ids));
     }
 
     private float at(float from) {

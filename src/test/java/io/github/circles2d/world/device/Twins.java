@@ -89,7 +89,7 @@ final class Twins implements AutoCloseable {
                 pipelines);
         twins.handles = new long[scene.size()];
         twins.ids = scene.size();
-        twins.simulations[0].readings().readHandles(twins.handles);
+        twins.simulations[0].readings.readHandles(twins.handles);
         return twins;
     }
 
@@ -122,7 +122,7 @@ final class Twins implements AutoCloseable {
 
     /** Number of circles. */
     int size() {
-        return simulations[0].circles().size();
+        return simulations[0].circles.size();
     }
 
     void step(float dt, int steps) {
@@ -143,24 +143,24 @@ final class Twins implements AutoCloseable {
     /** Has events reported. */
     void report(int types) {
         for (Simulation simulation : simulations) {
-            simulation.reports().report(types);
+            simulation.reports.report(types);
         }
     }
 
     /** Has events of two kinds reported. */
     void report(int kindA, int kindB, int types) {
         for (Simulation simulation : simulations) {
-            simulation.reports().report(kindA, kindB, types);
+            simulation.reports.report(kindA, kindB, types);
         }
     }
 
     /** Makes a kind a sensor, and every so many circles of that kind. */
     void giveSensors(int kind, int every) {
         for (Simulation simulation : simulations) {
-            simulation.kinds().set(KindField.SENSOR, kind, 1);
+            simulation.kinds.set(KindField.SENSOR, kind, 1);
             for (int id = 0; id < ids; id += every) {
                 if (lives(id)) {
-                    simulation.circles().setKind(handles[id], kind);
+                    simulation.circles.setKind(handles[id], kind);
                 }
             }
         }
@@ -169,25 +169,25 @@ final class Twins implements AutoCloseable {
     /** Lets circles of two kinds pass through each other, and sense that. */
     void sense(int kindA, int kindB) {
         for (Simulation simulation : simulations) {
-            simulation.kinds().setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE);
+            simulation.kinds.setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE);
         }
     }
 
     /** Takes the events from every pipeline, and returns their number. */
     int assertSameEvents(String when) {
-        return assertSameEvents(when, simulation -> simulation.reports().take());
+        return assertSameEvents(when, simulation -> simulation.reports.take());
     }
 
     /** Asks every pipeline for the events up to now. */
     void requestEvents() {
         for (Simulation simulation : simulations) {
-            simulation.reports().request();
+            simulation.reports.request();
         }
     }
 
     /** Takes the events that were asked for, and returns their number. */
     int assertSameRequestedEvents(String when) {
-        return assertSameEvents(when, simulation -> simulation.reports().takeRequested());
+        return assertSameEvents(when, simulation -> simulation.reports.takeRequested());
     }
 
     private int assertSameEvents(String when, Function<Simulation, EventRows> take) {
@@ -203,19 +203,19 @@ final class Twins implements AutoCloseable {
     /** Adds a body that turns, with a segment of a kind whose middle is its pivot; its angular velocity may be 0. */
     void addSpinner(float x, float y, float length, float angularVelocity, int kind) {
         for (Simulation simulation : simulations) {
-            long body = simulation.bodies().add(x, y, 0.3f);
-            simulation.pieces().addSegment(body, kind, -0.5f * length, 0, 0.5f * length, 0, 0);
-            simulation.bodies().setAngularVelocity(body, angularVelocity);
+            long body = simulation.bodies.add(x, y, 0.3f);
+            simulation.pieces.addSegment(body, kind, -0.5f * length, 0, 0.5f * length, 0, 0);
+            simulation.bodies.setAngularVelocity(body, angularVelocity);
         }
     }
 
     /** Compares which pairs of two kinds touch. */
     void assertSameTouching(int kindA, int kindB) {
         long[] expected = new long[1000];
-        int pairs = simulations[0].reports().touching(kindA, kindB, expected);
+        int pairs = simulations[0].reports.touching(kindA, kindB, expected);
         for (Simulation simulation : simulations) {
             long[] found = new long[expected.length];
-            assertThat(simulation.reports().touching(kindA, kindB, found)).isEqualTo(pairs);
+            assertThat(simulation.reports.touching(kindA, kindB, found)).isEqualTo(pairs);
             assertThat(found).isEqualTo(expected);
         }
     }
@@ -247,8 +247,8 @@ final class Twins implements AutoCloseable {
     }
 
     private boolean radiiAreAlike() {
-        float[] circles = new float[4 * simulations[0].circles().size()];
-        simulations[0].readings().read(circles);
+        float[] circles = new float[4 * simulations[0].circles.size()];
+        simulations[0].readings.read(circles);
         float least = Float.MAX_VALUE;
         float greatest = 0f;
         for (int k = 2; k < circles.length; k += 4) {
@@ -259,15 +259,15 @@ final class Twins implements AutoCloseable {
     }
 
     void assertSameReadings() {
-        int n = simulations[0].circles().size();
+        int n = simulations[0].circles.size();
         float[][] circles = new float[simulations.length][4 * n];
         float[][] velocities = new float[simulations.length][2 * n];
         for (int k = 0; k < simulations.length; k++) {
-            simulations[k].readings().read(circles[k]);
-            simulations[k].readings().readVelocities(velocities[k]);
+            simulations[k].readings.read(circles[k]);
+            simulations[k].readings.readVelocities(velocities[k]);
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
-            assertPositions(simulations[k].readings().positions(), circles[0]);
+            assertPositions(simulations[k].readings.positions(), circles[0]);
             assertSameReadingsById(simulations[k], circles[0], velocities[0]);
         }
         requestPositions();
@@ -275,13 +275,13 @@ final class Twins implements AutoCloseable {
     }
 
     private void assertSameReadingsById(Simulation simulation, float[] circles, float[] velocities) {
-        int ids = simulation.circles().idLimit();
+        int ids = simulation.circles.idLimit();
         float[] byId = new float[4 * ids + 4];
         float[] velocitiesById = new float[2 * ids];
         long[] living = new long[(ids + 63) / 64];
-        simulation.readings().readById(byId, null);
-        simulation.readings().readVelocitiesById(velocitiesById, null);
-        FloatBuffer positions = simulation.readings().positionsById(living);
+        simulation.readings.readById(byId, null);
+        simulation.readings.readVelocitiesById(velocitiesById, null);
+        FloatBuffer positions = simulation.readings.positionsById(living);
         float[] expected = new float[byId.length];
         float[] expectedPositions = new float[2 * ids];
         float[] expectedVelocities = new float[2 * ids];
@@ -291,7 +291,7 @@ final class Twins implements AutoCloseable {
         int place = 0;
         for (int id = 0; id < ids; id++) {
             boolean lives = (living[id / 64] >>> id & 1) != 0;
-            assertThat(lives).isEqualTo(simulation.circles().handle(id) != 0);
+            assertThat(lives).isEqualTo(simulation.circles.handle(id) != 0);
             if (lives) {
                 System.arraycopy(circles, 4 * place, expected, 4 * id, 4);
                 System.arraycopy(circles, 4 * place, expectedPositions, 2 * id, 2);
@@ -305,13 +305,13 @@ final class Twins implements AutoCloseable {
 
     /** Asks every pipeline for the positions as they are now. */
     void requestPositions() {
-        requested = new float[4 * simulations[0].circles().size()];
-        requestedHandles = new long[simulations[0].circles().size()];
-        simulations[0].readings().readHandles(requestedHandles);
+        requested = new float[4 * simulations[0].circles.size()];
+        requestedHandles = new long[simulations[0].circles.size()];
+        simulations[0].readings.readHandles(requestedHandles);
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
-        simulations[0].readings().read(requested);
+        simulations[0].readings.read(requested);
         for (Simulation simulation : simulations) {
-            simulation.readings().requestPositions();
+            simulation.readings.requestPositions();
         }
     }
 
@@ -322,7 +322,7 @@ final class Twins implements AutoCloseable {
             if (takeById) {
                 assertRequestedById(simulation);
             } else {
-                assertPositions(simulation.readings().takePositions(), requested);
+                assertPositions(simulation.readings.takePositions(), requested);
             }
         }
     }
@@ -330,12 +330,12 @@ final class Twins implements AutoCloseable {
     /** Those of circles that are still there. */
     private void assertRequestedById(Simulation simulation) {
         long[] living = new long[ids / 64 + 1];
-        FloatBuffer positions = simulation.readings().takePositionsById(living);
+        FloatBuffer positions = simulation.readings.takePositionsById(living);
         float[] expected = new float[positions.limit()];
         Arrays.fill(expected, Float.NaN);
         long[] expectedLiving = new long[living.length];
         for (int place = 0; place < requestedHandles.length; place++) {
-            if (simulation.circles().contains(requestedHandles[place])) {
+            if (simulation.circles.contains(requestedHandles[place])) {
                 int id = (int) requestedHandles[place];
                 System.arraycopy(requested, 4 * place, expected, 2 * id, 2);
                 expectedLiving[id / 64] |= 1L << id;
@@ -356,21 +356,21 @@ final class Twins implements AutoCloseable {
     /** Makes the arena a little smaller. */
     void confine() {
         for (Simulation simulation : simulations) {
-            Bounds now = simulation.bounds();
+            Bounds now = simulation.settings().bounds();
             float less = 0.01f * (now.maxX() - now.minX());
-            simulation.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
+            simulation.surroundings.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
         }
     }
 
     /** Moves every wall by up to a length, in or out. */
     void moveWalls(SplittableRandom random, float most) {
-        Bounds now = simulations[0].bounds();
+        Bounds now = simulations[0].settings().bounds();
         float minX = now.minX() + between(random, -most, most);
         float minY = now.minY() + between(random, -most, most);
         float maxX = now.maxX() + between(random, -most, most);
         float maxY = now.maxY() + between(random, -most, most);
         for (Simulation simulation : simulations) {
-            simulation.setBounds(minX, minY, maxX, maxY);
+            simulation.surroundings.setBounds(minX, minY, maxX, maxY);
         }
     }
 
@@ -382,13 +382,13 @@ final class Twins implements AutoCloseable {
             assertThat(saved[k]).isEqualTo(saved[0]);
         }
         for (int k = 0; k < simulations.length; k++) {
-            simulations[k].snapshots().restore(saved[(k + 1) % simulations.length].duplicate());
+            simulations[k].snapshots.restore(saved[(k + 1) % simulations.length].duplicate());
         }
     }
 
     private static ByteBuffer snapshot(Simulation simulation) {
-        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshots().bytes());
-        simulation.snapshots().write(snapshot);
+        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshots.bytes());
+        simulation.snapshots.write(snapshot);
         return snapshot.flip();
     }
 
@@ -406,7 +406,7 @@ final class Twins implements AutoCloseable {
     /** Goes on from the state of others. */
     void takeOver(Twins others) {
         for (Simulation simulation : simulations) {
-            simulation.snapshots().restore(snapshot(others.simulations[0]));
+            simulation.snapshots.restore(snapshot(others.simulations[0]));
         }
         handles = others.handles.clone();
         ids = others.ids;
@@ -414,7 +414,7 @@ final class Twins implements AutoCloseable {
 
     /** Number of pieces of terrain. */
     int pieces() {
-        return simulations[0].pieces().size();
+        return simulations[0].pieces.size();
     }
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
@@ -460,57 +460,57 @@ final class Twins implements AutoCloseable {
             state.setParameters(change.apply(state.parameters()));
             ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
             SnapshotCodec.write(state, changed);
-            simulation.snapshots().restore(changed.flip());
+            simulation.snapshots.restore(changed.flip());
         }
     }
 
     /** Adds a circle. */
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            long handle = simulation.newCircles().add(x, y, r, mass, vx, vy);
+            long handle = simulation.newCircles.add(x, y, r, mass, vx, vy);
             int id = (int) handle;
             if (id >= handles.length) {
                 handles = Arrays.copyOf(handles, 2 * (id + 1));
             }
             handles[id] = handle;
             ids = Math.max(ids, id + 1);
-            simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
+            simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
         }
     }
 
     /** Changes the circle that had an id last. */
     void set(int operation, int id, float a, float b) {
         for (Simulation simulation : simulations) {
-            simulation.circles().set(operation, handles[id], a, b);
+            simulation.circles.set(operation, handles[id], a, b);
         }
     }
 
     /** Removes the circle that had an id last. */
     void remove(int id) {
         for (Simulation simulation : simulations) {
-            simulation.circles().remove(handles[id]);
+            simulation.circles.remove(handles[id]);
         }
     }
 
     /** Puts the circle that had an id last somewhere else; a static one travels there. */
     void move(int id, float x, float y) {
         for (Simulation simulation : simulations) {
-            simulation.circles().move(handles[id], x, y);
+            simulation.circles.move(handles[id], x, y);
         }
     }
 
     /** Makes some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
-        Bounds bounds = simulations[0].bounds();
+        Bounds bounds = simulations[0].settings().bounds();
         int id = random.nextInt(ids);
         if (lives(id)) {
             long[] twice = {handles[id], handles[id]};
             boolean alone = random.nextBoolean();
             for (Simulation simulation : simulations) {
                 if (alone) {
-                    simulation.circles().remove(handles[id]);
+                    simulation.circles.remove(handles[id]);
                 } else {
-                    assertThat(simulation.bulk().remove(twice, 2, true)).isOne();
+                    assertThat(simulation.bulk.remove(twice, 2, true)).isOne();
                 }
             }
         }
@@ -566,12 +566,12 @@ final class Twins implements AutoCloseable {
         float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 3);
         boolean ofKind = random.nextBoolean();
         for (Simulation simulation : simulations) {
-            simulation.setWallSurface(wall, resistance + friction, 0.5f * resistance, belt);
-            simulation.kinds().set(KindField.FRICTION, kind, ofKind ? friction : Float.NaN);
-            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
-            simulation.kinds().set(KindField.BELT_SPEED, kind, belt);
-            simulation.kinds().set(KindField.INERTIA, kind, inertia);
-            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, damping);
+            simulation.surroundings.setWallSurface(wall, resistance + friction, 0.5f * resistance, belt);
+            simulation.kinds.set(KindField.FRICTION, kind, ofKind ? friction : Float.NaN);
+            simulation.kinds.set(KindField.ROLLING_RESISTANCE, kind, resistance);
+            simulation.kinds.set(KindField.BELT_SPEED, kind, belt);
+            simulation.kinds.set(KindField.INERTIA, kind, inertia);
+            simulation.kinds.set(KindField.ANGULAR_DAMPING, kind, damping);
         }
         for (int k = 0; k < 20 && ids > 0; k++) {
             int id = random.nextInt(ids);
@@ -593,11 +593,11 @@ final class Twins implements AutoCloseable {
         float velocity = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -9, 6);
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.fields().setFriction(handles[id], friction);
-                simulation.fields().setRollingResistance(handles[id], resistance);
-                simulation.forces().applyTorque(handles[id], torque);
-                simulation.circles().setAngularVelocity(handles[id], velocity);
-                simulation.circles().applyAngularImpulse(handles[id], -torque);
+                simulation.fields.setFriction(handles[id], friction);
+                simulation.fields.setRollingResistance(handles[id], resistance);
+                simulation.forces.applyTorque(handles[id], torque);
+                simulation.circles.setAngularVelocity(handles[id], velocity);
+                simulation.circles.applyAngularImpulse(handles[id], -torque);
             }
         }
     }
@@ -605,20 +605,20 @@ final class Twins implements AutoCloseable {
     /** Makes one of the changes of a circle that make it turn. */
     private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
-            case 0 -> simulation.fields().setFriction(handle, a);
-            case 1 -> simulation.fields().setRollingResistance(handle, 0.2f * a);
-            case 2 -> simulation.fields().setTorque(handle, 0.01f * b);
-            case 3 -> simulation.forces().applyTorque(handle, b);
-            case 4 -> simulation.circles().setAngle(handle, 9 * b);
-            case 5 -> simulation.circles().setAngularVelocity(handle, 20 * b);
-            case 6 -> simulation.circles().applyAngularImpulse(handle, 0.01f * b);
-            default -> simulation.circles().setKind(handle, (int) (8 * a) % 3);
+            case 0 -> simulation.fields.setFriction(handle, a);
+            case 1 -> simulation.fields.setRollingResistance(handle, 0.2f * a);
+            case 2 -> simulation.fields.setTorque(handle, 0.01f * b);
+            case 3 -> simulation.forces.applyTorque(handle, b);
+            case 4 -> simulation.circles.setAngle(handle, 9 * b);
+            case 5 -> simulation.circles.setAngularVelocity(handle, 20 * b);
+            case 6 -> simulation.circles.applyAngularImpulse(handle, 0.01f * b);
+            default -> simulation.circles.setKind(handle, (int) (8 * a) % 3);
         }
     }
 
     /** Changes terrain in some way: pieces, bodies, kinds that are one-way. */
     void changeTerrain(SplittableRandom random) {
-        Bounds bounds = simulations[0].bounds();
+        Bounds bounds = simulations[0].settings().bounds();
         float width = bounds.maxX() - bounds.minX();
         float x = between(random, bounds.minX(), bounds.maxX());
         float y = between(random, bounds.minY(), bounds.maxY());
@@ -647,8 +647,8 @@ final class Twins implements AutoCloseable {
             float angle,
             float bend,
             float velocity) {
-        Pieces pieces = simulation.pieces();
-        Bodies bodies = simulation.bodies();
+        Pieces pieces = simulation.pieces;
+        Bodies bodies = simulation.bodies;
         boolean ground = body == bodies.ground();
         float toX = x + length * (float) Math.cos(angle);
         float toY = y + length * (float) Math.sin(angle);
@@ -671,7 +671,7 @@ final class Twins implements AutoCloseable {
             }
             case 6 -> bodies.add(x, y, angle);
             case 7 -> remove(simulation, body, piece, bend > 1);
-            case 8 -> simulation.kinds().set(KindField.ONE_WAY, kind, bend > 1 ? 1 : 0);
+            case 8 -> simulation.kinds.set(KindField.ONE_WAY, kind, bend > 1 ? 1 : 0);
             case 9 -> {
                 if (piece != 0) {
                     pieces.setKind(piece, kind);
@@ -686,10 +686,10 @@ final class Twins implements AutoCloseable {
     }
 
     private static void remove(Simulation simulation, long body, long piece, boolean withBody) {
-        if (withBody && body != simulation.bodies().ground()) {
-            simulation.bodies().remove(body);
+        if (withBody && body != simulation.bodies.ground()) {
+            simulation.bodies.remove(body);
         } else if (piece != 0) {
-            simulation.pieces().remove(piece);
+            simulation.pieces.remove(piece);
         }
     }
 
@@ -712,7 +712,7 @@ final class Twins implements AutoCloseable {
     }
 
     private long anyBody(SplittableRandom random) {
-        Bodies bodies = simulations[0].bodies();
+        Bodies bodies = simulations[0].bodies;
         long body = bodies.handle(random.nextInt(bodies.idLimit()));
         return random.nextInt(3) == 0 || body == 0 ? bodies.ground() : body;
     }
@@ -734,12 +734,12 @@ final class Twins implements AutoCloseable {
 
     /** Number of joints. */
     int joints() {
-        return simulations[0].jointReads().size();
+        return simulations[0].jointReads.size();
     }
 
     /** 0 if there is none. */
     private long anyPiece(SplittableRandom random) {
-        Pieces pieces = simulations[0].pieces();
+        Pieces pieces = simulations[0].pieces;
         return pieces.idLimit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.idLimit()));
     }
 
@@ -750,8 +750,8 @@ final class Twins implements AutoCloseable {
     /** Begins to turn and ends with the surfaces that all circles had before. */
     void turnWithoutGrip() {
         for (Simulation simulation : simulations) {
-            simulation.fields().setFriction(handles[0], 1);
-            simulation.fields().set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
+            simulation.fields.setFriction(handles[0], 1);
+            simulation.fields.set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
         }
     }
 
@@ -760,16 +760,16 @@ final class Twins implements AutoCloseable {
     }
 
     void assertSameTurns(String when) {
-        int n = simulations[0].circles().idLimit();
+        int n = simulations[0].circles.idLimit();
         float[] angles = new float[n];
         float[] velocities = new float[n];
-        simulations[0].readings().readAnglesById(angles, null);
-        simulations[0].readings().readAngularVelocitiesById(velocities, null);
+        simulations[0].readings.readAnglesById(angles, null);
+        simulations[0].readings.readAngularVelocitiesById(velocities, null);
         for (Simulation simulation : simulations) {
             float[] read = new float[n];
-            simulation.readings().readAnglesById(read, null);
+            simulation.readings.readAnglesById(read, null);
             assertThat(read).as(when).isEqualTo(angles);
-            simulation.readings().readAngularVelocitiesById(read, null);
+            simulation.readings.readAngularVelocitiesById(read, null);
             assertThat(read).as(when).isEqualTo(velocities);
         }
     }
@@ -788,17 +788,17 @@ final class Twins implements AutoCloseable {
         int inertia = random.nextInt(3);
         for (Simulation simulation : simulations) {
             if (lives(id)) {
-                simulation.circles().setAngle(handles[id], angle);
-                simulation.circles().setAngularVelocity(handles[id], velocity);
-                simulation.circles().applyAngularImpulse(handles[id], impulse);
+                simulation.circles.setAngle(handles[id], angle);
+                simulation.circles.setAngularVelocity(handles[id], velocity);
+                simulation.circles.applyAngularImpulse(handles[id], impulse);
             }
-            simulation.bulk().setAngularVelocities(some, some.length, velocities, true);
-            simulation.kinds().set(KindField.FRICTION, kind, friction);
-            simulation.kinds().set(KindField.ROLLING_RESISTANCE, kind, resistance);
-            simulation.kinds().set(KindField.BELT_SPEED, kind, impulse);
-            simulation.kinds().set(KindField.INERTIA, kind, inertia);
-            simulation.kinds().set(KindField.ANGULAR_DAMPING, kind, resistance);
-            simulation.setWallSurface(wall, resistance, resistance, impulse);
+            simulation.bulk.setAngularVelocities(some, some.length, velocities, true);
+            simulation.kinds.set(KindField.FRICTION, kind, friction);
+            simulation.kinds.set(KindField.ROLLING_RESISTANCE, kind, resistance);
+            simulation.kinds.set(KindField.BELT_SPEED, kind, impulse);
+            simulation.kinds.set(KindField.INERTIA, kind, inertia);
+            simulation.kinds.set(KindField.ANGULAR_DAMPING, kind, resistance);
+            simulation.surroundings.setWallSurface(wall, resistance, resistance, impulse);
         }
     }
 
@@ -806,7 +806,7 @@ final class Twins implements AutoCloseable {
     private void grow(int id, float radius, int steps) {
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.growth().grow(handles[id], radius, steps);
+                simulation.growth.grow(handles[id], radius, steps);
             }
         }
     }
@@ -824,15 +824,15 @@ final class Twins implements AutoCloseable {
         float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 5);
         float most = random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : between(random, 0, 5);
         for (Simulation simulation : simulations) {
-            simulation.kinds().set(KindField.GRAVITY_SCALE, kind, scale);
-            simulation.kinds().set(KindField.DAMPING, kind, damping);
-            simulation.kinds().set(KindField.GREATEST_SPEED, kind, most);
+            simulation.kinds.set(KindField.GRAVITY_SCALE, kind, scale);
+            simulation.kinds.set(KindField.DAMPING, kind, damping);
+            simulation.kinds.set(KindField.GREATEST_SPEED, kind, most);
             if (byMatrix) {
-                simulation.kinds().setSetting(kind, other, setting);
+                simulation.kinds.setSetting(kind, other, setting);
             } else {
-                simulation.kinds().set(KindField.MASK, kind, mask);
-                simulation.kinds().set(KindField.CATEGORY, kind, category);
-                simulation.kinds().set(KindField.SENSOR, kind, sensor);
+                simulation.kinds.set(KindField.MASK, kind, mask);
+                simulation.kinds.set(KindField.CATEGORY, kind, category);
+                simulation.kinds.set(KindField.SENSOR, kind, sensor);
             }
         }
     }
@@ -851,7 +851,7 @@ final class Twins implements AutoCloseable {
         boolean explodes = random.nextInt(50) == 0;
         float reach = between(random, 0, bounds.maxX() - bounds.minX());
         for (Simulation simulation : simulations) {
-            BulkChanges bulk = simulation.bulk();
+            BulkChanges bulk = simulation.bulk;
             switch (call) {
                 case 0 -> bulk.setPositions(some, some.length, values, true);
                 case 1 -> bulk.setVelocities(some, some.length, values, true);
@@ -870,24 +870,24 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             for (int id = 0; id < ids; id++) {
                 if (lives(id)) {
-                    simulation.circles().setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
+                    simulation.circles.setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
                     if (id % 11 == 0) {
-                        simulation.circles().set(Commands.MASS, handles[id], Float.POSITIVE_INFINITY, 0);
+                        simulation.circles.set(Commands.MASS, handles[id], Float.POSITIVE_INFINITY, 0);
                     }
                     if (id % 7 == 0) {
-                        simulation.circles().setForce(handles[id], 0.5f, -1);
-                        simulation.forces().apply(handles[id], -3, 0.25f);
+                        simulation.circles.setForce(handles[id], 0.5f, -1);
+                        simulation.forces.apply(handles[id], -3, 0.25f);
                     }
-                    simulation.fields().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
+                    simulation.fields.set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
                 }
             }
-            simulation.kinds().setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
-            simulation.kinds().set(KindField.MASK, 0, ~2);
-            simulation.kinds().set(KindField.CATEGORY, 200, 2);
-            simulation.kinds().set(KindField.GRAVITY_SCALE, 200, -0.5f);
-            simulation.kinds().set(KindField.DAMPING, 200, 0.5f);
-            simulation.kinds().set(KindField.DAMPING, 0, 0.25f);
-            simulation.kinds().set(KindField.GREATEST_SPEED, 1, 2f);
+            simulation.kinds.setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
+            simulation.kinds.set(KindField.MASK, 0, ~2);
+            simulation.kinds.set(KindField.CATEGORY, 200, 2);
+            simulation.kinds.set(KindField.GRAVITY_SCALE, 200, -0.5f);
+            simulation.kinds.set(KindField.DAMPING, 200, 0.5f);
+            simulation.kinds.set(KindField.DAMPING, 0, 0.25f);
+            simulation.kinds.set(KindField.GREATEST_SPEED, 1, 2f);
         }
     }
 
@@ -901,20 +901,20 @@ final class Twins implements AutoCloseable {
                     : Math.max(field.least(), Math.min(number, field.greatest()));
             for (Simulation simulation : simulations) {
                 if (field == CircleField.APPLIED_X || field == CircleField.APPLIED_Y) {
-                    simulation.forces().apply(handles[id], Float.intBitsToFloat((int) value), 0.5f);
+                    simulation.forces.apply(handles[id], Float.intBitsToFloat((int) value), 0.5f);
                     continue;
                 }
                 if (field == CircleField.APPLIED_TORQUE) {
-                    simulation.forces().applyTorque(handles[id], Float.intBitsToFloat((int) value));
+                    simulation.forces.applyTorque(handles[id], Float.intBitsToFloat((int) value));
                     continue;
                 }
-                simulation.fields().set(field, handles[id], value);
+                simulation.fields.set(field, handles[id], value);
             }
         }
     }
 
     private boolean lives(int id) {
-        return simulations[0].circles().contains(handles[id]);
+        return simulations[0].circles.contains(handles[id]);
     }
 
     private static float between(SplittableRandom random, float low, float high) {

@@ -74,7 +74,7 @@ class BroadPhaseTest {
         for (int groups : new int[] {40, 150, 600}) {
             try (JvmWorld world = new JvmWorld(Scenes.pyramid(), 2)) {
                 for (long handle : world.handles()) {
-                    world.simulation.circles().remove(handle);
+                    world.simulation.circles.remove(handle);
                 }
                 SparseArena.groups(groups, 3000, new Random(groups), world::add);
                 for (int k = 0; k < 3; k++) {

@@ -57,15 +57,15 @@ class JvmPipelineTest {
         long[] hashes = new long[STEPS];
         try (JvmWorld world = new JvmWorld(scene, threads)) {
             if (grips) {
-                world.simulation.kinds().set(KindField.FRICTION, 0, 0.6f);
-                world.simulation.kinds().set(KindField.ROLLING_RESISTANCE, 0, 0.1f);
-                world.simulation.setWallSurface(2, 0.6f, 0.1f, 0.5f);
-                world.simulation.setWallSurface(1, 0.3f, 0, 0);
+                world.simulation.kinds.set(KindField.FRICTION, 0, 0.6f);
+                world.simulation.kinds.set(KindField.ROLLING_RESISTANCE, 0, 0.1f);
+                world.simulation.surroundings.setWallSurface(2, 0.6f, 0.1f, 0.5f);
+                world.simulation.surroundings.setWallSurface(1, 0.3f, 0, 0);
             }
             for (int step = 0; step < STEPS; step++) {
                 if (step % 3 == 1) {
                     long[] handles = world.handles();
-                    world.simulation.circles().remove(handles[random.nextInt(handles.length)]);
+                    world.simulation.circles.remove(handles[random.nextInt(handles.length)]);
                 } else if (step % 3 == 2) {
                     world.add(
                             scene.minX() + (scene.maxX() - scene.minX()) * random.nextFloat(),
@@ -77,7 +77,7 @@ class JvmPipelineTest {
                             0);
                 }
                 if (shuffled) {
-                    world.permute(permutation(world.simulation.circles().size(), order));
+                    world.permute(permutation(world.simulation.circles.size(), order));
                 }
                 world.step(1);
                 hashes[step] = world.simulation.hash();

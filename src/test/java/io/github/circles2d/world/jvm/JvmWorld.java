@@ -31,13 +31,13 @@ final class JvmWorld implements AutoCloseable {
     }
 
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
-        long handle = simulation.newCircles().add(x, y, r, mass, vx, vy);
-        simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
+        long handle = simulation.newCircles.add(x, y, r, mass, vx, vy);
+        simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
     long[] handles() {
-        long[] handles = new long[simulation.circles().size()];
-        simulation.readings().readHandles(handles);
+        long[] handles = new long[simulation.circles.size()];
+        simulation.readings.readHandles(handles);
         return handles;
     }
 
@@ -46,8 +46,8 @@ final class JvmWorld implements AutoCloseable {
     }
 
     SavedState save() {
-        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshots().bytes());
-        simulation.snapshots().write(snapshot);
+        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshots.bytes());
+        simulation.snapshots.write(snapshot);
         SavedState saved = new SavedState();
         SnapshotCodec.read(snapshot.flip(), saved);
         return saved;

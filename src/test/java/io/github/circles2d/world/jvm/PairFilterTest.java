@@ -26,13 +26,13 @@ class PairFilterTest {
             long[] handles = world.handles();
             for (int k = 0; k < CIRCLES.length; k++) {
                 if (CIRCLES[k][0] == 1) {
-                    world.simulation.circles().set(Commands.MASS, handles[k], Float.POSITIVE_INFINITY, 0);
+                    world.simulation.circles.set(Commands.MASS, handles[k], Float.POSITIVE_INFINITY, 0);
                 }
-                world.simulation.circles().setKind(handles[k], CIRCLES[k][1]);
-                world.simulation.fields().set(CircleField.GROUP, handles[k], CIRCLES[k][2]);
+                world.simulation.circles.setKind(handles[k], CIRCLES[k][1]);
+                world.simulation.fields.set(CircleField.GROUP, handles[k], CIRCLES[k][2]);
             }
-            world.simulation.kinds().setSetting(0, 1, KindTable.RESPONSE + PairTable.IGNORE);
-            world.simulation.kinds().setSetting(2, 1, KindTable.RESPONSE + PairTable.SENSE);
+            world.simulation.kinds.setSetting(0, 1, KindTable.RESPONSE + PairTable.IGNORE);
+            world.simulation.kinds.setSetting(2, 1, KindTable.RESPONSE + PairTable.SENSE);
             world.step(1);
             State state = world.pipeline.state;
             for (int a = 0; a < CIRCLES.length; a++) {

@@ -1,0 +1,85 @@
+package io.github.circles2d.world.changes;
+
+import static io.github.circles2d.world.shared.Call.real;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.SurfaceSettings;
+import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
+
+/** The calls on gravity, the bounds and the surfaces of walls. */
+public final class Surroundings implements Calls.Effects {
+    private final WorldParts world;
+    private final NextStep nextStep;
+
+    // of the call that is being made
+    private Bounds start;
+    private Bounds next;
+    private SurfaceSettings surfaces;
+
+    public Surroundings(WorldParts world, NextStep nextStep) {
+        this.world = world;
+        this.nextStep = nextStep;
+        world.calls.define(this, Call.GRAVITY, Call.BOUNDS, Call.WALL_SURFACE);
+    }
+
+    public void setGravity(float x, float y) {
+        world.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
+    }
+
+    /** Moves the walls: the next step pushes the circles that they meet. */
+    public void setBounds(float minX, float minY, float maxX, float maxY) {
+        world.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
+    }
+
+    /** Gives a wall another surface; {@link WallMotion#of} numbers the walls. */
+    public void setWallSurface(int wall, float friction, float rollingResistance, float beltSpeed) {
+        world.calls.make(
+                Call.WALL_SURFACE,
+                wall,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(rollingResistance),
+                Float.floatToRawIntBits(beltSpeed));
+    }
+
+    @Override
+    public void prepare(Call call, int[] w) {
+        if (call == Call.BOUNDS) {
+            prepareBounds(Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3])));
+        } else if (call == Call.WALL_SURFACE) {
+            surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
+        }
+    }
+
+    private void prepareBounds(Bounds walls) {
+        Bounds before = world.settings.bounds();
+        next = walls.with(before.edgeX(), before.edgeY());
+        Limits.moved(before, next);
+        boolean hasCircles = world.handles.size() > 0;
+        if (hasCircles) {
+            Limits.room("the greatest radius of a circle", world.handles.greatestRadius(), next);
+            Limits.room("the least radius of a circle", world.handles.leastRadius(), next);
+            nextStep.requireRoom(next);
+        }
+        world.pending.apply();
+        world.copies.forget();
+        start = WallMotion.start(world.settings.wallStart(), next, hasCircles ? world.handles.greatestRadius() : 0f);
+    }
+
+    @Override
+    public long apply(Call call, int[] w) {
+        if (call == Call.GRAVITY) {
+            world.settings.setGravity(real(w[0]), real(w[1]));
+        } else if (call == Call.WALL_SURFACE) {
+            world.settings.setSurfaces(surfaces);
+        } else {
+            world.pipeline.confine(start.walls(), next.walls());
+            nextStep.confine(next.walls());
+            world.settings.setBounds(start, next);
+        }
+        return 0;
+    }
+}

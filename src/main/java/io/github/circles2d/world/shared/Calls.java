@@ -1,0 +1,151 @@
+package io.github.circles2d.world.shared;
+
+import static java.lang.Float.floatToRawIntBits;
+
+/**
+ * Makes the calls of {@link Call}, by their words: those of the API, and those of a log. A call is checked, gets room, is written to the
+ * log, and then changes the world. If it is refused, or memory ends before, it has changed nothing and is not in the log.
+ */
+public final class Calls {
+    /** What some calls do. */
+    public interface Effects {
+        /** Refuses what cannot be, and makes room for {@link #apply}. The words are in their ranges. */
+        default void prepare(Call call, int[] words) {}
+
+        /** Changes the world, and does not fail. Returns the handle of what comes by the call, else 0. */
+        long apply(Call call, int[] words);
+    }
+
+    private final WorldParts world;
+
+    /** By call. */
+    private final Effects[] effects = new Effects[Call.values().length];
+
+    /** Those of a call of the API. */
+    private final int[] words = new int[Call.MOST_WORDS];
+
+    Calls(WorldParts world) {
+        this.world = world;
+    }
+
+    /** Says what calls do. */
+    public void define(Effects what, Call... calls) {
+        for (Call call : calls) {
+            effects[call.ordinal()] = what;
+        }
+    }
+
+    /** Makes a call about nothing that has a handle. */
+    public long make(Call call, int a, int b, int c, int d) {
+        return make(call, 0, a, b, c, d, 0, 0, 0, 0);
+    }
+
+    /** The same with floats. */
+    public long makeOfFloats(Call call, float a, float b, float c, float d) {
+        return make(call, floatToRawIntBits(a), floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
+    }
+
+    /** The same with more words. */
+    public long make(Call call, int a, int b, int c, int d, int e, int f, int g) {
+        return make(call, 0, a, b, c, d, e, f, g, 0);
+    }
+
+    /** Makes a call about what has a handle, by the words that follow. */
+    public long change(Call call, long handle, int b, int c, int d) {
+        return make(call, handle, 0, b, c, d, 0, 0, 0, 0);
+    }
+
+    /** The same with floats. */
+    public long changeByFloats(Call call, long handle, float b, float c, float d) {
+        return change(call, handle, floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
+    }
+
+    /** The same with more words. */
+    public long change(Call call, long handle, int b, int c, int d, int e, int f, int g, int h) {
+        return make(call, handle, 0, b, c, d, e, f, g, h);
+    }
+
+    private long make(Call call, long handle, int a, int b, int c, int d, int e, int f, int g, int h) {
+        world.guard.enter();
+        try {
+            words[0] = call.named == Call.Named.NOTHING ? a : id(call.named, handle);
+            words[1] = b;
+            words[2] = c;
+            words[3] = d;
+            words[4] = e;
+            words[5] = f;
+            words[6] = g;
+            words[7] = h;
+            return execute(call, words);
+        } catch (RuntimeException | Error thrown) {
+            throw world.guard.failed(thrown);
+        } finally {
+            world.guard.user = null;
+        }
+    }
+
+    /** Makes a call of a log, which may come from anywhere. */
+    public void repeat(Call call, int[] ofLog) {
+        world.guard.enter();
+        try {
+            requireId(call.named, ofLog[0]);
+            execute(call, ofLog);
+        } catch (RuntimeException | Error thrown) {
+            throw world.guard.failed(thrown);
+        } finally {
+            world.guard.user = null;
+        }
+    }
+
+    private long execute(Call call, int[] w) {
+        call.check(w, world.settings);
+        Effects does = effects[call.ordinal()];
+        does.prepare(call, w);
+        world.copies.forgetSaved();
+        world.log.write(call, w);
+        world.guard.changing = true;
+        long handle = does.apply(call, w);
+        world.guard.changing = false;
+        return handle;
+    }
+
+    private int id(Call.Named what, long handle) {
+        switch (what) {
+            case CIRCLE -> {
+                return world.circle(handle);
+            }
+            case PIECE -> {
+                return world.piece(handle);
+            }
+            case BODY -> {
+                return world.body(handle);
+            }
+            default -> {
+                world.pending.settleJoints();
+                return world.joint(handle);
+            }
+        }
+    }
+
+    /** Refuses the id of a log that nothing has. */
+    public void requireId(Call.Named what, int id) {
+        switch (what) {
+            case CIRCLE -> require(id >= 0 && id < world.handles.end() && world.handles.lives(id), "circle", id);
+            case PIECE -> require(world.terrain.pieces.ids.has(id), "piece of terrain", id);
+            case BODY -> require(world.terrain.bodies.ids.has(id), "body of terrain", id);
+            case JOINT -> {
+                world.pending.settleJoints();
+                require(world.joints.table.ids.has(id), "joint", id);
+            }
+            default -> {
+                // the first word is no id
+            }
+        }
+    }
+
+    private static void require(boolean isThere, String what, int id) {
+        if (!isThere) {
+            throw new IllegalArgumentException("no " + what + " has the id " + id);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.JointTables;
+import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.terrain.TerrainTables;
+
+/** The parts of a world, each of which is there once; calls get them from here. A part uses others in its calls, not when it is made. */
+public final class WorldParts {
+    public final Pipeline pipeline;
+    public final Guard guard;
+    public final HandleTable handles = new HandleTable();
+    public final Commands commands = new Commands();
+    public final KindTable kinds = new KindTable();
+    public final ContactEvents events = new ContactEvents();
+    public final StepInput input = new StepInput();
+    public final WorldSettings settings;
+    public final TerrainTables terrain;
+    public final JointTables joints;
+    public final Calls calls = new Calls(this);
+    public final CallLog log = new CallLog(this);
+    public final Needs needs = new Needs(this);
+    public final PendingWork pending = new PendingWork(this);
+    public final LastReading last = new LastReading(this);
+    public final WorldState state = new WorldState(this);
+    public final Copies copies = new Copies(this);
+    final Breaking breaking = new Breaking(this);
+
+    /** Those of a world without circles. The parameters have been checked. */
+    public WorldParts(Pipeline pipeline, WorldParameters start) {
+        this.pipeline = pipeline;
+        guard = new Guard(pipeline);
+        settings = new WorldSettings(events, start);
+        terrain = new TerrainTables(input.terrain, settings.bounds());
+        events.setPieces(terrain.pieces);
+        joints = new JointTables(input.joints, handles, terrain);
+    }
+
+    /** The id of the circle that has a handle. */
+    public int circle(long handle) {
+        int id = handles.find(handle);
+        if (id < 0) {
+            throw new IllegalArgumentException(goneCircle(handle));
+        }
+        return id;
+    }
+
+    /** Why a handle of no circle is refused. */
+    public static String goneCircle(long handle) {
+        return "no circle has the handle " + handle + Handle.reason(handle, 0);
+    }
+
+    /** The id of the piece of terrain that has a handle. */
+    public int piece(long handle) {
+        int piece = terrain.pieces.ids.find(handle);
+        if (piece < 0) {
+            throw new IllegalArgumentException(
+                    "no piece of terrain has the handle " + handle + Handle.reason(handle, Handle.PIECE));
+        }
+        return piece;
+    }
+
+    /** The id of the body of terrain that has a handle. */
+    public int body(long handle) {
+        int body = terrain.bodies.ids.find(handle);
+        if (body < 0) {
+            throw new IllegalArgumentException(
+                    "no body of terrain has the handle " + handle + Handle.reason(handle, Handle.BODY));
+        }
+        return body;
+    }
+
+    /** The id of the joint that has a handle. */
+    public int joint(long handle) {
+        int joint = joints.table.ids.find(handle);
+        if (joint < 0) {
+            throw new IllegalArgumentException(goneJoint(handle));
+        }
+        return joint;
+    }
+
+    /** Why a handle of no joint is refused. */
+    public static String goneJoint(long handle) {
+        return "no joint has the handle " + handle
+                + (Handle.has(handle, Handle.JOINT)
+                        ? ": it was removed or has broken, or is none of this world's"
+                        : Handle.reason(handle, Handle.JOINT));
+    }
+}
