@@ -34,7 +34,7 @@ public final class RunningBuilds {
         return ALL.exits();
     }
 
-    /** Makes a compilation, which an exit waits for. */
+    /** Makes a compilation, which an exit waits for. Refuses it if the JVM exits already. */
     static void make(Runnable build) {
         ALL.run(build);
     }
@@ -46,6 +46,9 @@ public final class RunningBuilds {
 
     void run(Runnable build) {
         synchronized (this) {
+            if (exiting) {
+                throw new IllegalStateException("the JVM exits: nothing is compiled any more");
+            }
             running++;
         }
         try {

@@ -32,7 +32,7 @@ public final class Session implements AutoCloseable {
     private final Profile profile;
     private HostBuffer staging;
     private long allocatedBytes;
-    private boolean closed;
+    private volatile boolean closed;
 
     private Session(Device device, CLContext context, CLQueue queue, boolean profiling) {
         this.device = device;

@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -43,6 +44,7 @@ class RunningBuildsTest {
         }
         builds.awaitAtExit();
         assertThat(builds.exits()).isTrue();
+        assertThatIllegalStateException().isThrownBy(() -> builds.run(() -> {})).withMessageContaining("exits");
     }
 
     /** A process whose main ends while another thread compiles. */

@@ -340,6 +340,11 @@ public final class JointCalls implements Calls.Effects {
         }
     }
 
+    /** Joints of a log are not to have a form that came before. */
+    public void forgetForm() {
+        form = null;
+    }
+
     private void prepareForm(int[] w) {
         form = JointForm.of(w);
         if (form == null) {

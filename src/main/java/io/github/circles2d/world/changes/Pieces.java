@@ -31,6 +31,9 @@ public final class Pieces implements Calls.Effects {
     /** The chain of which a log has the parts; null if none has begun. */
     private ChainPath chain;
 
+    /** The chain that a log adds. */
+    private ChainPath whole;
+
     public Pieces(WorldParts world) {
         this.world = world;
         table = world.terrain.pieces;
@@ -231,11 +234,13 @@ public final class Pieces implements Calls.Effects {
             case CHAIN_LINE -> begunChain().lineTo(real(w[0]), real(w[1]));
             case CHAIN_ARC -> begunChain().arcBy(real(w[0]), real(w[1]), Call.value(w[2], w[3]));
             case CHAIN -> {
+                whole = begunChain();
+                chain = null; // also if it is refused
                 if (w[2] == 1) {
-                    close(begunChain());
+                    close(whole);
                 }
-                checkChain(begunChain(), chain.pieces());
-                makeRoom(chain.pieces());
+                checkChain(whole, whole.pieces());
+                makeRoom(whole.pieces());
             }
             case CLEAR_TERRAIN -> {
                 world.pending.settleJoints();
@@ -245,6 +250,12 @@ public final class Pieces implements Calls.Effects {
                 // it takes no room
             }
         }
+    }
+
+    /** A chain whose parts a log has had is not to go on. */
+    public void forgetParts() {
+        chain = null;
+        whole = null;
     }
 
     private ChainPath begunChain() {
@@ -280,8 +291,8 @@ public final class Pieces implements Calls.Effects {
                         w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), opening, w[7] == 1));
             }
             case CHAIN -> {
-                world.terrain.addChain(w[0], w[1], chain, chain.pieces(), w[2] == 1, null);
-                chain = null;
+                world.terrain.addChain(w[0], w[1], whole, whole.pieces(), w[2] == 1, null);
+                whole = null;
             }
             case REMOVE_PIECE -> world.terrain.remove(w[0]);
             case PIECE_KIND -> world.terrain.setKind(w[0], w[1]);

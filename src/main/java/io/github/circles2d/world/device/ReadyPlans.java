@@ -26,9 +26,6 @@ final class ReadyPlans {
     /** The kernels of the steps to come. The thread beside stops if they are others. */
     private volatile StageKernels kernels;
 
-    /** Those of which a further part has been compiled. */
-    private volatile StageKernels news;
-
     ReadyPlans(List<Plan> plans, boolean waits) {
         this.plans = plans;
         this.waits = waits;
@@ -53,13 +50,17 @@ final class ReadyPlans {
 
     /** Whether {@link #takeNews} would find a plan that has become ready. */
     boolean haveNews() {
-        return news != null && news == kernels;
+        return ready.size() < plans.size() && kernels != null && kernels.has(Plans.partOf(next()));
     }
 
     /** Takes the plans that have become ready since. No steps are pending. */
     void takeNews() {
-        news = null;
         takeReady();
+    }
+
+    /** The slowest of the plans that are not ready. */
+    private Plan next() {
+        return plans.get(plans.size() - 1 - ready.size());
     }
 
     /** The thread beside compiles nothing more. */
@@ -69,7 +70,7 @@ final class ReadyPlans {
 
     private void takeReady() {
         while (ready.size() < plans.size()) {
-            Plan next = plans.get(plans.size() - 1 - ready.size());
+            Plan next = next();
             String part = Plans.partOf(next);
             if (part != null && !waits && !kernels.has(part)) {
                 return;
@@ -94,7 +95,6 @@ final class ReadyPlans {
             }
             try {
                 of.compile(Plans.partOf(plan));
-                news = of;
             } catch (RuntimeException | Error e) {
                 if (kernels == of && !RunningBuilds.isExiting()) {
                     LOG.log(

@@ -134,6 +134,8 @@ public final class LogPlayer {
 
     private void restore() {
         simulation.snapshots.restore(log.snapshot());
+        simulation.pieces.forgetParts();
+        simulation.joints.forgetForm();
     }
 
     private void make(Call call) {
