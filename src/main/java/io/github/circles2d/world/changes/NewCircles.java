@@ -120,7 +120,9 @@ public final class NewCircles implements Calls.Effects {
     void admitAll(int n, int[] own, long[] to) {
         int first = world.commands.count();
         for (int i = 0; i < n; i++) {
-            writeToLog(own == null ? 0 : own[i]);
+            if (world.log.writer() != null) {
+                writeToLog(own == null ? 0 : own[i]);
+            }
             long handle = admit();
             if (to != null) {
                 to[i] = handle;

@@ -127,8 +127,11 @@ public final class PreparedChanges {
         world.joints.departures().ensure(leavingToo);
     }
 
-    /** Writes what has been prepared to the log, if no call has that tells it all. */
+    /** Writes a row for each prepared change to the log, for a call of many circles, which has no row. */
     void writeToLog() {
+        if (world.log.writer() == null) {
+            return;
+        }
         for (int k = 0; k < count; k++) {
             writeToLog(k);
         }

@@ -87,9 +87,7 @@ public final class LogWriter {
             fail(new IllegalStateException("a call could not be written to its end"));
         }
         writing = true;
-        if (words < 0) {
-            fail(new IllegalStateException("the log knows no call with the number " + number));
-        } else if (calls.remaining() < 1 + Integer.BYTES * words) {
+        if (calls.remaining() < 1 + Integer.BYTES * words) {
             flushCalls();
         }
         if (failure == null) {

@@ -67,7 +67,7 @@ public final class CallLog {
         log.end();
     }
 
-    /** A call is to make, or has made, a record of {@link Commands}. */
+    /** A call is to make a record of {@link Commands}. */
     public void writeRecord(Call call, int record) {
         if (log != null) {
             begin(call);
