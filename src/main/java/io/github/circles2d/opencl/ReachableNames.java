@@ -106,7 +106,7 @@ public final class ReachableNames {
     }
 
     /**
-     * A program of some of the kernels: the source without the functions that none of them reaches. Lines keep their numbers.
+     * A program of some of the kernels: the source without the functions that none of them reaches. Compilers still tell the lines of its files.
      *
      * @param kernels names of kernels
      * @return the source, with the same definitions
@@ -115,21 +115,29 @@ public final class ReachableNames {
     public KernelSource sourceOf(Set<String> kernels) {
         Set<String> reached = new HashSet<>();
         kernels.forEach(kernel -> reached.addAll(from(kernel)));
-        StringBuilder kept = new StringBuilder(text);
+        StringBuilder kept = new StringBuilder();
+        int end = 0;
         for (Function function : functions) {
             if (!reached.contains(function.name)) {
-                blank(kept, function.from, function.to);
+                // No blank lines instead: JavaCL's search for #include takes the square of their number.
+                kept.append(text, end, function.from)
+                        .append("\n#line ")
+                        .append(lineOf(function.to))
+                        .append('\n');
+                end = function.to;
             }
         }
-        return source.withText(kept.toString());
+        return source.withText(kept.append(text, end, text.length()).toString());
     }
 
-    private static void blank(StringBuilder text, int from, int to) {
-        for (int i = from; i < to; i++) {
-            if (text.charAt(i) != '\n') {
-                text.setCharAt(i, ' ');
-            }
-        }
+    /** The line of a place in its file. */
+    private int lineOf(int place) {
+        int first = endOfLine(text.lastIndexOf("#line 1 ", place)) + 1;
+        return 1
+                + (int) text.substring(first, place)
+                        .chars()
+                        .filter(c -> c == '\n')
+                        .count();
     }
 
     private void readDirective() {
