@@ -182,7 +182,8 @@ public final class Simulation implements AutoCloseable {
         // not have
         boolean hasCircles = world.handles.size() > 0;
         if (hasCircles) {
-            world.pipeline.prepareSteps();
+            world.events.prepare(world.kinds, world.input.reports);
+            world.pipeline.prepareSteps(world.input.reports);
         }
         world.guard.changing = true;
         world.state.figures().stepped(hasCircles);
@@ -233,7 +234,6 @@ public final class Simulation implements AutoCloseable {
         if (constants.joints) {
             world.joints.begin(constants);
         }
-        world.events.prepare(world.kinds, world.input.reports);
     }
 
     /** Checks that calls can be made: that nobody has closed the simulation, and that it has its state. */

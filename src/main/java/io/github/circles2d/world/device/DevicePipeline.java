@@ -27,6 +27,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.queries.RemoteSearch;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.FloatBuffer;
@@ -213,12 +214,15 @@ public final class DevicePipeline implements Pipeline {
 
     /** Compiles the kernels of steps if there are none yet: a world may get features before its first step, and needs no kernels without them. */
     @Override
-    public void prepareSteps() {
+    public void prepareSteps(StepReports reports) {
         if (steps) {
             return;
         }
         settle();
         steps = true;
+        if (reader != null) {
+            reader.learn(reports); // or the kernels of steps without reports would be compiled, too
+        }
         try {
             load(tuned, loaded.edges(), reader);
         } catch (RuntimeException | Error e) {
@@ -300,7 +304,7 @@ public final class DevicePipeline implements Pipeline {
             commands.slotsInOrder();
             return;
         }
-        prepareSteps();
+        prepareSteps(input.reports);
         if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
             settle();
             if (ready.haveNews()) {

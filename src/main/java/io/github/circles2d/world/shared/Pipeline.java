@@ -14,6 +14,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
 import java.util.Map;
@@ -35,8 +36,8 @@ public interface Pipeline extends AutoCloseable {
      */
     default void prepare(ContactSettings contacts, Features features) {}
 
-    /** Makes the pipeline ready for steps of circles, which may take a compiler seconds; changes nothing if it fails. */
-    default void prepareSteps() {}
+    /** Makes the pipeline ready for steps of circles that report this, which may take a compiler seconds; changes nothing if it fails. */
+    default void prepareSteps(StepReports reports) {}
 
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);
