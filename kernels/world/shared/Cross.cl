@@ -15,25 +15,25 @@
 bool isFinerLight(float inverseMassOfFiner, float inverseMassOfCoarser) { return inverseMassOfFiner >= inverseMassOfCoarser; }
 
 int loadOfHeavy(float inverseMassOfLight, float inverseMassOfHeavy) {
-    return (int) (inverseMassOfHeavy / (inverseMassOfHeavy + inverseMassOfLight) * LOAD_UNITS) + 1;
+    return (int) (inverseMassOfHeavy / (inverseMassOfHeavy + inverseMassOfLight) * CROSS_LOAD_UNITS) + 1;
 }
 
-float crossShare(int load) { return maxf((float) load * (1.0f / LOAD_UNITS), 1.0f); }
+float crossShare(int load) { return maxf((float) load * (1.0f / CROSS_LOAD_UNITS), 1.0f); }
 
 float crossMass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
     return 1.0f / (inverseMassOfLight + share * inverseMassOfHeavy);
 }
 
 bool mayWait(float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
-    float depth = minf(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * minf(radius, otherRadius));
+    float depth = minf(CROSS_WAIT_DEPTH * (radius + otherRadius), CROSS_WAIT_DEPTH_OF_SMALLER * minf(radius, otherRadius));
     return restitution > NEARLY_ELASTIC && inverseMassOfHeavy > 0.0f && separation + depth >= 0.0f;
 }
 
 float velocityRange(float radius, float inverseH) { return radius * inverseH; }
 float impulseRange(float radius, float inverseH, float inverseMass) { return radius * inverseH / inverseMass; }
 int exponentOf(float range) { return max(as_int(range) & 0x7f800000, 47 << 23); }
-float scaleOf(float range) { return as_float(((127 + RANGE_LOG + 127) << 23) - exponentOf(range)); }
-float unitOf(float range) { return as_float(exponentOf(range) - (RANGE_LOG << 23)); }
+float scaleOf(float range) { return as_float(((127 + CROSS_RANGE_LOG + 127) << 23) - exponentOf(range)); }
+float unitOf(float range) { return as_float(exponentOf(range) - (CROSS_RANGE_LOG << 23)); }
 long toFixed(float value, float scale) { return (long) clampf(value * scale, -0x1p56f, 0x1p56f); }
 float fromFixed(long sum, float unit) { return (float) sum * unit; }
 

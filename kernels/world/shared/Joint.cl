@@ -2,7 +2,7 @@
 // What a visit of a joint does to its impulses, and angles. The Java class JointMath documents these formulas.
 
 #ifdef JOINTS
-float keptImpulse(float impulse) { return clampf(impulse, -GREATEST_JOINT_IMPULSE, GREATEST_JOINT_IMPULSE); }
+float keptImpulse(float impulse) { return clampf(impulse, -JOINT_GREATEST_IMPULSE, JOINT_GREATEST_IMPULSE); }
 float jointMass(float inverse) { return inverse > 0.0f ? 1.0f / inverse : 0.0f; }
 
 float springShare(float share, float split) { return maxf(split * share, 1.0f); }
@@ -34,12 +34,12 @@ float solvedLimit(float impulse, float m, float v, float gap, float inverseH, fl
                   float most) {
     float next = gap > 0.0f ? impulse - m * (v + gap * inverseH)
                             : heldUnkept(impulse, m, v, gap, massScale, biasRate, impulseScale, most);
-    return clampf(next, 0.0f, GREATEST_JOINT_IMPULSE);
+    return clampf(next, 0.0f, JOINT_GREATEST_IMPULSE);
 }
 
 float relaxedLimit(float impulse, float m, float v, float gap, float inverseH) {
     float next = impulse - m * (gap > 0.0f ? v + gap * inverseH : v);
-    return clampf(next, 0.0f, GREATEST_JOINT_IMPULSE);
+    return clampf(next, 0.0f, JOINT_GREATEST_IMPULSE);
 }
 
 // As in Java, integers overflow.
@@ -47,13 +47,13 @@ int turnSince(int angle, int reference) { return (int) ((uint) angle - (uint) re
 
 float turnedAway(int angleA, int referenceA, float turnedA, int angleB, int referenceB, float turnedB) {
     int units = turnSince(turnSince(angleA, referenceA), turnSince(angleB, referenceB));
-    return (float) units * RADIANS_PER_UNIT + (turnedA - turnedB);
+    return (float) units * JOINT_RADIANS_PER_UNIT + (turnedA - turnedB);
 }
 
 int meanTurn(int angleA, int referenceA, float turnedA, int angleB, int referenceB, float turnedB) {
     int a = turnSince(angleA, referenceA);
     int b = turnSince(angleB, referenceB);
-    float half_ = 0.5f * (turnedA + turnedB) * UNITS_PER_RADIAN;
+    float half_ = 0.5f * (turnedA + turnedB) * SURFACE_UNITS_PER_RADIAN;
     uint units = (uint) (ulong) (long) clampf(half_, -0x1p62f, 0x1p62f);
     return (int) ((uint) b + (uint) (turnSince(a, b) >> 1) + units);
 }
@@ -70,7 +70,7 @@ float cosOfEighth(float x) {
 
 float sinOfUnits(int units) {
     uint quarter = ((uint) units + (1u << 29)) >> 30;
-    float x = (float) (int) ((uint) units - (quarter << 30)) * RADIANS_PER_UNIT;
+    float x = (float) (int) ((uint) units - (quarter << 30)) * JOINT_RADIANS_PER_UNIT;
     float value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
     return (quarter & 2) == 0 ? value : -1.0f * value;
 }

@@ -25,9 +25,9 @@ int4 pieceTraits(const World *w, int piece) {
     return ((global const int4 *) (w->terrain + w->terrain[TERRAIN_TRAITS]))[piece];
 }
 
-int formOf(int shape) { return shape & FORM_BITS; }
-int startJoint(int shape) { return shape >> START_LOG & JOINT_BITS; }
-int endJoint(int shape) { return shape >> END_LOG & JOINT_BITS; }
+int formOf(int shape) { return shape & PIECE_FORM; }
+int startJoint(int shape) { return shape >> PIECE_START_LOG & PIECE_JOINT; }
+int endJoint(int shape) { return shape >> PIECE_END_LOG & PIECE_JOINT; }
 
 // Beyond an end; nx, ny: for a centre in the end itself.
 void measureVertex(global const float *row, bool before, int joint, float ox, float oy, float reach, float nx, float ny, PieceGap *g) {
@@ -40,8 +40,8 @@ void measureVertex(global const float *row, bool before, int joint, float ox, fl
     g->gap = d - reach;
     g->curve = central ? 0.0f : -1.0f / d;
     // A joint belongs to the piece that ends there, up to where the next one begins.
-    bool claims = joint == JOINT_FREE ||
-                  (joint == JOINT_CONVEX && !before && ex * row[PIECE_NEXT_X] + ey * row[PIECE_NEXT_Y] < 0.0f);
+    bool claims = joint == PIECE_FREE ||
+                  (joint == PIECE_CONVEX && !before && ex * row[PIECE_NEXT_X] + ey * row[PIECE_NEXT_Y] < 0.0f);
     g->feature = !claims ? AT_NOTHING : before ? AT_START : AT_END;
 }
 
@@ -60,7 +60,7 @@ void measureLine(global const float *row, int shape, float ox, float oy, float r
     bool before = t < 0.0f;
     bool behind = t > row[PIECE_LENGTH];
     int joint = before ? startJoint(shape) : endJoint(shape);
-    if ((!before && !behind) || joint == JOINT_CONCAVE) {
+    if ((!before && !behind) || joint == PIECE_CONCAVE) {
         g->feature = goesOn(t, row[PIECE_LENGTH], r) ? AT_FACE : AT_NOTHING;
         g->nx = side * ty;
         g->ny = side * -tx;
@@ -75,7 +75,7 @@ void measureArc(global const float *row, int shape, float ox, float oy, float r,
     float tx = row[PIECE_TX];
     float ty = row[PIECE_TY];
     float length = row[PIECE_LENGTH];
-    float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
+    float out = (shape & PIECE_SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
     float d = lengthf(ox, oy);
     float cos_ = ox * tx + oy * ty;
     if (cos_ >= row[PIECE_SPREAD] * d) {
@@ -97,7 +97,7 @@ void measureArc(global const float *row, int shape, float ox, float oy, float r,
 // side: 1 or -1 for a segment, 1 for a piece that has a front.
 void measurePiece(global const float *row, int shape, float ox, float oy, float r, float side, PieceGap *g) {
     g->height = 0.0f;
-    if (formOf(shape) == FORM_ARC) {
+    if (formOf(shape) == PIECE_ARC) {
         measureArc(row, shape, ox, oy, r, g);
     } else {
         measureLine(row, shape, ox, oy, r, side, g);
@@ -126,8 +126,8 @@ bool isInFront(global const float *row, int shape, float ox, float oy) {
     float ey = oy - row[PIECE_END_Y];
     bool front;
     bool beyond;
-    if (formOf(shape) == FORM_ARC) {
-        bool inner = (shape & SOLID_OUTSIDE) != 0;
+    if (formOf(shape) == PIECE_ARC) {
+        bool inner = (shape & PIECE_SOLID_OUTSIDE) != 0;
         float d = lengthf(ox, oy);
         float height = d - length;
         beyond = false;
@@ -143,7 +143,7 @@ bool isInFront(global const float *row, int shape, float ox, float oy) {
         beyond = cos_ > length;
     }
     return front ||
-           (beyond && endJoint(shape) == JOINT_CONVEX && ex * row[PIECE_NEXT_Y] - ey * row[PIECE_NEXT_X] >= 0.0f);
+           (beyond && endJoint(shape) == PIECE_CONVEX && ex * row[PIECE_NEXT_Y] - ey * row[PIECE_NEXT_X] >= 0.0f);
 }
 
 // Of a centre and the nearest point of a piece with its thickness; joints do not matter.
@@ -152,7 +152,7 @@ float distanceOfPiece(global const float *row, int shape, float ox, float oy) {
     float ty = row[PIECE_TY];
     float length = row[PIECE_LENGTH];
     float cos_ = ox * tx + oy * ty;
-    if (formOf(shape) != FORM_ARC) {
+    if (formOf(shape) != PIECE_ARC) {
         float t = clampf(cos_, 0.0f, length);
         return lengthf(ox - t * tx, oy - t * ty) - row[PIECE_THICKNESS];
     }
@@ -172,9 +172,9 @@ bool coversVertex(global const float *row, int shape, float ox, float oy, float 
     float tx = row[PIECE_TX];
     float ty = row[PIECE_TY];
     float length = row[PIECE_LENGTH];
-    if (formOf(shape) == FORM_ARC) {
+    if (formOf(shape) == PIECE_ARC) {
         float d = lengthf(vx, vy);
-        float out = (shape & SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
+        float out = (shape & PIECE_SOLID_OUTSIDE) != 0 ? -1.0f : 1.0f;
         float far = lengthf(ox, oy);
         return ox * tx + oy * ty >= row[PIECE_SPREAD] * far && out * (far - length) >= 0.0f &&
                vx * tx + vy * ty >= row[PIECE_SPREAD] * d - slack && out * (d - length) + thickness <= step;
@@ -186,7 +186,7 @@ bool coversVertex(global const float *row, int shape, float ox, float oy, float 
     float at = ox * tx + oy * ty;
     bool before = at < 0.0f;
     if (!before && !(at > length)) return true;
-    if ((before ? startJoint(shape) : endJoint(shape)) == JOINT_CONCAVE) return true;
+    if ((before ? startJoint(shape) : endJoint(shape)) == PIECE_CONCAVE) return true;
     return before ? t > slack : t < length - slack;
 }
 
@@ -202,8 +202,8 @@ float timeOfLine(global const float *row, int shape, float ox, float oy, float u
     float t = maxf((height - reach) / sinks, 0.0f);
     float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
     float length = row[PIECE_LENGTH];
-    bool meets = (along >= 0.0f || startJoint(shape) == JOINT_CONCAVE) &&
-                 (along <= length || endJoint(shape) == JOINT_CONCAVE) && goesOn(along, length, r);
+    bool meets = (along >= 0.0f || startJoint(shape) == PIECE_CONCAVE) &&
+                 (along <= length || endJoint(shape) == PIECE_CONCAVE) && goesOn(along, length, r);
     return meets ? t : NEVER_TOUCHES;
 }
 
@@ -234,7 +234,7 @@ float timeOfEnd(float ex, float ey, float ox, float oy, float ux, float uy, floa
 
 float timeOfArc(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
     float length = row[PIECE_LENGTH];
-    bool inner = (shape & SOLID_OUTSIDE) != 0;
+    bool inner = (shape & PIECE_SOLID_OUTSIDE) != 0;
     float t = inner ? timeFromInside(ox, oy, ux, uy, length - r, GRAZE * r)
                     : timeOfImpact(-ox, -oy, ux, uy, length + r);
     if (!(t < 1.0f)) return NEVER_TOUCHES;
@@ -249,13 +249,13 @@ float timeOfArc(global const float *row, int shape, float ox, float oy, float ux
 // As a share of a motion u; more than 1 if it does not touch, or gets no deeper than a graze.
 float timeOfFace(global const float *row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
     float reach = r + row[PIECE_THICKNESS];
-    return formOf(shape) == FORM_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
+    return formOf(shape) == PIECE_ARC ? timeOfArc(row, shape, ox, oy, ux, uy, r)
                                      : timeOfLine(row, shape, ox, oy, ux, uy, r, reach, side);
 }
 
 // Of an end that is not concave.
 float timeOfVertex(global const float *row, int shape, bool start, float ox, float oy, float ux, float uy, float r) {
-    if ((start ? startJoint(shape) : endJoint(shape)) == JOINT_CONCAVE) return NEVER_TOUCHES;
+    if ((start ? startJoint(shape) : endJoint(shape)) == PIECE_CONCAVE) return NEVER_TOUCHES;
     float dx = row[start ? PIECE_START_X : PIECE_END_X] - ox;
     float dy = row[start ? PIECE_START_Y : PIECE_END_Y] - oy;
     return timeOfImpact(dx, dy, ux, uy, r + row[PIECE_THICKNESS]);

@@ -46,9 +46,9 @@ float timeAtArc(global const float *row, float ox, float oy, float ux, float uy,
 float timeOfSensing(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
     if (distanceOfPiece(row, shape, ox, oy) <= r) return 0.0f;
     float reach = r + row[PIECE_THICKNESS];
-    bool isArc = formOf(shape) == FORM_ARC;
+    bool isArc = formOf(shape) == PIECE_ARC;
     float t = isArc ? timeAtArc(row, ox, oy, ux, uy, r) : timeAtLine(row, ox, oy, ux, uy, reach);
-    if (isArc && row[PIECE_SPREAD] == ALL_AROUND) return t;
+    if (isArc && row[PIECE_SPREAD] == PIECE_ALL_AROUND) return t;
     float atStart = timeOfTouch(row[PIECE_START_X] - ox, row[PIECE_START_Y] - oy, ux, uy, reach);
     float atEnd = timeOfTouch(row[PIECE_END_X] - ox, row[PIECE_END_Y] - oy, ux, uy, reach);
     return minf(minf(atStart, atEnd), t);
@@ -56,7 +56,7 @@ float timeOfSensing(global const float *row, int shape, float ox, float oy, floa
 
 // Of a circle that comes from behind a piece with a front: right through a bowl it comes to the front within its motion.
 float timeOfReturn(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
-    if (formOf(shape) != FORM_ARC || (shape & SOLID_OUTSIDE) == 0) return NEVER_TOUCHES;
+    if (formOf(shape) != PIECE_ARC || (shape & PIECE_SOLID_OUTSIDE) == 0) return NEVER_TOUCHES;
     float t = timeOfLeaving(ox, oy, ux, uy, row[PIECE_LENGTH] - r);
     return opensTo(row, ox + t * ux, oy + t * uy) ? t : NEVER_TOUCHES;
 }

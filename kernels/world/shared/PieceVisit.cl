@@ -45,17 +45,17 @@ float2 inFrame(const World *w, global const float *row, int motion, float2 o, fl
     global const float *body = bodyOf(w, motion);
     global const float *pose = poseOf(body, boundary);
     float2 p = pivotOf(row);
-    float x = (o.x - p.x) + (d.x - pose[POSE_DX]);
-    float y = (o.y - p.y) + (d.y - pose[POSE_DY]);
-    float cos_ = pose[POSE_COS];
-    float sin_ = pose[POSE_SIN];
+    float x = (o.x - p.x) + (d.x - pose[BODY_DX]);
+    float y = (o.y - p.y) + (d.y - pose[BODY_DY]);
+    float cos_ = pose[BODY_COS];
+    float sin_ = pose[BODY_SIN];
     return (float2)((cos_ * x + sin_ * y) + p.x, (cos_ * y - sin_ * x) + p.y);
 }
 
-bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_ONE_WAY] != 0.0f; }
+bool isOneWay(const World *w, int kind) { return w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_TERRAIN_ONE_WAY] != 0.0f; }
 
 bool isTwoSided(const World *w, int4 traits) {
-    return formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
+    return formOf(traits.TRAIT_SHAPE) == PIECE_SEGMENT && !isOneWay(w, traits.TRAIT_KIND);
 }
 
 // In a corner, one piece moves a circle into the other.
@@ -104,8 +104,8 @@ bool measureTouched(const World *w, int k, float4 c, float2 d, int boundary) {
     float ny = g.ny;
     if (traits.TRAIT_MOTION != 0) {
         global const float *pose = poseOf(bodyOf(w, traits.TRAIT_MOTION), boundary);
-        float cos_ = pose[POSE_COS];
-        float sin_ = pose[POSE_SIN];
+        float cos_ = pose[BODY_COS];
+        float sin_ = pose[BODY_SIN];
         nx = cos_ * g.nx - sin_ * g.ny;
         ny = sin_ * g.nx + cos_ * g.ny;
     }
@@ -125,14 +125,14 @@ float2 turnedWayTo(const World *w, int motion, int to, float2 d, int boundary) {
     if (motion == to) return d;
     if (motion != 0) {
         global const float *pose = poseOf(bodyOf(w, motion), boundary);
-        float cos_ = pose[POSE_COS];
-        float sin_ = pose[POSE_SIN];
+        float cos_ = pose[BODY_COS];
+        float sin_ = pose[BODY_SIN];
         d = (float2)(cos_ * d.x - sin_ * d.y, sin_ * d.x + cos_ * d.y);
     }
     if (to != 0) {
         global const float *pose = poseOf(bodyOf(w, to), boundary);
-        float cos_ = pose[POSE_COS];
-        float sin_ = pose[POSE_SIN];
+        float cos_ = pose[BODY_COS];
+        float sin_ = pose[BODY_SIN];
         d = (float2)(cos_ * d.x + sin_ * d.y, cos_ * d.y - sin_ * d.x);
     }
     return d;
@@ -154,7 +154,7 @@ bool coversOther(const World *w, int other, float2 o, float2 e, float thickness,
                         thickness, free, r);
 }
 
-bool isFree(int shape, bool start) { return (start ? startJoint(shape) : endJoint(shape)) == JOINT_FREE; }
+bool isFree(int shape, bool start) { return (start ? startJoint(shape) : endJoint(shape)) == PIECE_FREE; }
 
 // A vertex under which another piece has its face is no constraint.
 void coverTouched(const World *w, int k, int2 own, float r, int boundary) {
@@ -198,8 +198,8 @@ float2 surfaceOf(const World *w, global const float *row, int motion, float4 c, 
     float reach = c.RADIUS + g.MEASURED_GAP;
     float2 p = pivotOf(row);
     float2 o = offsetOf(w, c, row);
-    float x = ((o.x - p.x) + (d.x - pose[POSE_DX])) - g.MEASURED_X * reach;
-    float y = ((o.y - p.y) + (d.y - pose[POSE_DY])) - g.MEASURED_Y * reach;
+    float x = ((o.x - p.x) + (d.x - pose[BODY_DX])) - g.MEASURED_X * reach;
+    float y = ((o.y - p.y) + (d.y - pose[BODY_DY])) - g.MEASURED_Y * reach;
     float omega = body[BODY_OMEGA];
     return (float2)(body[BODY_VX] - omega * y, body[BODY_VY] + omega * x);
 }
@@ -209,7 +209,7 @@ bool isConstraint(int4 touched) {
 }
 
 float restitutionAt(const World *w, float own, int kind) {
-    return maxf(own, w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_RESTITUTION]);
+    return maxf(own, w->kindTerrain[KIND_TERRAIN_STRIDE * kind + KIND_TERRAIN_RESTITUTION]);
 }
 
 #ifdef TURNING
@@ -485,12 +485,12 @@ float2 takenAlong(const World *w, int piece, float4 c, float2 place, int boundar
     float2 p = pivotOf(row);
     float x = place.x - p.x;
     float y = place.y - p.y;
-    float cos_ = pose[POSE_COS];
-    float sin_ = pose[POSE_SIN];
+    float cos_ = pose[BODY_COS];
+    float sin_ = pose[BODY_SIN];
     float2 o = offsetOf(w, c, row);
     float ox = o.x - p.x;
     float oy = o.y - p.y;
-    return (float2)(((cos_ * x - sin_ * y) - ox) + pose[POSE_DX], ((sin_ * x + cos_ * y) - oy) + pose[POSE_DY]);
+    return (float2)(((cos_ * x - sin_ * y) - ox) + pose[BODY_DX], ((sin_ * x + cos_ * y) - oy) + pose[BODY_DY]);
 }
 
 // Where a circle would pass a piece, its move ends; a piece that moves takes it along. stopped: whether there was one. stopper: the contact at rest

@@ -4,7 +4,7 @@
 float reachOf(float r, float path, bool isStatic) { return isStatic ? REACH_STATIC_SLACK * r : REACH_SLACK * (r + path); }
 int wholeLog2(float x) { return (as_int(x) >> 23) - 127; }
 float powerOfTwo(int exponent) { return as_float((127 + exponent) << 23); }
-int topExponent(float greatestRadius) { return wholeLog2(GREATEST_REACH * greatestRadius); }
+int topExponent(float greatestRadius) { return wholeLog2(REACH_GREATEST * greatestRadius); }
 int reachClassOf(float reach, int topExponent_) { return min(topExponent_ - wholeLog2(reach), 31); }
 float topReach(int reachClass, int topExponent_) { return powerOfTwo(topExponent_ - reachClass + 1); }
 

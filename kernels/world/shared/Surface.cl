@@ -37,7 +37,7 @@ float afterAngularImpulse(float omega, float impulse, float r, float inverseIner
 
 // Whole turns are lost, as in Java.
 int turn(int angle, float turned, float h, float r) {
-    float units = turned * h / r * UNITS_PER_RADIAN;
+    float units = turned * h / r * SURFACE_UNITS_PER_RADIAN;
     return (int) ((uint) angle + (uint) (ulong) (long) clampf(units, -0x1p62f, 0x1p62f));
 }
 

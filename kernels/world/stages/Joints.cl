@@ -358,7 +358,7 @@ void visitJoint(const World *w, int place, int pass, int subStep, bool split) {
 }
 
 // The starts of the colours of a batch, or of the joints that are in none, which have the number behind the last batch.
-global const int *startsOf(const World *w, int batch) { return jointTable(w, w->joints->starts) + JOINT_STARTS * batch; }
+global const int *startsOf(const World *w, int batch) { return jointTable(w, w->joints->starts) + JOINT_BATCH_STRIDE * batch; }
 
 // By a work-group.
 void passBatch(const World *w, int batch, int colours, int pass, int subStep) {

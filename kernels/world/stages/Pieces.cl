@@ -105,7 +105,7 @@ float sideOfPiece(const World *w, float4 c, int piece) {
     float2 o = offsetOf(w, c, row);
     bool front = isInFront(row, traits.TRAIT_SHAPE, o.x, o.y);
     bool oneWay = isOneWay(w, traits.TRAIT_KIND);
-    if (formOf(traits.TRAIT_SHAPE) == FORM_SEGMENT && !oneWay) return front ? 1.0f : -1.0f;
+    if (formOf(traits.TRAIT_SHAPE) == PIECE_SEGMENT && !oneWay) return front ? 1.0f : -1.0f;
     if (!front || !oneWay) return front ? 1.0f : 0.0f;
     PieceGap g;
     measurePiece(row, traits.TRAIT_SHAPE, o.x, o.y, c.RADIUS, 1.0f, &g);

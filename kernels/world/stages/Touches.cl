@@ -265,14 +265,14 @@ void tellOfSolidPiece(const World *w, int k, int slot, float4 c, float4 m) {
 float4 placeSensed(const World *w, global const float *row, int motion, const PieceGap *g, float x, float y) {
     if (motion == 0) return (float4)(g->nx, g->ny, row[PIECE_X] + x, row[PIECE_Y] + y);
     global const float *pose = poseOf(bodyOf(w, motion), w->k.subSteps);
-    float cos_ = pose[POSE_COS];
-    float sin_ = pose[POSE_SIN];
+    float cos_ = pose[BODY_COS];
+    float sin_ = pose[BODY_SIN];
     float2 pivot = pivotOf(row);
     float px = x - pivot.x;
     float py = y - pivot.y;
     return (float4)(cos_ * g->nx - sin_ * g->ny, sin_ * g->nx + cos_ * g->ny,
-                    ((row[PIECE_X] + pivot.x) + pose[POSE_DX]) + (cos_ * px - sin_ * py),
-                    ((row[PIECE_Y] + pivot.y) + pose[POSE_DY]) + (sin_ * px + cos_ * py));
+                    ((row[PIECE_X] + pivot.x) + pose[BODY_DX]) + (cos_ * px - sin_ * py),
+                    ((row[PIECE_Y] + pivot.y) + pose[BODY_DY]) + (sin_ * px + cos_ * py));
 }
 
 void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {

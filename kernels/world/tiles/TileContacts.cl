@@ -44,7 +44,7 @@ void linkContact(const World *w, int listed) {
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
         // Only if crowds are thinned out. Those who arrange tiles refuse the step: here others ask whether it has been.
-        atomic_max(&w->status[TILE_PEAK], NO_TILE);
+        atomic_max(&w->status[TILE_PEAK], TILE_NONE);
         return;
     }
     int c = from;

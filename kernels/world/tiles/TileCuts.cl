@@ -17,7 +17,7 @@ int3 placeOfBlock(const World *w, int block) {
 // Without cells behind the end of the list.
 Region regionOfListed(const World *w, int tile) {
     bool isListed = tile < w->status[TILES_LISTED];
-    int cut = isListed ? recordOf(w, tile)[RECORD_CUT] : 0;
+    int cut = isListed ? recordOf(w, tile)[TILE_AT_CUT] : 0;
     int3 place = placeOfBlock(w, cut & CUT_BLOCK);
     Region r = regionAt(w, place.x, place.y, place.z, cut >> CUT_COLUMNS_SHIFT & 7, cut >> CUT_ROWS_SHIFT);
     if (!isListed) r.rows = r.columns = 0;
@@ -76,7 +76,7 @@ void cutTile(const World *w, int block) {
     if (((column & ((1 << wl) - 1)) | (row & ((1 << hl) - 1))) != 0) return;
     if (cut) w->status[TILES_CUT] = 1;
     int tile = atomic_inc(&w->status[TILES_LISTED]);
-    if (tile < w->levels->tileCount) recordOf(w, tile)[RECORD_CUT] = block | wl << CUT_COLUMNS_SHIFT | hl << CUT_ROWS_SHIFT;
+    if (tile < w->levels->tileCount) recordOf(w, tile)[TILE_AT_CUT] = block | wl << CUT_COLUMNS_SHIFT | hl << CUT_ROWS_SHIFT;
 }
 
 // Counts those without room, too. Index space: a block of 2 x 2 cells. Cost: rows of regions around it.

@@ -83,7 +83,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
         a->cellStart[cell] = (ushort) i;
         int own = owns(r, inRow, row) ? 0 : NOT_OWN;
-        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
+        for (int slot = from; slot < to; slot++) record[TILE_AT_SLOTS + i++] = slot | own;
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
@@ -242,12 +242,12 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
         int count = a->roundCount[round];
         a->of.met.place[round] = (uint) (start | (start + (count & 0xffff)) << 16);
         a->ownNumber[round] = (short) (own - start);
-        for (int first = 0; first < contactsOfRound(count); first += size) record[RECORD_STARTS + part++] = start + first;
+        for (int first = 0; first < contactsOfRound(count); first += size) record[TILE_AT_STARTS + part++] = start + first;
         if (count > 0) continue;
-        record[RECORD_STARTS + part] = start;
-        record[RECORD_PARTS] = part;
+        record[TILE_AT_STARTS + part] = start;
+        record[TILE_AT_PARTS] = part;
         a->firstNumber = atomic_add(&w->status[TILE_NUMBERS], own);
-        record[RECORD_COPIES] = a->firstCopy;
+        record[TILE_AT_COPIES] = a->firstCopy;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
@@ -257,7 +257,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
     global int2 *placed = placedFrom(w, a->firstCopy);
     global const uint *metContacts = metFrom(w, a->firstCopy);
     placeRounds(w, a, record, circles > 0 ? TILE_ROUNDS + 1 : 0);
-    if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
+    if (get_local_id(0) == 0) record[TILE_AT_CIRCLES] = circles;
     int contacts = circles > 0 ? a->contacts : 0;
     TILE_TOGETHER(first, contacts, ARRANGED) {
         uint met[MOST_TOGETHER];
@@ -291,7 +291,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
 // With several levels, or joints: sums for cross contacts and joints to add to. Refuses a crowd, with the contacts found in coarser levels.
 void gatherLoads(const World *w, local const Arrangement *a, global const int *record, int circles) {
     TILE_EACH(i, circles) {
-        int slot = record[RECORD_SLOTS + i];
+        int slot = record[TILE_AT_SLOTS + i];
         if (slot < 0) continue;
         int progress = a->progress[i];
         w->solvedMotion[slot] = w->motion[slot];
@@ -326,7 +326,7 @@ void startAtPieces(const World *w, local const Arrangement *a, global int *entri
 
 // Starts the tile's own, if nobody shares passes with like contacts, and keeps what contacts need of all.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
-    global int *entry = record + RECORD_SLOTS;
+    global int *entry = record + TILE_AT_SLOTS;
     int left = sharesPasses(w) ? NOT_OWN : 0;
 #ifdef TERRAIN
     if (left == 0) startAtPieces(w, a, entry, circles);
@@ -473,7 +473,7 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     } else if (crowded) {
         atomic_or(&w->status[CROWDED], 1);
     } else if (placed) {
-        refuseTile(w, NO_TILE);
+        refuseTile(w, TILE_NONE);
     } else {
         atomic_or(&w->status[OUT_OF_ROOM], 1); // for copies
     }
@@ -488,7 +488,7 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int listed RECORDING_PARAMETERS) 
     if (status[EVENTS_LACK]) return; // the records are read once more
     // Others may refuse the step meanwhile: a work-group must see one answer.
     if (get_local_id(0) == 0) {
-        if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
+        if (atomic_max(&w.status[TILE_PEAK], 0) == TILE_NONE) refuseTile(&w, TILE_NONE); // see linkContact
         if (listed && status[TILES_LISTED] > w.levels->tileCount) atomic_or(&status[OUT_OF_ROOM], 1);
         arrangement.idle = refusedMeanwhile(&w);
     }

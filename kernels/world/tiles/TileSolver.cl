@@ -98,7 +98,7 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
 
 // together: circles that a work-item moves at a time; levels: several, so contacts alone.
 void solveTile(const World *w, local Tile *t, int tile, int subStep, int together, bool levels) {
-    global int *entries = recordOf(w, tile) + RECORD_SLOTS;
+    global int *entries = recordOf(w, tile) + TILE_AT_SLOTS;
     int circles = t->circles;
     findNumbers(w, placedFrom(w, t->firstCopy), subStep == 0 ? t->contacts : 0);
     if (levels) takeMotion(w, t, entries, false);
@@ -209,7 +209,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
 
 // Then the circles start into the next sub-step, or go home.
 void relaxTile(const World *w, local Tile *t, int tile, bool last, int together, bool levels) {
-    global int *entries = recordOf(w, tile) + RECORD_SLOTS;
+    global int *entries = recordOf(w, tile) + TILE_AT_SLOTS;
     int circles = t->circles;
     if (levels) takeMotion(w, t, entries, true);
     int moved = levels ? 0 : circles;

@@ -80,8 +80,8 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
 // Once all tiles have made the step.
 void tellOfTile(const World *w, int tile) {
     global int *record = recordOf(w, tile);
-    int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
-    int firstCopy = contacts > 0 ? record[RECORD_COPIES] : 0;
+    int contacts = record[TILE_AT_CIRCLES] > 0 ? record[TILE_AT_STARTS + record[TILE_AT_PARTS]] : 0;
+    int firstCopy = contacts > 0 ? record[TILE_AT_COPIES] : 0;
     global const int2 *placed = placedFrom(w, firstCopy);
     TILE_EACH(place, contacts) {
         int number = placed[place].x;

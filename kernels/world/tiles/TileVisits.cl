@@ -26,21 +26,21 @@ typedef struct {
 // idle: as one without circles.
 void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
-    int circles = idle ? 0 : record[RECORD_CIRCLES];
-    int parts = circles > 0 ? record[RECORD_PARTS] : 0;
+    int circles = idle ? 0 : record[TILE_AT_CIRCLES];
+    int parts = circles > 0 ? record[TILE_AT_PARTS] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
         t->circles = circles;
         t->parts = parts;
-        t->contacts = circles > 0 ? record[RECORD_STARTS + parts] : 0;
-        t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
+        t->contacts = circles > 0 ? record[TILE_AT_STARTS + parts] : 0;
+        t->firstCopy = circles > 0 ? record[TILE_AT_COPIES] : 0;
         t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
         t->burden[NO_CIRCLE] = 0.0f;
 #ifdef TURNING
         t->spin[NO_CIRCLE] = t->spinLoad[NO_CIRCLE] = t->inertia[NO_CIRCLE] = 0.0f;
 #endif
     }
-    TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[RECORD_STARTS + part] : 0);
+    TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[TILE_AT_STARTS + part] : 0);
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 

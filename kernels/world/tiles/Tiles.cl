@@ -22,7 +22,7 @@
 // finds out lies by contact, in held and impulse, numbered in a tile's order.
 #define NOT_OWN ((int) 0x80000000)
 
-// An entry of RECORD_SLOTS: a slot; AT_WALL: it has impulses of walls, or bounces off one, or pieces of terrain are near; NOT_OWN: not the
+// An entry of TILE_AT_SLOTS: a slot; AT_WALL: it has impulses of walls, or bounces off one, or pieces of terrain are near; NOT_OWN: not the
 // tile's.
 #define AT_WALL 0x40000000
 #define ENTRY_SLOT 0x3fffffff
@@ -32,7 +32,7 @@
     for (int first_##i = 0, i; first_##i < (count); first_##i += (int) get_local_size(0))                              \
         if ((i = first_##i + (int) get_local_id(0)) < (count))
 
-global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
+global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_WORDS; }
 global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firstCopy; }
 
 // Of lower id and of higher id, by their numbers in the region; its round.

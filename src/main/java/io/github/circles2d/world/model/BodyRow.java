@@ -13,14 +13,17 @@ public final class BodyRow {
     /** Angular velocity. */
     public static final int OMEGA = 4;
 
-    private static final int HEAD = 8;
+    /** Where the first pose stands. */
+    public static final int HEAD = 8;
 
     // of each boundary of sub-steps, from 0 to their number: the pose against that at the start of the step
     public static final int DX = 0;
     public static final int DY = 1;
     public static final int COS = 2;
     public static final int SIN = 3;
-    private static final int POSE = 4;
+
+    /** Floats of a pose. */
+    public static final int POSE = 4;
 
     private BodyRow() {}
 

@@ -47,7 +47,7 @@ class PieceFormulasOnDevicesTest {
                 to[2] = as_int(g.ny);
                 to[3] = as_int(g.gap);
                 to[4] = as_int(g.curve);
-                to[5] = formOf(shape) == FORM_ARC ? 0 : as_int(g.height);
+                to[5] = formOf(shape) == PIECE_ARC ? 0 : as_int(g.height);
                 to[6] = isInFront(row, shape, p[0], p[1]);
                 to[7] = as_int(distanceOfPiece(row, shape, p[0], p[1]));
                 to[8] = coversVertex(row, shape, p[0], p[1], p[5], p[2], p[3], p[6], p[7] < 0.05f, p[4]);

@@ -6,10 +6,10 @@ import io.github.circles2d.opencl.Kernel;
 /** Exclusive prefix sums on the device; {@code kernels/world/stages/Scan.cl}. */
 public final class Scan {
     /** Work-items of a work-group. */
-    static final int GROUP = StageKernels.SMALL_GROUPS ? 8 : 256;
+    public static final int GROUP = StageKernels.SMALL_GROUPS ? 8 : 256;
 
     /** Elements a work-item. */
-    static final int EACH = 4;
+    public static final int EACH = 4;
 
     private final Kernel blocks;
     private final Kernel starts;

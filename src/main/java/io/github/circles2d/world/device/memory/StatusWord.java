@@ -8,7 +8,7 @@ public enum StatusWord {
     STEPS_DONE(2, "steps written home, since the world was made"),
     FAST(3, "1 where some circle is fast"),
     CROWDED(4, "1 where some circle has so many candidates that pairs are to be thinned out"),
-    TILE_PEAK(5, "the fullest tile: percent of the room, or NO_TILE"),
+    TILE_PEAK(5, "the fullest tile: percent of the room, or NONE"),
     TILE_NUMBERS(6, "contacts that tiles have numbered"),
     TILE_COPIES(7, "copies of contacts that tiles have made"),
     EVENTS_LACK(8, "1 where the last step waits for room for its events"),

@@ -24,7 +24,7 @@ public final class TileRecord {
     private static final int COPIES_IN_TWO = 3;
 
     /** A peak that says that no tile would do. */
-    public static final int NO_TILE = Integer.MAX_VALUE;
+    public static final int NONE = Integer.MAX_VALUE;
 
     // A record begins with the numbers of its circles, of its parts and of its first copy, and where it is if tiles are
     // listed.

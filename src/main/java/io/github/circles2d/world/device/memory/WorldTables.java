@@ -2,15 +2,25 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.events.PieceCode;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.Reach;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.TouchRule;
+import io.github.circles2d.world.model.Tuning;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -40,8 +50,7 @@ final class WorldTables {
         for (StatusWord word : StatusWord.values()) {
             define(text, word.name(), word.index(), word.comment());
         }
-        commands(text);
-        tileRecord(text);
+        tables(text);
         for (ElementField field : ElementField.values()) {
             define(text, field.name(), field.components(), "of " + field.array().kernelName());
             define(text, field.name() + "_AT", field.at(), "for those who touch no other component");
@@ -55,14 +64,9 @@ final class WorldTables {
                 "CACHED_NEXT",
                 "s" + CachedImpulse.AT_NEXT,
                 "the next entry of the same circle of lower id, or NONE");
-        define(text, "PAIR_SOLID", PairTable.SOLID, "circles of two kinds push each other");
-        define(text, "PAIR_IGNORE", PairTable.IGNORE, "they do not see each other");
-        define(text, "PAIR_SENSE", PairTable.SENSE, "they are to be noticed, and do not push each other");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
-        surfaces(text);
-        terrain(text);
         joints(text);
         text.append(JointHead.STRUCT.text());
         text.append(TouchArrays.text()).append(EventArrays.text());
@@ -73,67 +77,40 @@ final class WorldTables {
         return text.toString();
     }
 
-    private static void commands(StringBuilder text) {
-        define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next fifteen");
-        define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
-        define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
-        define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
-        define(text, "COMMAND_VELOCITY", Commands.VELOCITY, "x, y");
-        define(text, "COMMAND_RADIUS", Commands.RADIUS, "radius");
-        define(text, "COMMAND_MASS", Commands.MASS, "mass");
-        define(text, "COMMAND_RESTITUTION", Commands.RESTITUTION, "restitution");
-        define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
-        define(text, "COMMAND_DEPART", Commands.DEPART, "x, y, length of the step");
-        define(text, "COMMAND_ARRIVE", Commands.ARRIVE, "x, y");
-        define(text, "COMMAND_GROW", Commands.GROW, "radius");
-        define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, or of homeOwn, the value");
-        define(text, "COMMAND_ANGLE", Commands.ANGLE, "angle");
-        define(text, "COMMAND_ANGULAR_VELOCITY", Commands.ANGULAR_VELOCITY, "angular velocity");
-        define(text, "COMMAND_ANGULAR_IMPULSE", Commands.ANGULAR_IMPULSE, "impulse, inverse inertia by inverse mass");
-        define(text, "COMMAND_ID", Commands.ID, "the circle's");
-        define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
-        define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
-        define(text, "COMMAND_THIRD", Commands.THIRD, "third value of a change");
-        define(text, "COMMAND_FOURTH", Commands.FOURTH, "fourth value of a change");
-        define(text, "COMMAND_FIFTH", Commands.FIFTH, "fifth value of a change");
-        define(text, "COMMAND_ADD_X", Commands.ADD_X, "of a new circle");
-        define(text, "COMMAND_ADD_Y", Commands.ADD_Y, "of a new circle");
-        define(text, "COMMAND_ADD_RADIUS", Commands.ADD_RADIUS, "of a new circle");
-        define(text, "COMMAND_ADD_MASS", Commands.ADD_MASS, "of a new circle");
-        define(text, "COMMAND_ADD_RESTITUTION", Commands.ADD_RESTITUTION, "of a new circle");
-        define(text, "COMMAND_ADD_VX", Commands.ADD_VX, "of a new circle");
-        define(text, "COMMAND_ADD_VY", Commands.ADD_VY, "of a new circle");
-    }
-
-    private static void surfaces(StringBuilder text) {
-        define(text, "SURFACE_STRIDE", KindSurface.STRIDE, "floats of a row of surfaces");
-        define(text, "SURFACE_BELT", KindSurface.BELT, "belt speed; of a wall: towards greater coordinates");
-        define(text, "SURFACE_INERTIA", KindSurface.INERTIA, "inverse inertia by inverse mass");
-        define(text, "SURFACE_DAMPING_FACTOR", KindSurface.DAMPING_FACTOR, "share that stays in a sub-step");
-        define(text, "SURFACE_FRICTION", KindSurface.FRICTION, "friction");
-        define(text, "SURFACE_ROLLING_RESISTANCE", KindSurface.ROLLING_RESISTANCE, "rolling resistance");
-        define(text, "SURFACE_OWN", KindSurface.OWN, "1 if circles have surfaces or torques of their own, else 0");
-        define(text, "SURFACE_DRIVES", KindSurface.DRIVES, "1 if torques or damping change angular velocities, else 0");
-        define(text, "SURFACE_OF_WALLS", PairTable.KINDS, "the row of the first wall");
-    }
-
-    private static void tileRecord(StringBuilder text) {
-        define(text, "RECORD_CIRCLES", TileRecord.AT_CIRCLES, "number of circles");
-        define(text, "RECORD_PARTS", TileRecord.AT_PARTS, "number of parts");
-        define(text, "RECORD_COPIES", TileRecord.AT_COPIES, "its first copy of a contact");
-        define(text, "RECORD_CUT", TileRecord.AT_CUT, "where it is, if tiles are listed: see TileCuts.cl");
-        define(text, "RECORD_STARTS", TileRecord.AT_STARTS, "by part: its first contact; and the end");
-        define(text, "RECORD_SLOTS", TileRecord.AT_SLOTS, "by circle: see AT_WALL");
-        define(text, "TILE_RECORD", TileRecord.WORDS, "ints of a record");
-        define(text, "NO_TILE", TileRecord.NO_TILE, "TILE_PEAK where no tile would do");
-    }
-
     private static void define(StringBuilder text, String name, Object value, String comment) {
         text.append("#define " + name + " " + value + " // " + comment + "\n");
     }
 
-    private static void terrain(StringBuilder text) {
+    /** Numbers that rows of the host's tables have. */
+    private static void tables(StringBuilder text) {
+        text.append(KernelConstants.of(Tuning.class, ""))
+                .append(KernelConstants.of(Reach.class, "REACH_"))
+                .append(KernelConstants.of(CrossRule.class, "CROSS_"))
+                .append(KernelConstants.of(TouchRule.class, "TOUCH_"))
+                .append(KernelConstants.of(PairTable.class, "PAIR_"))
+                .append(KernelConstants.of(Surface.class, "SURFACE_"))
+                .append(KernelConstants.of(KindSurface.class, "SURFACE_"))
+                .append(KernelConstants.of(KindTerrain.class, "KIND_TERRAIN_"))
+                .append(KernelConstants.of(PieceRow.class, "PIECE_"))
+                .append(KernelConstants.of(BodyRow.class, "BODY_"))
+                .append(KernelConstants.of(JointMath.class, "JOINT_"))
+                .append(KernelConstants.of(JointStep.class, "JOINT_"))
+                .append(KernelConstants.places(JointState.class, "KEPT_", "kept"))
+                .append(KernelConstants.places(JointSpring.class, "SPRING_", "spring"))
+                .append(KernelConstants.of(Commands.class, "COMMAND_"))
+                .append(KernelConstants.of(Scan.class, "SCAN_"))
+                .append(KernelConstants.of(TileRecord.class, "TILE_"));
+        define(text, "SURFACE_OF_WALLS", PairTable.KINDS, "the row of the first wall");
+        define(text, "EDGE_WALL", AxisEdge.WALL.ordinal(), "of an axis");
+        define(text, "EDGE_OPEN", AxisEdge.OPEN.ordinal(), "the same");
+        define(text, "LEVELS", GridLevels.COUNT, "levels of the grid");
+        define(text, "FEW", GridLevels.FEW, "see GridLevels.java, as the next");
+        define(text, "ENDLESS", GridLevels.ENDLESS, "no number of columns");
+        define(text, "SHEET_X_FACTOR", GridLevels.SHEET_X_FACTOR, "of a hash");
+        define(text, "SHEET_Y_FACTOR", GridLevels.SHEET_Y_FACTOR, "of a hash");
+        define(text, "FIRST_WALL", Limits.CIRCLES, "behind the ids of circles");
+        define(text, "FIRST_PIECE", PieceCode.of(0), "behind the walls");
+        define(text, "BLOCK_LOG", DeviceArrays.BLOCK_LOG, "of the cells of a block");
         define(text, "TERRAIN_AT", DeviceArray.TERRAIN_AT, "floats before terrain in the buffer of kindMotion");
         define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");
         define(text, "TERRAIN_TRAITS", TerrainRoom.TRAITS, "before their traits, an int4 each");
@@ -142,52 +119,10 @@ final class WorldTables {
         define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
         define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
         define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
-        define(text, "KIND_TERRAIN_STRIDE", KindTerrain.STRIDE, "floats of a row of kindTerrain");
-        define(text, "KIND_RESTITUTION", KindTerrain.RESTITUTION, "restitution");
-        define(text, "KIND_ONE_WAY", KindTerrain.ONE_WAY, "1 if circles pass from behind");
-        define(text, "PIECE_STRIDE", PieceRow.STRIDE, "floats of the row of a piece");
-        define(text, "PIECE_X", PieceRow.X, "start of a line, centre of an arc");
-        define(text, "PIECE_Y", PieceRow.Y, "the same");
-        define(text, "PIECE_TX", PieceRow.TX, "direction of a line, of the middle of an arc");
-        define(text, "PIECE_TY", PieceRow.TY, "the same");
-        define(text, "PIECE_LENGTH", PieceRow.LENGTH, "length of a line, radius of an arc");
-        define(text, "PIECE_SPREAD", PieceRow.SPREAD, "cosine of half the opening of an arc");
-        define(text, "PIECE_THICKNESS", PieceRow.THICKNESS, "radius around a segment");
-        define(text, "PIECE_MOST", PieceRow.MOST, "how far a point of it moves at most in the step");
-        define(text, "PIECE_START_X", PieceRow.START_X, "start, from x and y");
-        define(text, "PIECE_START_Y", PieceRow.START_Y, "the same");
-        define(text, "PIECE_END_X", PieceRow.END_X, "end, from x and y");
-        define(text, "PIECE_END_Y", PieceRow.END_Y, "the same");
-        define(text, "PIECE_NEXT_X", PieceRow.NEXT_X, "direction in which the next piece leaves the end");
-        define(text, "PIECE_NEXT_Y", PieceRow.NEXT_Y, "the same");
-        define(text, "PIECE_MID_X", PieceRow.MID_X, "middle of its box");
-        define(text, "PIECE_MID_Y", PieceRow.MID_Y, "the same");
-        define(text, "PIECE_PIVOT_X", PieceRow.PIVOT_X, "what its body turns around, against x");
-        define(text, "PIECE_PIVOT_Y", PieceRow.PIVOT_Y, "the same");
         define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
         define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
         define(text, "TRAIT_KIND", "s" + PieceRow.KIND, "kind");
         define(text, "TRAIT_SERIAL", "s" + PieceRow.SERIAL, "serial number");
-        define(text, "FORM_BITS", PieceRow.FORM, "of a shape");
-        define(text, "FORM_SEGMENT", PieceRow.SEGMENT, "solid on both sides");
-        define(text, "FORM_LINE", PieceRow.LINE, "of a chain");
-        define(text, "FORM_ARC", PieceRow.ARC, "arc");
-        define(text, "SOLID_OUTSIDE", PieceRow.SOLID_OUTSIDE, "of a shape: circles are inside");
-        define(text, "START_LOG", PieceRow.START_LOG, "where a shape has the joint of the start");
-        define(text, "END_LOG", PieceRow.END_LOG, "of the end");
-        define(text, "JOINT_BITS", PieceRow.JOINT, "of a joint");
-        define(text, "JOINT_FREE", PieceRow.FREE, "no other piece there");
-        define(text, "JOINT_CONVEX", PieceRow.CONVEX, "or straight");
-        define(text, "JOINT_CONCAVE", PieceRow.CONCAVE, "the surface turns towards its free side");
-        define(text, "BODY_VX", BodyRow.VX, "float of the motion of a body: its velocity");
-        define(text, "BODY_VY", BodyRow.VY, "the same");
-        define(text, "BODY_OMEGA", BodyRow.OMEGA, "angular velocity");
-        define(text, "BODY_HEAD", BodyRow.pose(0), "floats before the first pose");
-        define(text, "BODY_POSE", BodyRow.pose(1) - BodyRow.pose(0), "floats of a pose");
-        define(text, "POSE_DX", BodyRow.DX, "float of a pose: displacement");
-        define(text, "POSE_DY", BodyRow.DY, "the same");
-        define(text, "POSE_COS", BodyRow.COS, "cosine of the angle");
-        define(text, "POSE_SIN", BodyRow.SIN, "sine");
     }
 
     private static void joints(StringBuilder text) {
@@ -211,23 +146,6 @@ final class WorldTables {
         row(text, "traits", "HOLD_SERIAL", JointRow.SERIAL, "serial number");
         row(text, "traits", "REFERENCE_A", JointRow.REFERENCE_A, "angle of A");
         row(text, "traits", "REFERENCE_B", JointRow.REFERENCE_B, "angle of B");
-        row(text, "kept", "KEPT_AXIAL", JointState.AXIAL, "of what a joint keeps: impulse along");
-        row(text, "kept", "KEPT_ACROSS", JointState.ACROSS, "across");
-        row(text, "kept", "KEPT_LOWER", JointState.LOWER, "at the least length");
-        row(text, "kept", "KEPT_UPPER", JointState.UPPER, "at the greatest length");
-        row(text, "kept", "KEPT_ANGULAR", JointState.ANGULAR, "on A");
-        row(text, "kept", "KEPT_SUM_X", JointState.SUM_X, "sum of a step");
-        row(text, "kept", "KEPT_SUM_Y", JointState.SUM_Y, "the same");
-        row(text, "kept", "KEPT_SUM_ANGULAR", JointState.SUM_ANGULAR, "the same");
-        row(text, "spring", "SPRING_NOW", JointSpring.NOW, "of an exact spring");
-        row(text, "spring", "SPRING_BEGUN", JointSpring.BEGUN, "the same");
-        row(text, "spring", "SPRING_WAY", JointSpring.WAY, "the same");
-        row(text, "spring", "SPRING_MASS_SCALE", JointSpring.MASS_SCALE, "of another one");
-        row(text, "spring", "SPRING_BIAS_RATE", JointSpring.BIAS_RATE, "the same");
-        row(text, "spring", "SPRING_IMPULSE_SCALE", JointSpring.IMPULSE_SCALE, "the same");
-        row(text, "spring", "SPRING_EXACT", JointSpring.EXACT, "not 0: it is exact");
-        define(text, "JOINT_COLOURS", JointStep.COLOURS, "colours of joints");
-        define(text, "JOINT_STARTS", JointStep.BATCH_STRIDE, "starts of a batch");
         define(text, "HOLD_LINEAR", JointRow.LINEAR, "of a form: one of the next three, or 0");
         define(text, "HOLD_AXIAL", JointRow.AXIAL, "along the line from A to B");
         define(text, "HOLD_POINT", JointRow.POINT, "in both axes");

@@ -166,7 +166,7 @@ final class TileSizes {
             givenUpForCrowds--;
         } else if (givenUp > 0) {
             givenUp--;
-        } else if (use.peak() == TileRecord.NO_TILE || (use.peak() > 100 && !together && cutting > 0)) {
+        } else if (use.peak() == TileRecord.NONE || (use.peak() > 100 && !together && cutting > 0)) {
             giveUp(thinning);
         } else if (together) {
             learnTogether(use.peak());

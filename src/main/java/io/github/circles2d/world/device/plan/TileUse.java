@@ -5,12 +5,12 @@ import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.TileRecord;
 
 /**
- * How the last step filled its tiles: percent of the room that the fullest took, {@code TileRecord.NO_TILE} if none would do, 0 if
+ * How the last step filled its tiles: percent of the room that the fullest took, {@code TileRecord.NONE} if none would do, 0 if
  * there were none; tiles of the list, also those without room; whether some were cut.
  */
 public record TileUse(int peak, int listed, boolean cut) {
     /** What tells plans to make the step without tiles. */
-    public static final TileUse NONE_DO = new TileUse(TileRecord.NO_TILE, 0, false);
+    public static final TileUse NONE_DO = new TileUse(TileRecord.NONE, 0, false);
 
     /** As the device tells it. */
     public static TileUse of(Status status) {

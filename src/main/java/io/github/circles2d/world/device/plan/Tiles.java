@@ -70,12 +70,7 @@ public final class Tiles implements Plan {
 
     @Override
     public KernelSource define(KernelSource source) {
-        return source.define("TILE_CIRCLES", TileRecord.CIRCLES)
-                .define("TILE_CONTACTS", TileRecord.CONTACTS)
-                .define("TILE_ROUNDS", TileRecord.ROUNDS)
-                .define("TILE_PARTS", TileRecord.PARTS)
-                .define("TILE_GROUP", TileRecord.GROUP)
-                .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS);
+        return source.define("HALO_COLUMNS", TileSizes.HALO_COLUMNS);
     }
 
     @Override
