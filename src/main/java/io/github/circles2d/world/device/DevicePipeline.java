@@ -2,6 +2,7 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.KernelBuildException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
@@ -14,7 +15,6 @@ import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
-import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.plan.Plan;
@@ -141,6 +141,7 @@ public final class DevicePipeline implements Pipeline {
         Features features = features(edges);
         Variant variant = new Variant(anySettings, features, reporting, recording);
         StageKernels loading = kernelsOf(variant);
+        compile(loading, reporting);
         kernels = loading;
         stats.use(loading);
         commands.use(loading);
@@ -158,19 +159,20 @@ public final class DevicePipeline implements Pipeline {
         bind(loading);
     }
 
+    /** Before something uses the kernels: if a compiler refuses them, nothing has changed. */
+    private void compile(StageKernels loading, boolean reporting) {
+        loading.compile(Plans.CALLS);
+        if (steps) {
+            loading.compile(Plans.STEPS);
+        }
+        if (reporting) {
+            loading.compile(Plans.REPORTS);
+        }
+    }
+
     /** Binds kernels to the arrays: counts of the last step may be asked for before the next. */
     private void bind(StageKernels loading) {
         loading.bind(arrays, queue.slotsBehindPending(), home.circles);
-    }
-
-    /** Loads other kernels for steps that report something else. It compiles at the first report: that takes long, and few worlds report. */
-    private void loadForReports() {
-        boolean active = reader != null && reader.isActive();
-        EventArrays wanted = active ? reader.deciding() : null;
-        boolean recordingNow = stages.touches() != null;
-        if (stages.reporting() != wanted || (active && reader.isRecording() != recordingNow)) {
-            load(tuned, loaded.edges(), reader);
-        }
     }
 
     /** Those that there is memory for. */
@@ -215,20 +217,30 @@ public final class DevicePipeline implements Pipeline {
     /** Compiles the kernels of steps if there are none yet: a world may get features before its first step, and needs no kernels without them. */
     @Override
     public void prepareSteps(StepReports reports) {
-        if (steps) {
-            return;
+        if (reader != null && !reader.areOf(reports)) {
+            settle();
+            reader.learn(reports);
         }
-        settle();
-        steps = true;
-        if (reader != null) {
-            reader.learn(reports); // or the kernels of steps without reports would be compiled, too
-        }
-        try {
+        if (!steps) {
+            settle();
+            steps = true;
+            try {
+                load(tuned, loaded.edges(), reader);
+            } catch (RuntimeException | Error e) {
+                steps = false;
+                throw e;
+            }
+        } else if (!areLoadedFor(reader)) {
+            settle();
             load(tuned, loaded.edges(), reader);
-        } catch (RuntimeException | Error e) {
-            steps = false;
-            throw e;
         }
+    }
+
+    /** Whether the kernels of steps report what a reader takes. Others are compiled at the first report: that takes long, and few worlds report. */
+    private boolean areLoadedFor(ReportReader ofReports) {
+        boolean active = ofReports != null && ofReports.isActive();
+        return stages.reporting() == (active ? ofReports.deciding() : null)
+                && (stages.touches() != null) == (active && ofReports.isRecording());
     }
 
     private void startTurning() {
@@ -241,12 +253,7 @@ public final class DevicePipeline implements Pipeline {
     /** If a compiler refuses the kernels, or there is no memory, the world does not have the features. */
     private void makeRoomFor(boolean anySettings, Features features) {
         boolean reporting = reader != null && reader.isActive();
-        StageKernels kernelsToCome =
-                kernelsOf(new Variant(anySettings, features, reporting, reporting && reader.isRecording()));
-        kernelsToCome.compile(Plans.CALLS);
-        if (steps) {
-            kernelsToCome.compile(Plans.STEPS);
-        }
+        compile(kernelsOf(new Variant(anySettings, features, reporting, reporting && reader.isRecording())), reporting);
         stats.keep(); // the figures of the last step are worked out from arrays that give way
         if (features.turning()) {
             arrays.ensureTurning();
@@ -313,10 +320,6 @@ public final class DevicePipeline implements Pipeline {
             }
             queue.begin(shape, input.constants.subSteps, input.constants.warmScale);
             parameters.set(input, shape);
-            if (reader != null) {
-                reader.learn(input.reports);
-            }
-            loadForReports();
             arrays.ensureBuckets(shape.groups(home.circles));
             parameters.ensureRoom(arrays);
             if (reader != null) {
@@ -561,7 +564,8 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public boolean isLostBy(Throwable cause) {
-        return cause instanceof OpenClException && !(cause instanceof DeviceMemoryException);
+        return cause instanceof OpenClException
+                && !(cause instanceof DeviceMemoryException || cause instanceof KernelBuildException);
     }
 
     @Override

@@ -35,7 +35,7 @@ public enum Plans {
     public static final String CALLS = "calls";
 
     /** The part of the kernels that decide what steps report. */
-    private static final String REPORTS = "reports";
+    public static final String REPORTS = "reports";
 
     /** The part of the kernels that the last plan needs, and all others. */
     public static final String STEPS = "steps";
