@@ -5,14 +5,24 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
-/** Where the two ends of a joint are; of a joint without a place both are at its circle. The second one is the image nearest to the first. */
-public class JointEnds {
+/**
+ * Where the two ends of a joint are, now or as they are drawn: with their circles and bodies of terrain. Of a joint without a place both are at its
+ * circle. The second one is the image nearest to the first.
+ */
+public final class JointEnds {
     private final JointTables joints;
     private final HandleTable handles;
     private final TerrainTables terrain;
+
+    /** Of now, as a bulk read gives them. */
     private float[] circles;
+
+    /** Null if ends are as they are now. */
+    private DrawnPlaces drawn;
+
     private float x;
     private float y;
     private float dx;
@@ -24,10 +34,35 @@ public class JointEnds {
         this.terrain = terrain;
     }
 
-    /** Takes circles as of now, as a bulk read gives them. */
+    /** Ends are as they are now, with circles as a bulk read gives them. */
     public JointEnds look(float[] now) {
         circles = now;
+        drawn = null;
         return this;
+    }
+
+    /** Ends are where circles and bodies are drawn. */
+    public JointEnds look(DrawnPlaces places) {
+        drawn = places;
+        if (joints.table.places.count() > 0) {
+            drawn.between.keepBetween(drawn.before, drawn.after, drawn.alpha, terrain.bodies, terrain.bounds());
+        }
+        return this;
+    }
+
+    /** Whether {@link #takeNew} has to be called before a joint is looked at: a circle that is new is drawn where it is now. */
+    public boolean hasNewCircle(int joint) {
+        int other = joints.table.b(joint);
+        return drawn != null && (isNew(joints.table.a(joint)) || other != JointRow.NONE && isNew(other));
+    }
+
+    private boolean isNew(int circle) {
+        return 2 * circle >= drawn.positions.limit() || Float.isNaN(drawn.positions.get(2 * circle));
+    }
+
+    /** Takes circles of now, as a bulk read gives them. */
+    public void takeNew(float[] now) {
+        circles = now;
     }
 
     /** Looks at a joint. */
@@ -42,28 +77,21 @@ public class JointEnds {
         if (b != JointRow.NONE) {
             to(circleX(b), circleY(b));
         } else if (JointForm.takesAnchor(table.form(joint))) {
-            to(anchorX(joint), anchorY(joint));
+            BodyPoses poses = drawn == null ? null : drawn.between;
+            to(joints.anchors.x(joint, poses), joints.anchors.y(joint, poses));
         }
     }
 
-    float circleX(int circle) {
-        return circles[row(circle) + CircleRow.X];
+    private float circleX(int circle) {
+        return drawn == null || isNew(circle)
+                ? circles[CircleRow.of(handles.place(circle)) + CircleRow.X]
+                : drawn.positions.get(2 * circle);
     }
 
-    float circleY(int circle) {
-        return circles[row(circle) + CircleRow.Y];
-    }
-
-    float anchorX(int joint) {
-        return joints.anchorX(joint);
-    }
-
-    float anchorY(int joint) {
-        return joints.anchorY(joint);
-    }
-
-    private int row(int circle) {
-        return CircleRow.STRIDE * handles.place(circle);
+    private float circleY(int circle) {
+        return drawn == null || isNew(circle)
+                ? circles[CircleRow.of(handles.place(circle)) + CircleRow.Y]
+                : drawn.positions.get(2 * circle + 1);
     }
 
     private void to(float toX, float toY) {
