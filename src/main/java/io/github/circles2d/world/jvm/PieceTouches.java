@@ -11,7 +11,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.PieceCode;
+import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounce;
@@ -169,7 +169,7 @@ final class PieceTouches {
             TouchRecords records, int slot, int c, boolean touches, float impulse, float vn, float threshold) {
         int t = STRIDE * c;
         int id = state.id[slot];
-        int code = PieceCode.of(contacts.piece(c));
+        int code = Partner.ofPiece(contacts.piece(c));
         int pair = events.find(id, code);
         float approach = rows[t + APPROACH];
         if (events.concerns(pair, id, code, touches, approach, impulse, threshold)) {
