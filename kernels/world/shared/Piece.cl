@@ -1,4 +1,4 @@
-// uses: world/shared/CircleMath.cl world/stages/World.cl
+// uses: world/shared/TimeOfImpact.cl world/stages/World.cl
 // Pieces of terrain: where a circle stands to one, and when it touches it. The Java classes PieceGap and PieceSweep document these formulas.
 // row: of the piece; o: the centre against its x and y, in the frame of the start of the step.
 

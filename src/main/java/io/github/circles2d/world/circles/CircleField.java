@@ -180,7 +180,7 @@ public enum CircleField {
         return ofSteps;
     }
 
-    /** Whether the world turns once a circle has another value than the initial one. */
+    /** Whether circles can rotate once one has another value than the initial one. */
     public boolean isOfTurning() {
         return ordinal() >= FRICTION.ordinal();
     }

@@ -39,7 +39,7 @@ public enum KindField {
     /** The rolling resistance of circles that have none of their own, or NaN for the world's. */
     ROLLING_RESISTANCE(9, "rolling resistance", KindTable.NONE, Check.orNone(Limits::rollingResistance)),
 
-    /** Speed of the surface besides that of turning, positive to the left, a float. */
+    /** Speed of the surface besides that of turning, positive anticlockwise, a float. */
     BELT_SPEED(10, "belt speed", 0, ofFloat("belt speed", -Limits.SPEED, Limits.SPEED)),
 
     /** The order of {@code Inertia}. */

@@ -172,12 +172,12 @@ final class TouchTracker {
 
     /** See {@link ContactEvents#isHit}. */
     boolean isHit(float approach, float impulse, float threshold) {
-        return impulse > 0f && isHitSpeed(approach, threshold);
+        return TouchRule.isHit(approach, impulse, threshold, hitSpeed);
     }
 
     /** See {@link ContactEvents#isHitSpeed}. */
     boolean isHitSpeed(float approach, float threshold) {
-        return hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold;
+        return TouchRule.isHitSpeed(approach, threshold, hitSpeed);
     }
 
     /** See {@link ContactEvents#misses}. */

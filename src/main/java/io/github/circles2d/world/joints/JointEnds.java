@@ -2,9 +2,9 @@ package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.Wrapping;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
@@ -95,8 +95,8 @@ public final class JointEnds {
     }
 
     private void to(float toX, float toY) {
-        dx = Wrapping.shortWay(toX - x, terrain.bounds().periodX());
-        dy = Wrapping.shortWay(toY - y, terrain.bounds().periodY());
+        dx = CircleMath.shortWay(toX - x, terrain.bounds().periodX());
+        dy = CircleMath.shortWay(toY - y, terrain.bounds().periodY());
     }
 
     /** Of the first end. */
@@ -132,8 +132,8 @@ public final class JointEnds {
         double halfX = 0.5 * dx;
         double halfY = 0.5 * dy;
         Bounds bounds = terrain.bounds();
-        double wayX = Wrapping.shortWay(bounds.placeX(px) - (float) (x + halfX), bounds.periodX());
-        double wayY = Wrapping.shortWay(bounds.placeY(py) - (float) (y + halfY), bounds.periodY());
+        double wayX = CircleMath.shortWay(bounds.placeX(px) - (float) (x + halfX), bounds.periodX());
+        double wayY = CircleMath.shortWay(bounds.placeY(py) - (float) (y + halfY), bounds.periodY());
         double square = halfX * halfX + halfY * halfY;
         double share = square > 0 ? (wayX * halfX + wayY * halfY) / square : 0;
         share = Math.max(-1, Math.min(1, share));

@@ -329,7 +329,7 @@ public final class Contacts {
             contact[o + INV_MASS_A] = inverseMass(light);
             contact[o + INV_MASS_B] = inverseMass(heavy);
             float share = cross.share(c - firstCross);
-            contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), share);
+            contact[o + MASS] = CrossRule.crossMass(inverseMass(light), inverseMass(heavy), share);
             if (constants.turning) {
                 fillGrip(c, light, heavy, share);
                 warmGrip(c, found, constants);

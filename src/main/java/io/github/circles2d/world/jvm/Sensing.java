@@ -18,7 +18,6 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
-import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
@@ -102,12 +101,12 @@ final class Sensing {
 
     private float pathX(int slot) {
         float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
-        return state.wraps ? Wrapping.shortWay(path, state.periodX) : path;
+        return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
     }
 
     private float pathY(int slot) {
         float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
-        return state.wraps ? Wrapping.shortWay(path, state.periodY) : path;
+        return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
     }
 
     private float path(int slot) {
@@ -160,9 +159,9 @@ final class Sensing {
     private void meet(TouchRecords records, int a, int b, StepConstants k) {
         float ax = start[CircleRow.vector(a) + X];
         float ay = start[CircleRow.vector(a) + Y];
-        float dx = Wrapping.shortWay(
+        float dx = CircleMath.shortWay(
                 start[CircleRow.vector(b) + X] - ax, events.arena().periodX());
-        float dy = Wrapping.shortWay(
+        float dy = CircleMath.shortWay(
                 start[CircleRow.vector(b) + Y] - ay, events.arena().periodY());
         float ux = pathX(b) - pathX(a);
         float uy = pathY(b) - pathY(a);
@@ -192,9 +191,9 @@ final class Sensing {
         float nx = towardsX / length;
         float ny = towardsY / length;
         float vn = CircleMath.dot(nx, ny, ux / k.dt, uy / k.dt);
-        float px = TouchRule.point(ax, t * pathX(a), nx, r, distance - sum);
-        float py = TouchRule.point(ay, t * pathY(a), ny, r, distance - sum);
-        float approach = TouchRule.approach(vn);
+        float px = TouchRule.touchPoint(ax, t * pathX(a), nx, r, distance - sum);
+        float py = TouchRule.touchPoint(ay, t * pathY(a), ny, r, distance - sum);
+        float approach = TouchRule.approachSpeed(vn);
         records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, 0f, vn, Float.MAX_VALUE);
     }
 

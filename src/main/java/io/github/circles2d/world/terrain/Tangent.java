@@ -26,7 +26,7 @@ final class Tangent {
             y = dy / length;
             return;
         }
-        // from the centre to that end, turned to the left, or to the right if the arc goes clockwise
+        // from the centre to that end, turned anticlockwise, or clockwise if the arc goes so
         int way = pieces.isSolidOutside(piece) ? -1 : 1;
         double cos = Rotation.cos(pieces.half[piece]);
         double sin = way * end * Rotation.sin(pieces.half[piece]);

@@ -69,7 +69,7 @@ public final class TerrainTables {
         return piece;
     }
 
-    /** Counterclockwise from an angle in radians; opening: in units, at most a turn. */
+    /** Anticlockwise from an angle in radians; opening: in units, at most a turn. */
     public int addArc(
             int body, int kind, float x, float y, float radius, float from, long opening, boolean solidOutside) {
         int half = (int) (opening >>> 1);

@@ -1,15 +1,15 @@
 package io.github.circles2d.world.model;
 
 /** Velocities and paths, by component. */
-public final class Motion {
-    private Motion() {}
-
-    public static float afterImpulse(float v, float w, float impulse) {
-        return limitSpeed(v + w * impulse);
-    }
+public final class Velocity {
+    private Velocity() {}
 
     public static float limitSpeed(float v) {
         return CircleMath.clamp(v, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+    }
+
+    public static float afterImpulse(float v, float w, float impulse) {
+        return limitSpeed(v + w * impulse);
     }
 
     /** A factor of 1 changes no bit. */
@@ -34,6 +34,6 @@ public final class Motion {
 
     /** Too small if the way is very long. */
     public static float travelSpeed(float from, float to, float dt, float period) {
-        return limitSpeed(Wrapping.shortWay(to - from, period) / dt);
+        return limitSpeed(CircleMath.shortWay(to - from, period) / dt);
     }
 }
