@@ -51,7 +51,7 @@ public enum KindField {
     /** 1 if circles pass pieces of terrain from behind. */
     ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1));
 
-    static final List<KindField> ALL = List.of(values());
+    public static final List<KindField> ALL = List.of(values());
 
     /** What is allowed of a field. */
     private interface Check {
@@ -111,7 +111,7 @@ public enum KindField {
         return label;
     }
 
-    int initial() {
+    public int initial() {
         return initial;
     }
 

@@ -3,7 +3,6 @@ package io.github.circles2d.world.events;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.terrain.PieceTable;

@@ -1,7 +1,6 @@
 package io.github.circles2d.world.events;
 
 import io.github.circles2d.world.circles.Handle;
-import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.events;
 
-import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.joints;
 
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 
 /** Saves joints, and takes saved ones over. */

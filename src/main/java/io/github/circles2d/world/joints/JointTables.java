@@ -1,7 +1,6 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
@@ -116,13 +115,13 @@ public final class JointTables {
     // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
-    public void makeRoom(SavedState from) {
-        table.makeRoom(from.joints.ids, from.ids);
+    public void makeRoom(SavedJoints from, int circleIds) {
+        table.makeRoom(from.ids, circleIds);
     }
 
     /** Takes over saved joints; circles and terrain are there. There is room. */
-    public void load(SavedState from) {
-        saves.load(from.joints, from.jointStates);
+    public void load(SavedJoints from, SavedJointStates states) {
+        saves.load(from, states);
         departures.gone().clear();
         anchors.changed();
     }

@@ -16,7 +16,6 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
@@ -27,6 +26,7 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.Walls;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**

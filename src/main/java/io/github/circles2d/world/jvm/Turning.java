@@ -10,13 +10,13 @@ import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.TURNED;
 
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Velocity;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /** What the circles of a {@link State} turn by. Worlds in which nothing has turned or gripped have none. Arrays are by slot. */

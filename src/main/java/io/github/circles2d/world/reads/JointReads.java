@@ -1,11 +1,11 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.WorldParts;

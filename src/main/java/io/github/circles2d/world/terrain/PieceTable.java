@@ -2,7 +2,6 @@ package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
-import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.PieceRow;
 import java.util.Arrays;

@@ -1,8 +1,6 @@
 package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.PieceRow;

@@ -2,12 +2,12 @@ package io.github.circles2d.world.jvm;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Velocity;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;

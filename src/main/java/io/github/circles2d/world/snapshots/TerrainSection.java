@@ -1,10 +1,12 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.TerrainLimits;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
+import io.github.circles2d.world.terrain.SavedTerrain;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.model.PieceRow;
 
@@ -54,7 +54,7 @@ public final class SavedTerrain {
     public float[] targetY = new float[1];
     public int[] targetAngle = new int[1];
 
-    SavedTerrain() {}
+    public SavedTerrain() {}
 
     /** As it is at first. */
     public void clear() {
@@ -63,7 +63,7 @@ public final class SavedTerrain {
         bodyLives[0] = true;
     }
 
-    boolean isAsAtFirst() {
+    public boolean isAsAtFirst() {
         return pieceIds == 0 && bodyIds == 1;
     }
 

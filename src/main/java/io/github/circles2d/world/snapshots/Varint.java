@@ -1,4 +1,4 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
 import java.nio.ByteBuffer;
 

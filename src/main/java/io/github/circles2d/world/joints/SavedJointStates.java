@@ -1,4 +1,4 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.model.JointState;
 import java.util.Arrays;

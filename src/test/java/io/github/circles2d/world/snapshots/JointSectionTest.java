@@ -1,4 +1,4 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -8,6 +8,7 @@ import io.github.circles2d.Joint;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointState;
 import java.nio.ByteBuffer;

@@ -1,5 +1,6 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.circles.WorldParameters;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

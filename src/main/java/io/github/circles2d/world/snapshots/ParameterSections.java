@@ -1,5 +1,6 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;

@@ -1,4 +1,4 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;

@@ -4,30 +4,18 @@ import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**
- * A whole state in plain arrays, by id. Snapshots are written from it and read into it, and a pipeline saves and loads it. It has no
- * slots, so every pipeline saves the same state in the same way.
- *
- * <p>It has three parts, and the owner of each fills and reads it: the world's parameters and kinds; the ids in use, their generations and the
- * fields of {@link CircleField} ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Terrain is the host's. Arrays are reused, and may be longer than their
- * contents.
+ * The circles of a saved state, by id: ids in use, their generations and fields ({@link HandleTable}); circles and the impulse cache, which a pipeline
+ * saves and loads. It has no slots, so every pipeline saves the same state in the same way. Arrays are reused, and may be longer than their contents.
  */
-public final class SavedState {
-    /** What the world has besides circles. */
-    private WorldParameters parameters;
-
-    public final KindTable kinds = new KindTable();
-
+public class SavedCircles {
     /** Ids in use so far: all circles have lower ones. */
     public int ids;
 
     /** By id: how many circles had it before. */
-    int[] generation = new int[0];
+    public int[] generation = new int[0];
 
     /** By id: the fields that only calls change. */
     public final CircleFields fields = new CircleFields(CircleField.ALL);
-
-    /** What events go on from. */
-    public final SavedTouches touches = new SavedTouches();
 
     public int circles;
 
@@ -72,28 +60,10 @@ public final class SavedState {
     /** By impulse, if circles turn: the rolling impulse. */
     public float[] rolling = new float[0];
 
-    public final SavedTerrain terrain = new SavedTerrain();
-
-    public final SavedJoints joints = new SavedJoints();
-
-    /** Of {@link #joints}. */
-    public final SavedJointStates jointStates = new SavedJointStates();
-
-    /** Of circles with pieces of terrain. */
-    public final SavedPieceContacts pieceContacts = new SavedPieceContacts();
-
-    public SavedState() {}
-
-    public WorldParameters parameters() {
-        return parameters;
-    }
-
-    public void setParameters(WorldParameters p) {
-        parameters = p;
-    }
+    protected SavedCircles() {}
 
     /** Makes room for ids and sets their number. */
-    void setIds(int count) {
+    public void setIds(int count) {
         if (generation.length < count) {
             generation = new int[count];
         }
@@ -101,7 +71,7 @@ public final class SavedState {
     }
 
     /** Makes room for circles and sets their number. */
-    void setCircles(int count) {
+    public void setCircles(int count) {
         if (id.length < count) {
             // All arrays are made before one is assigned: a growth that fails changes nothing.
             float[] newCircle = new float[CircleRow.STRIDE * count];
@@ -117,7 +87,7 @@ public final class SavedState {
     }
 
     /** Makes room for impulses without changing their number. */
-    void ensureImpulses(int count) {
+    public void ensureImpulses(int count) {
         if (normalImpulse.length < count) {
             int c = Math.max(count, normalImpulse.length + (normalImpulse.length >> 1));
             int[] newLo = Arrays.copyOf(lo, c);

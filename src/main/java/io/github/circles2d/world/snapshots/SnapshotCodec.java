@@ -1,5 +1,10 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.circles.BulkCopies;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;

@@ -1,5 +1,7 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;

@@ -1,7 +1,9 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 
 /**
@@ -54,7 +56,7 @@ public final class SavedJoints {
         ids = 0;
     }
 
-    boolean isAsAtFirst() {
+    public boolean isAsAtFirst() {
         return ids == 0;
     }
 
@@ -87,10 +89,25 @@ public final class SavedJoints {
         long sum = 0;
         for (int joint = 0; joint < ids; joint++) {
             if (lives(joint)) {
-                sum += StateHash.joint(this, joint, states);
+                sum += hash(joint, states);
             }
         }
         return sum;
+    }
+
+    /** The number of a joint, with what it keeps from step to step; rows of free ids do not count. */
+    private long hash(int joint, SavedJointStates states) {
+        long h = StateHash.absorb(StateHash.absorb(StateHash.joint(), joint), form[joint]);
+        h = StateHash.absorb(StateHash.absorb(StateHash.absorb(h, colour[joint]), a[joint]), b[joint]);
+        h = StateHash.absorb(StateHash.absorb(h, body[joint]), referenceA[joint]);
+        h = StateHash.absorb(h, referenceB[joint]);
+        for (int k = VALUES * joint; k < VALUES * (joint + 1); k++) {
+            h = StateHash.absorb(h, values[k]);
+        }
+        for (int k = JointState.of(joint); k < JointState.of(joint + 1); k++) {
+            h = StateHash.absorb(h, states.rows[k]);
+        }
+        return h;
     }
 
     /** Makes room, without the contents so far, and sets the number. */
@@ -121,7 +138,7 @@ public final class SavedJoints {
     }
 
     /** What a value is if it says nothing: what has no limit is infinite. */
-    static float initial(int value) {
+    public static float initial(int value) {
         return switch (value) {
             case JointRow.MAX_LENGTH,
                     JointRow.MAX_FORCE,

@@ -1,5 +1,7 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.events.SavedTouches;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import java.nio.ByteBuffer;

@@ -1,5 +1,6 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.terrain;
 
+import io.github.circles2d.world.circles.StateHash;
 import java.util.Arrays;
 
 /**

@@ -1,5 +1,6 @@
-package io.github.circles2d.world.circles;
+package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.circles.CircleField;
 import java.nio.ByteBuffer;
 
 /**
