@@ -16,8 +16,9 @@ public final class Partner {
     /** The side of a circle and a piece of terrain, where events are saved. */
     static final int PIECE = SavedTouches.PIECE;
 
+    public static final int WALLS = 4;
+
     private static final int FIRST_WALL = Limits.CIRCLES;
-    private static final int WALLS = 4;
     private static final int FIRST_PIECE = FIRST_WALL + WALLS;
 
     private static final int RANK_BITS = 3;

@@ -4,7 +4,6 @@ import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.model.JointState;
-import io.github.circles2d.world.model.JointStep;
 
 /**
  * The joints of a saved state, by id: what they are. {@link SavedJointStates} has what they keep from step to step. Arrays are reused, and may be
@@ -18,9 +17,6 @@ public final class SavedJoints {
     /** Floats of a joint. */
     public static final int VALUES = JointRow.STRIDE + 2;
 
-    /** The colour of a split joint. */
-    public static final int SPLIT = JointStep.COLOURS;
-
     /** Ids in use so far. */
     public int ids;
 
@@ -29,7 +25,7 @@ public final class SavedJoints {
     /** By id: the form, {@link JointRow#NO_JOINT} of a free id. */
     public int[] form = new int[0];
 
-    /** By id: the colour, or {@link #SPLIT}. */
+    /** By id: the colour, or {@link JointTable#SPLIT}. */
     public byte[] colour = new byte[0];
 
     /** By id: the id of the circle. */

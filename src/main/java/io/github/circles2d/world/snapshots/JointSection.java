@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointMath;
@@ -190,7 +191,7 @@ final class JointSection {
         boolean hasAnchor = !hasB && JointRules.takesAnchor(form);
         j.form[joint] = form;
         int colour = SnapshotCodec.getByte(in);
-        SnapshotCodec.require(colour <= SavedJoints.SPLIT, "a joint has no such colour");
+        SnapshotCodec.require(colour <= JointTable.SPLIT, "a joint has no such colour");
         j.colour[joint] = (byte) colour;
         j.a[joint] = circle(in, s);
         j.b[joint] = hasB ? circle(in, s) : JointRow.NONE;
@@ -356,7 +357,7 @@ final class JointSection {
         SavedJoints j = s.joints;
         int[] taken = new int[j.ids > 0 ? s.ids : 0];
         for (int joint = 0; joint < j.ids; joint++) {
-            if (j.lives(joint) && j.colour[joint] != SavedJoints.SPLIT) {
+            if (j.lives(joint) && j.colour[joint] != JointTable.SPLIT) {
                 take(taken, j.a[joint], j.colour[joint]);
                 if (j.b[joint] != JointRow.NONE) {
                     take(taken, j.b[joint], j.colour[joint]);

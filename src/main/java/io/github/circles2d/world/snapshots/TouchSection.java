@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.events.SavedTouches;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
@@ -27,10 +28,7 @@ final class TouchSection {
     private static final int OPEN = Integer.BYTES + VALUE_BYTES;
     private static final int LATE = 2 * Long.BYTES + 2 + VALUE_BYTES;
     private static final int LEAST_PAIR = 2;
-    private static final int WALLS = 4;
-
-    /** The code of the first piece of terrain. */
-    private static final int PIECES = Limits.CIRCLES + WALLS;
+    private static final int PIECES = Partner.ofPiece(0);
 
     private TouchSection() {}
 
@@ -143,7 +141,7 @@ final class TouchSection {
                 ? isHandle(b, Limits.CIRCLES) && (int) a < (int) b
                 : side == SavedTouches.PIECE
                         ? isHandle(b ^ Handle.PIECE, TerrainLimits.PIECES)
-                        : side >= 0 && side < WALLS && b == 0;
+                        : side >= 0 && side < Partner.WALLS && b == 0;
         SnapshotCodec.require(
                 isEvent && isHandle(a, Limits.CIRCLES) && isPair,
                 "an event of a removed circle or piece is out of range");

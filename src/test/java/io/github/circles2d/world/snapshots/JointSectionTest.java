@@ -8,6 +8,7 @@ import io.github.circles2d.Joint;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointState;
@@ -151,7 +152,7 @@ class JointSectionTest {
             };
             differs.accept(s -> s.joints.form[ROPE] |= JointRow.COLLIDE);
             differs.accept(s -> s.joints.colour[ROPE] = 9);
-            differs.accept(s -> s.joints.colour[ROPE] = SavedJoints.SPLIT);
+            differs.accept(s -> s.joints.colour[ROPE] = JointTable.SPLIT);
             differs.accept(s -> s.joints.a[FRICTION] = 4);
             differs.accept(s -> s.joints.b[ROPE] = 4);
             differs.accept(s -> s.joints.body[BODY_PIN] = 0);
@@ -199,7 +200,7 @@ class JointSectionTest {
         refused("no sense", s -> s.joints.b[WELD] = JointRow.NONE);
         refused("no sense", s -> s.joints.b[PIN] = 1);
         refused("no sense", s -> s.joints.b[FRICTION] = 1);
-        refused("colour", s -> s.joints.colour[ROPE] = SavedJoints.SPLIT + 1);
+        refused("colour", s -> s.joints.colour[ROPE] = JointTable.SPLIT + 1);
         refused("one colour", s -> s.joints.colour[ROPE] = s.joints.colour[WELD]);
         refused("one colour", s -> s.joints.colour[FRICTION] = s.joints.colour[SERVO]);
         refused("lacks a circle", s -> s.joints.a[ROPE] = GONE);
