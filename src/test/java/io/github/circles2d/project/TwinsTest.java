@@ -39,7 +39,7 @@ class TwinsTest {
             "Wall");
 
     /** Files of one name whose functions take structs in one language, and numbers or rows in the other. */
-    private static final Set<String> OTHER_ARGUMENTS = Set.of("OneBody", "PieceSensor", "Surface");
+    private static final Set<String> OTHER_ARGUMENTS = Set.of("OneBody", "Surface");
 
     /** Kernels have built-ins of these names, which compute in another way; so their own have an f behind it. */
     private static final Set<String> BUILT_IN = Set.of("min", "max", "clamp", "length", "dot");
@@ -51,8 +51,8 @@ class TwinsTest {
     /** What kernels compute for a vector at once. */
     private static final Set<String> IN_JAVA_ALONE = Set.of("difference", "greatest");
 
-    /** Numbers of a type of parameter; 1 of others. */
-    private static final Map<String, Integer> NUMBERS = Map.of("float2", 2, "float4", 4, "Softness", 3);
+    /** Numbers of a type of parameter; 1 of others. An array and a place in it are a pointer in kernels. */
+    private static final Map<String, Integer> NUMBERS = Map.of("float2", 2, "float4", 4, "Softness", 3, "float[]", 0);
 
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|//[^\\n]*", Pattern.DOTALL);
     private static final Pattern IN_JAVA =

@@ -208,7 +208,7 @@ final class PieceTouches {
         float side = twoSided && !PieceGap.isInFront(terrain.rows, at, shape, ox, oy) ? -1f : 1f;
         float time = behind
                 ? PieceSensor.timeOfReturn(terrain.rows, at, shape, ox, oy, ux, uy, r)
-                : PieceSensor.timeOfTouch(terrain.rows, at, shape, ox, oy, ux, uy, r);
+                : PieceSensor.timeOfSensing(terrain.rows, at, shape, ox, oy, ux, uy, r);
         boolean touches = time <= 1f;
         if (!touches) {
             float gap = PieceGap.distance(terrain.rows, at, shape, endX, endY) - r;
