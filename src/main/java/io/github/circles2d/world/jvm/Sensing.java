@@ -114,7 +114,7 @@ final class Sensing {
     }
 
     private boolean isFast(int slot) {
-        return SensorRule.isFast(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
+        return SensorRule.isFastSensed(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
     }
 
     private void look(Nearby near, TouchRecords records, int slot, StepConstants k) {
@@ -126,7 +126,7 @@ final class Sensing {
         float toY = y + pathY(slot);
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
-            float margin = SensorRule.margin(r, path, levels.top[level]);
+            float margin = SensorRule.sensorMargin(r, path, levels.top[level]);
             float left = CircleMath.min(x, toX) - margin;
             float below = CircleMath.min(y, toY) - margin;
             float right = CircleMath.max(x, toX) + margin;
@@ -147,7 +147,7 @@ final class Sensing {
                     && other != slot
                     && (isFast || row != SensorRule.FOUND)
                     && PairFilter.maySense(state, slot, other)
-                    && SensorRule.finds(
+                    && SensorRule.findsSensed(
                             row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
                 boolean isLower = state.id[slot] < state.id[other];
                 meet(records, isLower ? slot : other, isLower ? other : slot, k);
@@ -168,7 +168,7 @@ final class Sensing {
         float r = state.circle[CircleRow.of(a) + RADIUS];
         float sum = r + state.circle[CircleRow.of(b) + RADIUS];
         float closest = SensorRule.timeOfClosest(dx, dy, ux, uy);
-        float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
+        float least = SensorRule.sensedSeparation(dx, dy, ux, uy, closest, sum);
         if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)) {
             return;
         }
@@ -180,7 +180,7 @@ final class Sensing {
         if (!events.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
-        float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;
+        float t = touches ? SensorRule.timeSensed(dx, dy, ux, uy, sum) : closest;
         float mx = dx + t * ux;
         float my = dy + t * uy;
         float distance = CircleMath.length(mx, my);

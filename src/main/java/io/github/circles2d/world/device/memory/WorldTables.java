@@ -18,6 +18,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Reach;
+import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
@@ -87,6 +88,7 @@ final class WorldTables {
                 .append(KernelConstants.of(Reach.class, "REACH_"))
                 .append(KernelConstants.of(CrossRule.class, "CROSS_"))
                 .append(KernelConstants.of(TouchRule.class, "TOUCH_"))
+                .append(KernelConstants.of(SensorRule.class, "SENSOR_"))
                 .append(KernelConstants.of(PairTable.class, "PAIR_"))
                 .append(KernelConstants.of(Surface.class, "SURFACE_"))
                 .append(KernelConstants.of(KindSurface.class, "SURFACE_"))
