@@ -1,4 +1,4 @@
-// uses: world/shared/Arithmetic.cl world/stages/Scan.cl
+// uses: world/shared/CircleMath.cl world/stages/Scan.cl
 // A tree of boxes over the circles at home, as the Java class CircleTree: sixteen circles a box, four boxes a box of the next level.
 // Circles are sorted by cells in the order of a Hilbert curve; no answer depends on the order within a cell.
 

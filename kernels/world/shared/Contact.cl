@@ -1,4 +1,4 @@
-// uses: world/shared/Arithmetic.cl world/stages/World.cl
+// uses: world/shared/CircleMath.cl world/stages/World.cl
 // The physics of a contact, of two circles or of one and a one-body constraint: measured, made ready (all that does not depend on
 // velocities), visited, without branches.
 

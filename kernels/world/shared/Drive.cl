@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl
+// uses: world/shared/Velocity.cl world/stages/World.cl
 // What moves a circle besides impulses: gravity, a force, damping, greatest speed. Steps in which gravity alone moves all circles (driving
 // is 0) read none of it.
 

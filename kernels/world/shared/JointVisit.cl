@@ -1,4 +1,4 @@
-// uses: world/shared/Joint.cl world/stages/World.cl
+// uses: world/shared/JointMath.cl world/shared/Velocity.cl world/stages/World.cl
 // The visits of joints. The Java class JointVisits documents them, function by function. A schedule, Joints.cl, supplies the values of both ends,
 // and gives to circles what a visit leaves for them.
 

@@ -1,4 +1,4 @@
-// uses: world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl world/shared/PieceVisit.cl
+// uses: world/shared/Paths.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl world/shared/PieceVisit.cl
 // The motion of a circle through a sub-step, with its walls and pieces of terrain. m: motion; t: traits.
 
 INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {

@@ -1,8 +1,11 @@
-// uses: world/shared/Arithmetic.cl
+// uses: world/shared/CircleMath.cl
 // Which pairs of circles become contacts.
 
-// d: difference of the bases; reaches: of both.
-bool isNear(float dx, float dy, float reaches) { return dx * dx + dy * dy < reaches * reaches; }
+// d: difference of the bases.
+bool isNear(float dx, float dy, float speculativeDistance, float otherSpeculativeDistance) {
+    float limit = speculativeDistance + otherSpeculativeDistance;
+    return dx * dx + dy * dy < limit * limit;
+}
 
 // By paths: no only if timeOfImpact is at least 1. The Java class PairRule explains it.
 bool mayTouch(float dx, float dy, float ux, float uy, float sum) {

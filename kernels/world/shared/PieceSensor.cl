@@ -1,4 +1,4 @@
-// uses: world/shared/Piece.cl
+// uses: world/shared/PieceSweep.cl
 // When a circle that moves evenly touches a piece of terrain that only senses it. The Java class PieceSensor documents these formulas.
 
 #if defined(TERRAIN) && defined(RECORDING)
@@ -13,11 +13,6 @@ float timeAtLine(global const float *row, float ox, float oy, float ux, float uy
     float t = gap / sinks;
     float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
     return along >= 0.0f && along <= row[PIECE_LENGTH] ? t : NEVER_TOUCHES;
-}
-
-bool opensTo(global const float *row, float x, float y) {
-    float cos_ = x * row[PIECE_TX] + y * row[PIECE_TY];
-    return cos_ >= row[PIECE_SPREAD] * lengthf(x, y);
 }
 
 // When a point leaves a circle around 0, perhaps after it has come into it.
@@ -38,8 +33,8 @@ float timeAtArc(global const float *row, float ox, float oy, float ux, float uy,
     bool outside = isLonger(ox, oy, length + r);
     float outer = outside ? timeOfTouch(-ox, -oy, ux, uy, length + r) : NEVER_TOUCHES;
     float inner = timeOfLeaving(ox, oy, ux, uy, length - r);
-    float t = opensTo(row, ox + outer * ux, oy + outer * uy) ? outer : NEVER_TOUCHES;
-    return inner < t && opensTo(row, ox + inner * ux, oy + inner * uy) ? inner : t;
+    float t = isInOpening(row, ox + outer * ux, oy + outer * uy) ? outer : NEVER_TOUCHES;
+    return inner < t && isInOpening(row, ox + inner * ux, oy + inner * uy) ? inner : t;
 }
 
 // As a share of a motion u; more than 1 if it does not touch.
@@ -58,6 +53,6 @@ float timeOfSensing(global const float *row, int shape, float ox, float oy, floa
 float timeOfReturn(global const float *row, int shape, float ox, float oy, float ux, float uy, float r) {
     if (formOf(shape) != PIECE_ARC || (shape & PIECE_SOLID_OUTSIDE) == 0) return NEVER_TOUCHES;
     float t = timeOfLeaving(ox, oy, ux, uy, row[PIECE_LENGTH] - r);
-    return opensTo(row, ox + t * ux, oy + t * uy) ? t : NEVER_TOUCHES;
+    return isInOpening(row, ox + t * ux, oy + t * uy) ? t : NEVER_TOUCHES;
 }
 #endif

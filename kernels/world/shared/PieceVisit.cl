@@ -1,4 +1,4 @@
-// uses: world/shared/Piece.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/PieceSweep.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
 // contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
 // come here, and all others would pay for the registers.

@@ -1,4 +1,4 @@
-// uses: world/shared/CircleMath.cl
+// uses: world/shared/Velocity.cl
 // Friction, rolling resistance and turning. The Java class Surface documents these formulas.
 
 #ifdef TURNING

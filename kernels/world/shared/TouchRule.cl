@@ -1,4 +1,4 @@
-// uses: world/shared/Arithmetic.cl
+// uses: world/shared/CircleMath.cl
 // When surfaces touch, for events. The Java class world.model.TouchRule explains it.
 
 #define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
@@ -14,9 +14,12 @@ bool staysInTouch(float approach, float separation, float radii) {
 }
 
 // threshold: square of the least speed, unless hitSpeed is set (0 or more).
+bool isHitSpeed(float approach, float threshold, float hitSpeed) {
+    return hitSpeed >= 0.0f ? approach >= hitSpeed : approach * approach > threshold;
+}
+
 bool isHit(float approach, float impulse, float threshold, float hitSpeed) {
-    if (hitSpeed >= 0.0f) return impulse > 0.0f && approach >= hitSpeed;
-    return impulse > 0.0f && approach * approach > threshold;
+    return impulse > 0.0f && isHitSpeed(approach, threshold, hitSpeed);
 }
 
 float touchPoint(float x, float displacement, float normal, float radius, float separation) {

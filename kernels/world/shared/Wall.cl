@@ -1,26 +1,9 @@
-// uses: world/shared/CircleMath.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/Walls.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
 // Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
-
-float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
-
-float wallGap(float base, float displacement, float r, float side, float min, float max) {
-    return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
-}
-
-float stopAtFarWall(float v, float displacement, float kept, float side) {
-    return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
-}
 
 #if defined(RECORDING) || defined(TURNING)
 int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
 #endif
-
-float wallImpulse(float sign, float side) { return maxf(side * sign, 0.0f); }
-
-float within(float base, float displacement, float low, float high) {
-    float x = base + displacement;
-    return x < low ? low - base : x > high ? high - base : displacement;
-}
 
 // If it moves, where it will be at the end of the sub-step.
 Found foundWall(const World *w, int axis, float x, float dx, float r, float e, bool loaded, float min, float max,

@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/stages/World.cl
+// uses: world/shared/PairRule.cl world/shared/Paths.cl world/shared/TimeOfImpact.cl world/stages/World.cl
 // Static circles that move take along what they come upon. The Java class Carrying explains it, function by function.
 
 // If no static circle takes it along.
@@ -9,8 +9,8 @@ float carryTime(const World *w, int slot) { return as_float(w->carryTime[slot]);
 
 // Whether the contact of this step suffices, since they are close or hardly move against each other.
 bool contactHas(const World *w, int slot, int other, float r, float ro, float4 d) {
-    if (isNear(d.x, d.y, (r + MARGIN * r) + (ro + MARGIN * ro))) return true;
-    return isNear(d.x, d.y, w->sight[slot].SIGHT_DISTANCE + w->sight[other].SIGHT_DISTANCE) && !isLonger(d.z, d.w, (0.5f * CAP) * (r + ro));
+    if (isNear(d.x, d.y, r + MARGIN * r, ro + MARGIN * ro)) return true;
+    return isNear(d.x, d.y, w->sight[slot].SIGHT_DISTANCE, w->sight[other].SIGHT_DISTANCE) && !isLonger(d.z, d.w, (0.5f * CAP) * (r + ro));
 }
 
 // When a static circle takes another along; with note, the second time, which one is first.

@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Surface.cl
+// uses: world/shared/Surface.cl world/shared/Walls.cl world/stages/World.cl
 // Applies the records of the Java class Commands. The host links those of one circle in call order; circles are independent.
 
 // Index space: a record. Cost: the records of its circle. links: the next record of the circle or -1; twice the slot of a new circle, plus

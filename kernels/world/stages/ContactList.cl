@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/World.cl
+// uses: world/shared/CrossRule.cl world/stages/World.cl
 // Stage Contacts, its lists, in the one order that every sum follows: colour, group, lower id, higher id; behind them cross contacts, by
 // light circle. The Java classes Contacts and CrossContacts explain it.
 

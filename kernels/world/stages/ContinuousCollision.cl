@@ -3,7 +3,7 @@
 // Stage ContinuousCollision keeps fast circles from passing through others. The Java class of this name explains it, function by function.
 // Steps without fast circles leave it out: Grid has set their motion clamps.
 
-// BLOCK_LOG is 2: blocks have 4 x 4 cells, as many rows as a piece has ranges.
+// BLOCK_LOG is 2: blocks have 4 x 4 cells, as many rows as a SlotRange joins.
 
 // Circles at which a fast one stops; when a static one takes it along; which one.
 typedef enum { STOPS, CARRY_TIMES, CARRIERS } Look;
@@ -26,10 +26,10 @@ Runner runnerOf(const World *w, int slot) {
 }
 
 // Of circles that are not static. Floats from 0 on sort like their bits.
-void noteLongestPath(const World *w, const Piece *piece) {
+void noteLongestPath(const World *w, const SlotRange *slots) {
     float longest = 0.0f;
-    for (int i = 0; i < piece->end.w; i++) {
-        int slot = slotInPiece(piece, i);
+    for (int i = 0; i < slots->end.w; i++) {
+        int slot = slotInRange(slots, i);
         if (w->sight[slot].SIGHT_INVERSE_MASS != 0.0f) longest = maxf(w->motionClamp[slot].PATH_LENGTH, longest);
     }
     if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
@@ -48,17 +48,17 @@ void summarize(const World *w, int block) {
     float4 range = (float4)(INFINITY, -INFINITY, INFINITY, -INFINITY);
     global const int *from = w->bucketStart + levels->first[level] + (row << BLOCK_LOG << cl) + (column << BLOCK_LOG);
     global const int *to = from + (1 << BLOCK_LOG);
-    Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
-                                (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
-    for (int i = 0; i < piece.end.w; i++) {
-        float2 path = w->motionClamp[slotInPiece(&piece, i)].PATH;
+    SlotRange slots = joinedRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
+                                   (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
+    for (int i = 0; i < slots.end.w; i++) {
+        float2 path = w->motionClamp[slotInRange(&slots, i)].PATH;
         range.MIN_PATH_X = minf(path.x, range.MIN_PATH_X);
         range.MAX_PATH_X = maxf(path.x, range.MAX_PATH_X);
         range.MIN_PATH_Y = minf(path.y, range.MIN_PATH_Y);
         range.MAX_PATH_Y = maxf(path.y, range.MAX_PATH_Y);
     }
     w->blockRange[block] = range;
-    if (w->status[CARRYING]) noteLongestPath(w, &piece);
+    if (w->status[CARRYING]) noteLongestPath(w, &slots);
 }
 
 // Fewer than circles.
@@ -115,14 +115,14 @@ void meet(const World *w, const Runner *s, int other) {
     if (!stands && !sweeps(s->r, c.RADIUS)) return;
     float dx = ACROSS_X(w, c.x - s->x);
     float dy = ACROSS_Y(w, c.y - s->y);
-    if (stands && isNear(dx, dy, (s->r + s->path) + c.RADIUS)) {
+    if (stands && isNear(dx, dy, s->r + s->path, c.RADIUS)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
     float graze = deepestGraze(s->r, c.RADIUS);
     float t = timeOfImpactBeyond(dx, dy, ux, uy, s->r + c.RADIUS, graze);
     if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
-    bool near = isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE);
+    bool near = isNear(dx, dy, s->speculativeDistance, w->sight[other].SIGHT_DISTANCE);
     if (near && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) return;
     float lost = 1.0f - maxf(w->traits[s->slot].RESTITUTION, w->traits[other].RESTITUTION);
     bool dull = isLonger(lost * ux, lost * uy, DULL * s->r);
@@ -130,7 +130,7 @@ void meet(const World *w, const Runner *s, int other) {
         t = beforeSlow(t, dx, dy, s->px, s->py, plan.PATH_X, plan.PATH_Y, (s->r + c.RADIUS) + graze);
     }
     float slack = stands ? MARGIN : HOLD;
-    if (near && isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {
+    if (near && isNear(dx, dy, s->r + slack * s->r, c.RADIUS + slack * c.RADIUS)) {
         atomic_min(contactTimeOf(w, s->slot), as_int(t));
         restrain(w, s->slot, holdAllowance(s->r, s->path, c.RADIUS, stands, dull), stands);
     } else if (stands) {
@@ -166,7 +166,7 @@ void meetBoth(const World *w, const Runner *s, bool looks, int other) {
 void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
     for (int other = from; other < to; other++) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetIfNear(w, s, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach, o.REACH) && other != s->slot) meetIfNear(w, s, other);
     }
 }
 
@@ -257,7 +257,7 @@ void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int 
     for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
         float4 o = w->reach[other];
         if (other <= after || other == s->slot) continue;
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH)) meetBoth(w, s, looks, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach, o.REACH)) meetBoth(w, s, looks, other);
     }
 }
 

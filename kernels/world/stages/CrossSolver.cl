@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Grips.cl world/stages/Solver.cl
+// uses: world/shared/CrossRule.cl world/stages/CrossTurns.cl world/stages/Grips.cl world/stages/Solver.cl
 // Cross contacts, behind the like contacts of each pass, in two launches. Light circles visit theirs and see heavy ones as before; then
 // heavy circles take the sums. The Java class world.jvm.CrossBodies does the same.
 

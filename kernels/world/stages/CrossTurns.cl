@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/World.cl
+// uses: world/shared/CrossRule.cl world/stages/World.cl
 // Nearly elastic circles in free flight bounce off the same heavy one in turn: the Java class CrossRule says why.
 
 // In the biased pass a light circle asks for a turn; in the relaxing pass it has one if none of a higher id asked, and nobody asked to

@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
+// uses: world/stages/World.cl world/shared/Paths.cl world/shared/TimeOfImpact.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
 // Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
 // place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 

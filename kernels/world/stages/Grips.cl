@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/shared/Surface.cl world/shared/Visit.cl
+// uses: world/shared/CrossRule.cl world/shared/Surface.cl world/shared/Visit.cl
 // What surfaces do in the visit of a contact of two circles, A of the lower id and B. The Java class world.jvm.GripVisits does the same.
 
 #ifdef TURNING

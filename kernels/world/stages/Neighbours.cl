@@ -18,7 +18,7 @@ bool keepsPair(const World *w, const Seeker *s, int other) {
 
 // Three cells, v rows above the seeker. With its own row: what is left of its own bucket, and the next. The edge of the torus is no case
 // apart: all work-items of a warp take the same way.
-Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
+SlotRange rangeOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
     global const int *start = w->bucketStart;
     int cl = w->levels->columnsLog[s->level];
     int last = w->levels->columnCount[s->level] - 1;
@@ -42,7 +42,7 @@ Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
             to.w = start[ownRow + 1];
         }
     }
-    return pieceOfRanges(from, to);
+    return joinedRanges(from, to);
 }
 
 // Of the cell's sheet; without static circles for a static seeker.
@@ -58,13 +58,13 @@ int2 slotsBeside(const World *w, const Seeker *s, const Sheets *sheets, int u, i
 }
 
 // isOwnRow: without what lies before the seeker.
-Piece pieceOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
+SlotRange rangeOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
     Sheets sheets = sheetsAt(w, s->level, s->x, s->y);
     int2 left = isOwnRow ? (int2)(0) : slotsBeside(w, s, &sheets, -1, v);
     int2 middle = slotsBeside(w, s, &sheets, 0, v);
     int2 right = slotsBeside(w, s, &sheets, 1, v);
     if (isOwnRow) middle.x = s->slot + 1;
-    return pieceOfRanges((int4)(left.x, middle.x, right.x, 0), (int4)(left.y, middle.y, right.y, 0));
+    return joinedRanges((int4)(left.x, middle.x, right.x, 0), (int4)(left.y, middle.y, right.y, 0));
 }
 
 // Whether the rows v to 1, three cells each, have so few circles that all are looked at: to look for their sheets would take longer.
@@ -90,20 +90,20 @@ bool looksBySheet(const World *w, const Seeker *s, bool haveSheets, int v) {
 }
 
 // found: null to count alone.
-void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
-    int count = piece->end.w;
+void seek(const World *w, const Seeker *s, const SlotRange *range, local Findings *found) {
+    int count = range->end.w;
     if (found == 0) {
         candidatesOf(w)[s->slot] += count;
         return;
     }
-    if (w->k.thinning == 0 && piece->longest > LONGEST_ROW) {
+    if (w->k.thinning == 0 && range->longest > LONGEST_ROW) {
         refuseCrowd(w);
         return;
     }
     for (int i = s->part; i < count; i += s->parts) {
-        int other = slotInPiece(piece, i);
+        int other = slotInRange(range, i);
         float4 o = w->sight[other];
-        if (!isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.SIGHT_DISTANCE)) continue;
+        if (!isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance, o.SIGHT_DISTANCE)) continue;
         if (!mayMeet(w, s->slot, s->inverseMass, other, o.SIGHT_INVERSE_MASS)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
@@ -137,13 +137,13 @@ INLINE void seekAround(const World *w, Seeker *s, int atLevel, int own, bool hav
     bool bySheet = looksBySheet(w, s, haveSheets, inOwnLevel ? 0 : -1);
 #pragma unroll 1
     for (int v = inOwnLevel ? (bySheet ? 0 : 1) : -1; v <= 1; v++) {
-        Piece piece;
+        SlotRange range;
         if (bySheet) {
-            piece = pieceOfSheets(w, s, v, inOwnLevel && v == 0);
+            range = rangeOfSheets(w, s, v, inOwnLevel && v == 0);
         } else {
-            piece = pieceOf(w, s, v, inOwnLevel);
+            range = rangeOf(w, s, v, inOwnLevel);
         }
-        seek(w, s, &piece, found);
+        seek(w, s, &range, found);
     }
 }
 
@@ -159,13 +159,13 @@ INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel
     }
 }
 
-// How many circles of a piece may meet the seeker.
-int candidatesIn(const World *w, const Seeker *s, const Piece *piece) {
+// How many circles of a range may meet the seeker.
+int candidatesIn(const World *w, const Seeker *s, const SlotRange *range) {
     int sum = 0;
-    for (int i = 0; i < piece->end.w; i++) {
-        int other = slotInPiece(piece, i);
+    for (int i = 0; i < range->end.w; i++) {
+        int other = slotInRange(range, i);
         float4 o = w->sight[other];
-        sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.SIGHT_DISTANCE) && other != s->slot &&
+        sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance, o.SIGHT_DISTANCE) && other != s->slot &&
                mayMeet(w, s->slot, s->inverseMass, other, o.SIGHT_INVERSE_MASS);
     }
     return sum;
@@ -183,8 +183,8 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
         seekIn(&w, &s, levels->used[l]);
         bool bySheet = looksBySheet(&w, &s, levels->haveSheets != 0, -1);
         for (int v = -1; v <= 1; v++) {
-            Piece piece = bySheet ? pieceOfSheets(&w, &s, v, false) : pieceOf(&w, &s, v, false);
-            sum += candidatesIn(&w, &s, &piece);
+            SlotRange range = bySheet ? rangeOfSheets(&w, &s, v, false) : rangeOf(&w, &s, v, false);
+            sum += candidatesIn(&w, &s, &range);
         }
     }
     candidatesOf(&w)[slot] = sum;

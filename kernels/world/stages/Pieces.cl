@@ -1,4 +1,4 @@
-// uses: world/shared/PieceVisit.cl world/stages/PairFilter.cl world/stages/World.cl
+// uses: world/shared/Paths.cl world/shared/PieceVisit.cl world/stages/PairFilter.cl world/stages/World.cl
 // Stage Pieces finds the pieces of terrain that circles are near to, by the tree of their boxes. The Java class PieceSearch explains it.
 //
 // Contacts of a circle lie one behind the other, in the order of pieces' ids; where, is of no matter. A step that has no room for them is

@@ -1,5 +1,5 @@
-// uses: world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
-// Tells of pairs that are only sensed and touched in a step. The Java classes Sensing and SensorRule are the same.
+// uses: world/shared/SensorRule.cl world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
+// Tells of pairs that are only sensed and touched in a step. The Java class Sensing does the same.
 //
 // start: by id, x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
 
@@ -8,9 +8,6 @@
 #define SEEKING_KINDS (256 * 16) // where the numbers by kind begin
 #define SENSED_BY_ANY 1
 #define SEEKS_ANY 2
-#define NOT_SOUGHT 0
-#define SEEKS 2
-#define BOTH_SEEK 3
 
 // Index space: slots at home.
 kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global const int *status,
@@ -40,26 +37,8 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
     s.path = lengthf(s.px, s.py);
     s.fields = w->fields[s.id];
     s.isStatic = w->homeTraits[slot].INVERSE_MASS == 0.0f;
-    s.isFast = s.path > s.r;
+    s.isFast = isFastSensed(s.path, s.r);
     return s;
-}
-
-float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + maxf(path, top)); }
-
-// Whether s has to find the pair.
-bool findsSensed(int row, const Sensed *s, const Sensed *o) {
-    if (s->isFast || o->isFast) {
-        return s->isFast && (!o->isFast || s->path > o->path || (s->path == o->path && s->id < o->id));
-    }
-    return row == SEEKS || (row == BOTH_SEEK && s->id < o->id);
-}
-
-// A share of the step. d: between circles that touch, at the start; u: of the paths.
-float timeSensed(float dx, float dy, float ux, float uy, float sum) {
-    float b = -(dx * ux + dy * uy);
-    float gap = (dx * dx + dy * dy) - sum * sum;
-    float disc = maxf(b * b - (ux * ux + uy * uy) * gap, 0.0f);
-    return gap > 0.0f && b > 0.0f ? minf(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
 }
 
 // If it is in touch. a: the lower id.
@@ -69,9 +48,8 @@ void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float ux = b->px - a->px;
     float uy = b->py - a->py;
     float sum = a->r + b->r;
-    float uu = ux * ux + uy * uy;
-    float closest = uu > 0.0f ? clampf(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
-    float least_ = lengthf(dx + closest * ux, dy + closest * uy) - sum;
+    float closest = timeOfClosest(dx, dy, ux, uy);
+    float least_ = sensedSeparation(dx, dy, ux, uy, closest, sum);
     bool touching = touches(NO_TOUCH, least_);
     Told told;
     if (!staysInTouch(NO_TOUCH, least_, sum) || !concerns(w, a->id, b->id, touching, 0.0f, 0.0f, INFINITY, &told)) return;
@@ -96,10 +74,10 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
     for (int slot = from; slot < to; slot++) {
         CircleFields fields = w->fields[w->homeId[slot]];
         int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
-        if (row == NOT_SOUGHT || slot == s->slot) continue;
+        if (row == SENSOR_NONE || slot == s->slot) continue;
         if (areOfOneGroup(fields, s->fields)) continue;
         Sensed o = sensedAt(w, start, slot);
-        if ((s->isStatic && o.isStatic) || !findsSensed(row, s, &o)) continue;
+        if ((s->isStatic && o.isStatic) || !findsSensed(row, s->isFast, s->path, s->id, o.isFast, o.path, o.id)) continue;
         if (s->id < o.id) {
             tellOfSensed(w, s, &o);
         } else {

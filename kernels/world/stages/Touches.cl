@@ -3,7 +3,7 @@
 // WallTouches and PieceTouches are the same.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
-// impulse of it that is not kept. Behind all, in worlds that turn, see touchSlips. wallTouch: by slot and axis: approach speed, impulse,
+// impulse of it that is not kept. Behind all, if circles can rotate, see touchSlips. wallTouch: by slot and axis: approach speed, impulse,
 // where along the wall, how fast the surfaces slid, with the sign of the side.
 
 #ifdef RECORDING

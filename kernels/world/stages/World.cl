@@ -1,4 +1,4 @@
-// uses: world/shared/CircleMath.cl
+// uses: world/shared/Cells.cl
 // What all stages share. Their kernels pack one list of arrays (WORLD_PARAMETERS) into a struct (World); what a kernel does not use costs
 // nothing. Tables of the host give the text: DeviceArray, ElementField, StepParameters, StatusWord.
 //
@@ -21,7 +21,7 @@
 #define OR_FIXED(k, threshold) (threshold)
 #endif
 
-// A parameter, or an argument, of worlds that turn.
+// A parameter, or an argument, that is there if circles can rotate.
 #ifdef TURNING
 #define AND_TURNING(parameter) , parameter
 #else
@@ -263,11 +263,11 @@ int contactsListed(const World *w) { return w->groupStart[hasOneLevel(w) ? likeG
 typedef struct {
     int4 offset, end;
     int longest; // slots of the longest range
-} Piece;
+} SlotRange;
 
-Piece pieceOfRanges(int4 from, int4 to) {
+SlotRange joinedRanges(int4 from, int4 to) {
     int4 count = max(to - from, (int4)(0));
-    Piece p;
+    SlotRange p;
     p.end.x = count.x;
     p.end.y = p.end.x + count.y;
     p.end.z = p.end.y + count.z;
@@ -277,6 +277,6 @@ Piece pieceOfRanges(int4 from, int4 to) {
     return p;
 }
 
-int slotInPiece(const Piece *p, int i) {
+int slotInRange(const SlotRange *p, int i) {
     return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
 }

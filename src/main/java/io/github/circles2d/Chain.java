@@ -76,12 +76,12 @@ public final class Chain {
     }
 
     /**
-     * Goes on with an arc around a centre. One that turns to the left, anticlockwise where y points up, is a hill: circles are outside. One
-     * that turns to the right is a bowl: circles are inside.
+     * Goes on with an arc around a centre. One that turns anticlockwise, where y points up, is a hill: circles are outside. One
+     * that turns clockwise is a bowl: circles are inside.
      *
      * @param centreX x of the centre, up to 1e9 in magnitude
      * @param centreY y of the centre, likewise; the distance from the last point is the radius
-     * @param angle how far the arc turns around the centre, in radians, from -2 pi to 2 pi, positive to the left; not 0
+     * @param angle how far the arc turns around the centre, in radians, from -2 pi to 2 pi, positive anticlockwise; not 0
      * @return this
      * @throws IllegalArgumentException if a value is out of range, or the radius is not more than 2^-20 of the coordinates
      * @throws IllegalStateException if the chain has been closed

@@ -4,9 +4,9 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
-import io.github.circles2d.world.model.Wrapping;
 import io.github.circles2d.world.terrain.BodyPoses;
 import java.io.IOException;
 import java.nio.Buffer;
@@ -453,7 +453,7 @@ public final class FixedStep {
      * around the last step of each frame, so on an OpenCL device {@link #advance} waits for that step from then on. That call, and those
      * before the first step, give the present angles.
      *
-     * @return an element an id, radians to the left from -pi to pi, from position 0 to the limit, in direct memory of the loop's own.
+     * @return an element an id, radians anticlockwise from -pi to pi, from position 0 to the limit, in direct memory of the loop's own.
      *     Read-only, and often the same object: the next call overwrites it
      * @throws IllegalStateException if the game has requested positions of its own since the last step
      */
@@ -550,8 +550,8 @@ public final class FixedStep {
         float periodX = arena.periodX();
         float periodY = arena.periodY();
         for (int k = 0; k < length; k += 2) {
-            to[k] = arena.placeX(from[k] + Wrapping.shortWay(to[k] - from[k], periodX) * alpha);
-            to[k + 1] = arena.placeY(from[k + 1] + Wrapping.shortWay(to[k + 1] - from[k + 1], periodY) * alpha);
+            to[k] = arena.placeX(from[k] + CircleMath.shortWay(to[k] - from[k], periodX) * alpha);
+            to[k + 1] = arena.placeY(from[k + 1] + CircleMath.shortWay(to[k + 1] - from[k + 1], periodY) * alpha);
         }
     }
 

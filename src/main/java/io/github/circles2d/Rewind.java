@@ -1,8 +1,8 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.saves.Snapshots;
+import io.github.circles2d.world.snapshots.SnapshotRing;
 
 /**
  * Keeps the last frames of a world and goes back to any of them: for a key that rewinds, or for a search that tries moves.

@@ -512,7 +512,7 @@ public final class World implements AutoCloseable {
      * no collision depends on it.
      *
      * @param handle the circle
-     * @param angle radians to the left, up to 1e6 in magnitude. Whole turns are dropped, and the rest is rounded to 2^-32 of a turn
+     * @param angle radians anticlockwise, up to 1e6 in magnitude. Whole turns are dropped, and the rest is rounded to 2^-32 of a turn
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngle(long handle, float angle) {
@@ -525,7 +525,7 @@ public final class World implements AutoCloseable {
      * {@link #setRadius} and {@link #setMass} do not.
      *
      * @param handle the circle
-     * @param velocity radians per second to the left, up to 1e9 in magnitude. Times the radius it counts as at most 1e9
+     * @param velocity radians per second anticlockwise, up to 1e9 in magnitude. Times the radius it counts as at most 1e9
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setAngularVelocity(long handle, float velocity) {
@@ -537,7 +537,7 @@ public final class World implements AutoCloseable {
      * that of a circle whose kind has {@link Inertia#NONE}.
      *
      * @param handle the circle
-     * @param impulse mass times length squared per second, to the left, up to 1e18 in magnitude
+     * @param impulse mass times length squared per second, anticlockwise, up to 1e18 in magnitude
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void applyAngularImpulse(long handle, float impulse) {
@@ -549,7 +549,7 @@ public final class World implements AutoCloseable {
      * over the inertia to the angular velocity. Static circles do not feel it, nor do those whose kind has {@link Inertia#NONE}.
      *
      * @param handle the circle
-     * @param torque mass times length squared per second squared, to the left, up to 1e18 in magnitude
+     * @param torque mass times length squared per second squared, anticlockwise, up to 1e18 in magnitude
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setTorque(long handle, float torque) {
@@ -1095,7 +1095,7 @@ public final class World implements AutoCloseable {
     /**
      * Reads the angle of every circle by id, as {@link #readById} does.
      *
-     * @param angles takes an element an id, radians to the left from -pi to pi. All of it is written: elements without a circle become NaN
+     * @param angles takes an element an id, radians anticlockwise from -pi to pi. All of it is written: elements without a circle become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
      * @throws IllegalArgumentException if an array is too short
      */
@@ -1111,7 +1111,7 @@ public final class World implements AutoCloseable {
     /**
      * Reads the angular velocity of every circle by id, as {@link #readById} does.
      *
-     * @param angularVelocities takes an element an id, radians per second to the left. All of it is written: elements without a circle
+     * @param angularVelocities takes an element an id, radians per second anticlockwise. All of it is written: elements without a circle
      *     become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
      * @throws IllegalArgumentException if an array is too short
@@ -1198,7 +1198,7 @@ public final class World implements AutoCloseable {
      * Reads the angle of every circle, in the order of the ids, into memory of the world's own: what a renderer needs beside {@link
      * #positions}.
      *
-     * @return an element a circle, radians to the left from -pi to pi, from position 0 to the limit. Read-only, and often the
+     * @return an element a circle, radians anticlockwise from -pi to pi, from position 0 to the limit. Read-only, and often the
      *     same object: the next call of this method overwrites what it shows, no other does
      */
     public FloatBuffer angles() {
@@ -1378,7 +1378,7 @@ public final class World implements AutoCloseable {
      * Reads the angle of one circle; see {@link #x}.
      *
      * @param handle the circle
-     * @return radians to the left, from -pi to pi; 0 at first
+     * @return radians anticlockwise, from -pi to pi; 0 at first
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angle(long handle) {
@@ -1389,7 +1389,7 @@ public final class World implements AutoCloseable {
      * Reads the angular velocity of one circle; see {@link #x}.
      *
      * @param handle the circle
-     * @return radians per second to the left; 0 at first
+     * @return radians per second anticlockwise; 0 at first
      * @throws IllegalArgumentException if the handle is stale
      */
     public float angularVelocity(long handle) {

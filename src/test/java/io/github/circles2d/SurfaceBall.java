@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 /**
  * A disc of radius 0.5 and mass 1 on a floor, in a world in which all surfaces are alike. A slope is a floor under gravity that leans.
- * Speeds along the floor are positive to the right, turning to the left. So a disc that rolls to the right turns with a negative speed.
+ * Speeds along the floor are positive to the right, turning anticlockwise. So a disc that rolls to the right turns with a negative speed.
  */
 final class SurfaceBall implements AutoCloseable {
     static final float R = 0.5f;
@@ -74,7 +74,7 @@ final class SurfaceBall implements AutoCloseable {
         return Math.hypot(vx(), vy());
     }
 
-    /** The speed of the surface against the centre, positive to the left. */
+    /** The speed of the surface against the centre, positive anticlockwise. */
     double surfaceSpeed() {
         return world.angularVelocity(handle) * R;
     }

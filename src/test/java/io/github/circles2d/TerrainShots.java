@@ -159,7 +159,7 @@ final class TerrainShots {
         return figure("a square, at its corners", Double.NaN, p -> p.inSquare(1));
     }
 
-    /** The sign of the x of corner k, counterclockwise from the upper right one; that of its y is the one of k + 3. */
+    /** The sign of the x of corner k, anticlockwise from the upper right one; that of its y is the one of k + 3. */
     private static int corner(int k) {
         return k % 4 == 0 || k % 4 == 3 ? 1 : -1;
     }

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.snapshots.SnapshotCodec;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;

@@ -157,7 +157,7 @@ class WorldTerrainTilesTest {
                     lift.addChain(Chain.of(x - 3.2f, 6, x - 1.8f, 6, x - 1.8f, 7, x - 3.2f, 7)
                             .close());
                 } else {
-                    // turned by a quarter to the left: (x, y) is at (-5 - y, 9 + x)
+                    // turned by a quarter anticlockwise: (x, y) is at (-5 - y, 9 + x)
                     other.addChain(Chain.of(-10, -4.8f - x, -10, -6.2f - x, -9, -6.2f - x, -9, -4.8f - x)
                             .close());
                 }

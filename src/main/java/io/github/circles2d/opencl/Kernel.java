@@ -130,11 +130,20 @@ public final class Kernel implements AutoCloseable {
         }
     }
 
-    private boolean isSet(int index, long bits, int bytes) {
-        return index >= 0 && index < buffers.length && numberBytes[index] == bytes && numbers[index] == bits;
-    }
-
-    private Kernel noteNumber(int index, long bits, int bytes) {
+    /** Sets the bits of a number, unless they are set. */
+    private Kernel number(int index, long bits, int bytes) {
+        if (index >= 0 && index < buffers.length && numberBytes[index] == bytes && numbers[index] == bits) {
+            return this;
+        }
+        try {
+            if (bytes == Integer.BYTES) {
+                kernel.setArg(index, (int) bits);
+            } else {
+                kernel.setArg(index, bits);
+            }
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
         ensureArguments(index);
         buffers[index] = null;
         numbers[index] = bits;
@@ -150,16 +159,7 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, int value) {
-        long bits = value;
-        if (isSet(index, bits, Integer.BYTES)) {
-            return this;
-        }
-        try {
-            kernel.setArg(index, value);
-        } catch (CLException e) {
-            throw failedArgument(index, e);
-        }
-        return noteNumber(index, bits, Integer.BYTES);
+        return number(index, value, Integer.BYTES);
     }
 
     /**
@@ -170,16 +170,7 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, long value) {
-        long bits = value;
-        if (isSet(index, bits, Long.BYTES)) {
-            return this;
-        }
-        try {
-            kernel.setArg(index, value);
-        } catch (CLException e) {
-            throw failedArgument(index, e);
-        }
-        return noteNumber(index, bits, Long.BYTES);
+        return number(index, value, Long.BYTES);
     }
 
     /**
@@ -190,16 +181,7 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, float value) {
-        long bits = Float.floatToRawIntBits(value);
-        if (isSet(index, bits, Float.BYTES)) {
-            return this;
-        }
-        try {
-            kernel.setArg(index, value);
-        } catch (CLException e) {
-            throw failedArgument(index, e);
-        }
-        return noteNumber(index, bits, Float.BYTES);
+        return number(index, Float.floatToRawIntBits(value), Float.BYTES); // a driver takes bits
     }
 
     /**

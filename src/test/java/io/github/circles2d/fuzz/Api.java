@@ -98,7 +98,8 @@ final class Api {
         List<Method> methods = new ArrayList<>();
         for (Class<?> type : TYPES) {
             for (Method method : type.getDeclaredMethods()) {
-                boolean isCall = Modifier.isPublic(method.getModifiers()) && !method.isSynthetic();
+                boolean isCall =
+                        Modifier.isPublic(method.getModifiers()) && (!method.isSynthetic() || method.isBridge());
                 boolean isOfRecord = type.isRecord() && OF_RECORDS.contains(method.getName());
                 if (isCall && !isOfRecord) {
                     methods.add(method);

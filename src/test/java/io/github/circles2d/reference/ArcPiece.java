@@ -104,7 +104,7 @@ final class ArcPiece extends Piece {
         return direction(1);
     }
 
-    /** Of the end (1) or the start (-1): from the centre to it, turned to the left, or to the right if the arc goes clockwise. */
+    /** Of the end (1) or the start (-1): from the centre to it, turned anticlockwise, or clockwise if the arc goes so. */
     private double[] direction(int end) {
         int way = solidOutside ? -1 : 1;
         double cos = Angles.cos(half);

@@ -62,7 +62,7 @@ abstract class Constraint {
 
     float rollingMass;
 
-    /** The impulse along the tangent, which is the normal turned to the left; both sides turn against it. */
+    /** The impulse along the tangent, which is the normal turned anticlockwise; both sides turn against it. */
     float friction;
 
     /** The speed of the circles along the tangent as a visit begins. */

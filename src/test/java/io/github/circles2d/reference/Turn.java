@@ -2,7 +2,7 @@ package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.limitSpeed;
 
-/** How a circle turns within a step, and what it touches others with. Speeds are those of its surface, positive to the left. */
+/** How a circle turns within a step, and what it touches others with. Speeds are those of its surface, positive anticlockwise. */
 final class Turn {
     private static final float UNITS_PER_RADIAN = 683565275.576f;
     private static final float GREATEST_UNITS = 0x1p62f;

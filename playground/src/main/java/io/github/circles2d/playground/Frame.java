@@ -20,7 +20,7 @@ final class Frame {
     int[] colour = new int[0];
     int[] rim = new int[0];
 
-    /** Radians to the left; NaN for a circle without a mark of how it has turned. */
+    /** Radians anticlockwise; NaN for a circle without a mark of how it has turned. */
     float[] angle = new float[0];
 
     /** Pieces of terrain, as {@link io.github.circles2d.Terrain#readPieces} gives them, and their colours. */

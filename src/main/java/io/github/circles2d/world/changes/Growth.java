@@ -3,12 +3,12 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.WorldParts;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**

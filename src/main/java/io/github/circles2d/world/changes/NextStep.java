@@ -1,8 +1,8 @@
 package io.github.circles2d.world.changes;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.shared.WorldParts;
+import io.github.circles2d.world.snapshots.SavedState;
 
 /**
  * What calls have asked of circles in the next step alone: forces that act once, static circles that travel, and circles that grow. The

@@ -3,10 +3,10 @@ package io.github.circles2d.world.changes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.shared.WorldParts;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**

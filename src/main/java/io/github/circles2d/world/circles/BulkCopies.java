@@ -54,7 +54,7 @@ public final class BulkCopies {
     }
 
     /** Fills an array with the first bytes of a buffer. */
-    static void get(ByteBuffer from, byte[] to) {
+    public static void get(ByteBuffer from, byte[] to) {
         Buffer buffer = from;
         int position = buffer.position();
         buffer.position(0);

@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 
 /**
  * The table of the fields that only calls change, one row each. From a row follow the field's memory and its part of the hash
- * ({@link CircleFields}), of snapshots ({@link FieldSections}) and, if steps read it, of the kernels' struct {@code CircleFields}.
+ * ({@link CircleFields}), of snapshots and, if steps read it, of the kernels' struct {@code CircleFields}.
  *
  * <p>A value is a whole number; a float is meant by its bits. Every new circle has the initial value. A field whose range fits
  * into an int takes one word of memory for a circle, else two. Steps can read fields of one word.
@@ -56,7 +56,7 @@ public enum CircleField {
     /** The bits that stand for no value of a float. */
     public static final int NONE = Float.floatToRawIntBits(Float.NaN);
 
-    static final List<CircleField> ALL = List.of(values());
+    public static final List<CircleField> ALL = List.of(values());
 
     /** The fields that steps read; their places in this list number them in commands and in the kernels' struct. */
     public static final List<CircleField> OF_STEPS =
@@ -180,13 +180,13 @@ public enum CircleField {
         return ofSteps;
     }
 
-    /** Whether the world turns once a circle has another value than the initial one. */
+    /** Whether circles can rotate once one has another value than the initial one. */
     public boolean isOfTurning() {
         return ordinal() >= FRICTION.ordinal();
     }
 
     /** Ints that a value takes. */
-    int words() {
+    public int words() {
         return least >= Integer.MIN_VALUE && greatest <= Integer.MAX_VALUE ? 1 : 2;
     }
 

@@ -111,7 +111,7 @@ public final class CircleFields {
     }
 
     /** Gives all circles the initial values. */
-    void clearAll() {
+    public void clearAll() {
         for (CircleField field : fields) {
             for (int id = 0; id < end(field); id++) {
                 set(field, id, field.initial());
@@ -134,7 +134,7 @@ public final class CircleFields {
     }
 
     /** The ids from which on all circles have the initial value of a field. */
-    int end(CircleField field) {
+    public int end(CircleField field) {
         return words[field.ordinal()].length / field.words();
     }
 

@@ -13,7 +13,7 @@ public final class Handle {
     private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
 
     /** The generation that would make a handle 0 is left out. */
-    static final int LAST_GENERATION = -2;
+    public static final int LAST_GENERATION = -2;
 
     private Handle() {}
 

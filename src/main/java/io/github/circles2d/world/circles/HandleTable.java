@@ -128,7 +128,7 @@ public final class HandleTable {
     }
 
     /** Makes room for a state, so that {@link #load} cannot fail. If there is none, nothing has changed. */
-    public void makeRoom(SavedState from) {
+    public void makeRoom(SavedCircles from) {
         ensureIds(from.ids);
         fields.makeRoom(from.fields);
     }
@@ -280,7 +280,7 @@ public final class HandleTable {
     }
 
     /** Ids, generations and fields. */
-    public void save(SavedState into) {
+    public void save(SavedCircles into) {
         into.setIds(end);
         into.setCircles(size);
         System.arraycopy(generation, 0, into.generation, 0, end);
@@ -294,7 +294,7 @@ public final class HandleTable {
     }
 
     /** Room has been made. The state is not kept. */
-    public void load(SavedState from) {
+    public void load(SavedCircles from) {
         for (int id = 0; id < survivors.end(); id++) {
             if (id >= from.ids || from.generation[id] != generation[id]) {
                 survivors.remove(id);

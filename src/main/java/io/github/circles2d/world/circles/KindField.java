@@ -39,7 +39,7 @@ public enum KindField {
     /** The rolling resistance of circles that have none of their own, or NaN for the world's. */
     ROLLING_RESISTANCE(9, "rolling resistance", KindTable.NONE, Check.orNone(Limits::rollingResistance)),
 
-    /** Speed of the surface besides that of turning, positive to the left, a float. */
+    /** Speed of the surface besides that of turning, positive anticlockwise, a float. */
     BELT_SPEED(10, "belt speed", 0, ofFloat("belt speed", -Limits.SPEED, Limits.SPEED)),
 
     /** The order of {@code Inertia}. */
@@ -51,7 +51,7 @@ public enum KindField {
     /** 1 if circles pass pieces of terrain from behind. */
     ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1));
 
-    static final List<KindField> ALL = List.of(values());
+    public static final List<KindField> ALL = List.of(values());
 
     /** What is allowed of a field. */
     private interface Check {
@@ -111,7 +111,7 @@ public enum KindField {
         return label;
     }
 
-    int initial() {
+    public int initial() {
         return initial;
     }
 

@@ -219,7 +219,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values, K
     }
 
     /** Makes all kinds what they are at first. */
-    void clear() {
+    public void clear() {
         setInitialValues();
         Arrays.fill(matrix, 0);
         Arrays.fill(responses, 0);
@@ -254,7 +254,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values, K
     }
 
     /** Number of values that are not the initial ones. */
-    int used() {
+    public int used() {
         int count = 0;
         for (int k = 0; k < values.length; k++) {
             count += values[k] == fieldAt(k).initial() ? 0 : 1;
@@ -263,7 +263,7 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values, K
     }
 
     /** Number of pairs of kinds of which the matrix says something. */
-    int settings() {
+    public int settings() {
         return settings;
     }
 }

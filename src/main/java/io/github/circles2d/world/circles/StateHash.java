@@ -20,7 +20,7 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
  * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, its friction and its rolling impulse; a joint with its id,
- * form, colour, circles, body, reference angles, values by {@link SavedJoints} and its row of {@link JointState}. All floats enter as their
+ * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}. All floats enter as their
  * bits.
  */
 public final class StateHash {
@@ -122,23 +122,14 @@ public final class StateHash {
     }
 
     /** The number of a contact of a circle with a piece of terrain. */
-    static long pieceContact(int circle, int piece, int side, float impulse, float friction, float rolling) {
+    public static long pieceContact(int circle, int piece, int side, float impulse, float friction, float rolling) {
         long h = absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side);
         return absorb(absorb(absorb(h, impulse), friction), rolling);
     }
 
-    /** The number of a joint, with what it keeps from step to step; rows of free ids do not count. */
-    static long joint(SavedJoints j, int joint, SavedJointStates states) {
-        long h = absorb(absorb(absorb(JOINT, joint), j.form[joint]), j.colour[joint]);
-        h = absorb(absorb(absorb(h, j.a[joint]), j.b[joint]), j.body[joint]);
-        h = absorb(absorb(h, j.referenceA[joint]), j.referenceB[joint]);
-        for (int k = SavedJoints.VALUES * joint; k < SavedJoints.VALUES * (joint + 1); k++) {
-            h = absorb(h, j.values[k]);
-        }
-        for (int k = JointState.of(joint); k < JointState.of(joint + 1); k++) {
-            h = absorb(h, states.rows[k]);
-        }
-        return h;
+    /** What the number of a joint begins with. */
+    public static long joint() {
+        return JOINT;
     }
 
     public static long absorb(long hash, int word) {

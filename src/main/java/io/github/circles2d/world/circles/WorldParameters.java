@@ -34,7 +34,7 @@ public record WorldParameters(
     }
 
     /** The same with walls that start somewhere. */
-    WorldParameters startingAt(Bounds start) {
+    public WorldParameters startingAt(Bounds start) {
         return new WorldParameters(
                 bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, start, surfaces);
     }
@@ -51,7 +51,7 @@ public record WorldParameters(
                 bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, wallStart, settings);
     }
 
-    boolean wallsMove() {
+    public boolean wallsMove() {
         return wallStart.differs(bounds);
     }
 

@@ -1,11 +1,11 @@
 package io.github.circles2d.world.device;
 
-import io.github.circles2d.world.circles.BrokenJoints;
-import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.DeviceJointStates;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.SavedJointStates;
 
 /** Carries what joints keep, and which have broken, between host and device. */
 final class JointTransfer {

@@ -1,9 +1,9 @@
 package io.github.circles2d.world.device;
 
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 

@@ -68,7 +68,7 @@ final class Readback {
         compact(handles::lives, handles.end(), 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
-    /** Reads back how circles turn, too, by kernels of worlds that turn. */
+    /** Reads back how circles turn, too, by kernels for circles that can rotate. */
     void useTurning(StageKernels kernels) {
         turns = kernels.plain("readback_turns");
     }

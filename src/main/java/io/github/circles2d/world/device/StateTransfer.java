@@ -1,11 +1,11 @@
 package io.github.circles2d.world.device;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.FieldsStruct;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;

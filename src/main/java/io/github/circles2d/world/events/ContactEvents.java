@@ -3,7 +3,6 @@ package io.github.circles2d.world.events;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.terrain.PieceTable;
@@ -14,10 +13,8 @@ import java.nio.IntBuffer;
  * does, {@link RemotePairs}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
  * the events that it has decided, {@link #publishDecided}.
  *
- * <p>{@link TouchTracker} follows pairs, {@link PairPlace} knows where pairs are, {@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds,
- * {@link TouchSnapshots} saves and restores, and {@link TouchingList} lists pairs.
- *
- * <p>A wall is the partner of a circle too, under a {@link WallCode}, and so is a piece of terrain, under a {@link PieceCode}.
+ * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, and {@link
+ * KnownCircles} and {@link KnownPieces} have handles and kinds. Walls and pieces of terrain are partners of circles, too ({@link Partner}).
  */
 public final class ContactEvents {
     /** Type: a pair begins to touch. */
@@ -54,10 +51,19 @@ public final class ContactEvents {
 
     private final EventQueue queue = new EventQueue();
     private final TouchTracker tracker;
-    private final TouchingList touching;
-    private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles, pieces);
+    /** The pairs on a device that decides itself what a step reports of them; null if there is none. */
+    private RemotePairs remote;
 
-    private final PairPlace place;
+    /** Whether all pairs are here; some are not while only a device knows them. */
+    private boolean here = true;
+
+    /** Whether all pairs are on the device, as they are here or as its last step left them. */
+    private boolean there;
+
+    /** The circles that the commands remove for which there is room, and whose pairs may be elsewhere. */
+    private int[] removed = new int[0];
+
+    private int removedCount;
 
     /** Nothing is reported. */
     public ContactEvents() {
@@ -67,8 +73,6 @@ public final class ContactEvents {
     /** As if many steps had been made. */
     ContactEvents(int stamp) {
         tracker = new TouchTracker(reported, circles, pieces, pairs, step, stamp);
-        place = new PairPlace(tracker);
-        touching = new TouchingList(tracker, pairs, circles, pieces);
     }
 
     // ---- what is reported
@@ -130,7 +134,7 @@ public final class ContactEvents {
     /** Makes room for {@link #report}. */
     public void makeRoom(HandleTable handles) {
         circles.ensure(handles.end());
-        place.bringHere();
+        bringHere();
     }
 
     /** Makes room for {@link #reportPair}. */
@@ -159,7 +163,7 @@ public final class ContactEvents {
     }
 
     private void changed(boolean was, HandleTable handles) {
-        place.changedHere();
+        there = false;
         if (!isOn()) {
             tracker.clear();
             step.clear();
@@ -194,12 +198,12 @@ public final class ContactEvents {
             ids = Math.max(ids, commands.id(c) + 1);
         }
         circles.ensure(ids);
-        place.keepAll();
-        boolean removed = circles.markRemoved(commands);
-        if (removed) {
-            place.fetchOfRemoved(commands);
+        removedCount = 0;
+        boolean removes = circles.markRemoved(commands);
+        if (removes) {
+            fetchOfRemoved(commands);
         }
-        if (removed || gone) {
+        if (removes || gone) {
             tracker.makeRoomForEnds();
         }
     }
@@ -212,7 +216,7 @@ public final class ContactEvents {
         pieces.ensure(pieces.idsNow());
         boolean gone = pieces.anyGone();
         if (gone) {
-            place.bringHere();
+            bringHere();
         }
         return gone;
     }
@@ -240,7 +244,7 @@ public final class ContactEvents {
         if (waiting) {
             tracker.endRemoved();
         }
-        place.forgetRemoved();
+        forgetRemoved();
         circles.learn(commands, handles);
     }
 
@@ -260,7 +264,7 @@ public final class ContactEvents {
     /** Ends the pairs of pieces that have gone, and learns the handles of new ones, and kinds. */
     public void learnPieces() {
         if (pieces.anyGone()) {
-            place.changedHere();
+            there = false;
             tracker.endGone();
         }
         pieces.read();
@@ -269,14 +273,47 @@ public final class ContactEvents {
     // ---- pairs that only a device knows
     // ------------------------------------------------------------------------------
 
-    /** Sets who decides about pairs: null if this object does, which then has all of them. */
+    /** Sets who decides about pairs: null if this object does, which then has all of them. All pairs are here. */
     public void setRemote(RemotePairs pairsElsewhere) {
-        place.setRemote(pairsElsewhere);
+        remote = pairsElsewhere;
+        there = false;
     }
 
     /** Brings all pairs here; they stay on the device, too. */
     public void bringHere() {
-        place.bringHere();
+        if (!here) {
+            tracker.clear();
+            remote.fetchAll();
+            here = true;
+        }
+    }
+
+    /** Brings the pairs here of the circles that commands remove, for which {@link #forgetRemoved} then has room. */
+    private void fetchOfRemoved(Commands commands) {
+        if (removed.length < commands.count()) {
+            removed = new int[commands.count() + (commands.count() >> 1)];
+        }
+        for (int c = 0; c < commands.count(); c++) {
+            if (commands.operation(c) == Commands.REMOVE && remote != null && remote.mayKnow(commands.id(c))) {
+                removed[removedCount++] = commands.id(c);
+            }
+        }
+        if (!here) {
+            tracker.clear();
+            if (removedCount > 0) {
+                remote.fetchOf(removed, removedCount);
+            }
+        }
+    }
+
+    /** The device forgets the pairs of the circles that are removed. */
+    private void forgetRemoved() {
+        if (removedCount > 0) {
+            if (there) {
+                remote.forgetOf(removed, removedCount);
+            }
+            removedCount = 0;
+        }
     }
 
     /** Takes a pair over; openHit is where the values of an incomplete hit begin, or -1. */
@@ -293,17 +330,20 @@ public final class ContactEvents {
 
     /** Whether all pairs are on the device; else they are here. */
     public boolean areThere() {
-        return place.areThere();
+        return there;
     }
 
     /** Takes note that the pairs that are here are on the device too. */
     public void sent() {
-        place.sent();
+        there = true;
     }
 
     /** Takes note that a step changes the pairs, which are on the device. */
     public void leave() {
-        place.leave();
+        if (here) {
+            here = false;
+            tracker.clear();
+        }
     }
 
     /** Number of pairs that touch, which are here. */
@@ -402,7 +442,7 @@ public final class ContactEvents {
 
     /** Ends a step by the records of all threads, in any order. */
     public void endStep(TouchRecords... records) {
-        place.changedHere();
+        there = false;
         tracker.endStep(records);
         publish(1);
     }
@@ -427,21 +467,21 @@ public final class ContactEvents {
 
     /** Lists pairs that touched in the last step by lower and higher id, as far as there is room, and returns how many there are. */
     public int list(int kindA, int kindB, long[] handles) {
-        place.bringHere();
-        return touching.list(kindA, kindB, handles);
+        bringHere();
+        return tracker.list(kindA, kindB, handles);
     }
 
     /** The same of circles of a kind and pieces of terrain of a kind. */
     public int listPieces(int kind, int kindOfPieces, long[] handles) {
-        place.bringHere();
-        return touching.listPieces(kind, kindOfPieces, handles);
+        bringHere();
+        return tracker.listPieces(kind, kindOfPieces, handles);
     }
 
     /** Memory of the arrays. */
     public long bytes() {
         return queue.bytes()
                 + step.bytes()
-                + touching.bytes()
+                + tracker.bytes()
                 + circles.bytes()
                 + pieces.bytes()
                 + pairs.bytes()
@@ -455,8 +495,8 @@ public final class ContactEvents {
     public void save(SavedTouches into) {
         into.clear();
         if (isOn()) {
-            place.bringHere();
-            snapshots.save(into, tracker.open());
+            bringHere();
+            tracker.save(into);
         }
     }
 
@@ -472,14 +512,15 @@ public final class ContactEvents {
 
     /** Room has been made. Events that have not been taken are of a time that is no more, and are dropped. */
     public void load(SavedTouches from, HandleTable handles) {
-        place.replace();
+        here = true;
+        there = false;
         queue.drop();
         tracker.clear();
         step.clear();
         if (isOn()) {
             circles.read(handles);
             pieces.read();
-            snapshots.load(from, tracker.open());
+            tracker.load(from);
         }
     }
 }

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.events;
 
-import io.github.circles2d.world.circles.SavedTouches;
-
 /** The ints of an event, as a device writes them too, and its rank among those of a pair. */
 public final class EventRow {
     // From the beginning of a row.

@@ -172,7 +172,7 @@ public final class EventRows {
     /** What the events of a step are ordered by. */
     long key(int row) {
         int at = STRIDE * row;
-        return EventOrder.key(words[at + LOWER], words[at + HIGHER], words[at + RANK]);
+        return Partner.key(words[at + LOWER], words[at + HIGHER], words[at + RANK]);
     }
 
     private float value(int row, int which) {
@@ -209,7 +209,7 @@ public final class EventRows {
     }
 
     private boolean isPiece(int event) {
-        return PieceCode.isPiece(words[STRIDE * check(event) + HIGHER]);
+        return Partner.isPiece(words[STRIDE * check(event) + HIGHER]);
     }
 
     /** The handle of the other circle or of the piece, or 0. */
@@ -220,16 +220,16 @@ public final class EventRows {
     /** The number of the wall, or -1. */
     public int side(int event) {
         int side = sideOf(check(event));
-        return side == EventOrder.PIECE ? EventOrder.NO_SIDE : side;
+        return side == Partner.PIECE ? Partner.NO_SIDE : side;
     }
 
     boolean isOfWall(int row) {
-        return EventOrder.isWall(words[STRIDE * row + HIGHER]);
+        return Partner.isWall(words[STRIDE * row + HIGHER]);
     }
 
-    /** See {@link EventOrder#side}. */
+    /** See {@link Partner#side}. */
     int sideOf(int row) {
-        return EventOrder.side(words[STRIDE * row + HIGHER]);
+        return Partner.side(words[STRIDE * row + HIGHER]);
     }
 
     /** The approach speed. */

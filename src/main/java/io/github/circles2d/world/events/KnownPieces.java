@@ -90,10 +90,10 @@ final class KnownPieces {
 
     /** The handle of a circle's partner, by its id or code; 0 of a wall. */
     long handleOfPartner(int code) {
-        if (EventOrder.isCircle(code)) {
+        if (Partner.isCircle(code)) {
             return circles.handle(code);
         }
-        return PieceCode.isPiece(code) ? handleOf[PieceCode.piece(code)] : 0;
+        return Partner.isPiece(code) ? handleOf[Partner.piece(code)] : 0;
     }
 
     int kind(int id) {

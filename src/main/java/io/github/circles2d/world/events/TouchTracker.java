@@ -2,11 +2,13 @@ package io.github.circles2d.world.events;
 
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.TouchRule;
+import java.util.Arrays;
 
 /**
  * Follows the pairs that touch from step to step, and makes events of them. It is told of the pairs that touched and still do or do no
  * more, and takes the records of those that something happened to, {@link #endStep}. A pair that it does not hear of has ended. Mostly it
- * hears of all: then nothing is read or written of the pairs to which nothing happened. {@code kernels/world/stages/Events.cl} does the same on a device.
+ * hears of all: then nothing is read or written of the pairs to which nothing happened. It also lists the pairs, saves them and goes on from what was saved.
+ * {@code kernels/world/stages/Events.cl} does the same on a device.
  */
 final class TouchTracker {
     static final int FIRST_STAMP = 1;
@@ -23,6 +25,9 @@ final class TouchTracker {
     private TouchRecords open = new TouchRecords();
 
     private TouchRecords stillOpen = new TouchRecords();
+
+    /** Pairs, in place of events, that a list has to bring into their order. */
+    private final EventRows listed = new EventRows();
 
     private Bounds arena = new Bounds(0, 0, 1, 1);
 
@@ -67,6 +72,11 @@ final class TouchTracker {
         return open;
     }
 
+    /** Memory of the arrays. */
+    long bytes() {
+        return listed.bytes();
+    }
+
     /** Forgets all pairs. */
     void clear() {
         pairs.clear();
@@ -80,13 +90,13 @@ final class TouchTracker {
 
     /** The types that are reported of a pair: the one place that decides. */
     int typesOf(int lower, int higher) {
-        if (EventOrder.isWall(higher)) {
-            return WallCode.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
+        if (Partner.isWall(higher)) {
+            return Partner.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
         }
-        if (PieceCode.isPiece(higher)) {
+        if (Partner.isPiece(higher)) {
             return reported.isUniform()
                     ? reported.types(0, 0)
-                    : reported.types(circles.kind(lower), pieces.kind(PieceCode.piece(higher)));
+                    : reported.types(circles.kind(lower), pieces.kind(Partner.piece(higher)));
         }
         return typesOfCircles(lower, higher);
     }
@@ -123,7 +133,7 @@ final class TouchTracker {
 
     private boolean isOfRemoved(int pair) {
         int higher = pairs.higher(pair);
-        return circles.isRemoved(pairs.lower(pair)) || EventOrder.isCircle(higher) && circles.isRemoved(higher);
+        return circles.isRemoved(pairs.lower(pair)) || Partner.isCircle(higher) && circles.isRemoved(higher);
     }
 
     /** Ends the pairs of pieces that are no more. */
@@ -139,7 +149,7 @@ final class TouchTracker {
 
     private boolean isOfGone(int pair) {
         int higher = pairs.higher(pair);
-        return PieceCode.isPiece(higher) && pieces.isGone(PieceCode.piece(higher));
+        return Partner.isPiece(higher) && pieces.isGone(Partner.piece(higher));
     }
 
     /** See {@link ContactEvents#concerns}. */
@@ -161,12 +171,12 @@ final class TouchTracker {
 
     /** See {@link ContactEvents#isHit}. */
     boolean isHit(float approach, float impulse, float threshold) {
-        return impulse > 0f && isHitSpeed(approach, threshold);
+        return TouchRule.isHit(approach, impulse, threshold, hitSpeed);
     }
 
     /** See {@link ContactEvents#isHitSpeed}. */
     boolean isHitSpeed(float approach, float threshold) {
-        return hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold;
+        return TouchRule.isHitSpeed(approach, threshold, hitSpeed);
     }
 
     /** See {@link ContactEvents#misses}. */
@@ -214,7 +224,7 @@ final class TouchTracker {
     private void end(boolean misses) {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             int stamp = pairs.stamp(pair);
-            if (misses || !EventOrder.isCircle(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
+            if (misses || !Partner.isCircle(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
                 addOpenHit(pair, EventRow.HIT);
                 add(pair, EventRow.END);
                 pairs.remove(pair);
@@ -266,5 +276,119 @@ final class TouchTracker {
             return -1;
         }
         return step.add(lower, higher, rank, pairs.a[pair], pairs.b[pair]);
+    }
+
+    // ---- lists of pairs
+    // ----------------------------------------------------------------------------------------------
+
+    /** See {@link ContactEvents#list}. */
+    int list(int kindA, int kindB, long[] handles) {
+        listed.clear();
+        for (int pair = 0; pair < pairs.count; pair++) {
+            int lower = pairs.lower(pair);
+            int higher = pairs.higher(pair);
+            if (Partner.isCircle(higher) && typesOf(lower, higher) != 0) {
+                int ofLower = circles.kind(lower);
+                int ofHigher = circles.kind(higher);
+                if (ofLower == kindA && ofHigher == kindB) {
+                    listed.add(lower, higher, 0, pairs.a[pair], pairs.b[pair]);
+                } else if (ofLower == kindB && ofHigher == kindA) {
+                    listed.add(lower, higher, 0, pairs.b[pair], pairs.a[pair]);
+                }
+            }
+        }
+        return writeListed(handles);
+    }
+
+    /** See {@link ContactEvents#listPieces}. */
+    int listPieces(int kind, int kindOfPieces, long[] handles) {
+        listed.clear();
+        for (int pair = 0; pair < pairs.count; pair++) {
+            int lower = pairs.lower(pair);
+            int higher = pairs.higher(pair);
+            if (Partner.isPiece(higher)
+                    && circles.kind(lower) == kind
+                    && pieces.kind(Partner.piece(higher)) == kindOfPieces
+                    && typesOf(lower, higher) != 0) {
+                listed.add(lower, higher, 0, pairs.a[pair], pairs.b[pair]);
+            }
+        }
+        return writeListed(handles);
+    }
+
+    private int writeListed(long[] handles) {
+        listed.sort();
+        for (int k = 0; k < Math.min(listed.count, handles.length / 2); k++) {
+            int row = listed.ordered(k);
+            handles[2 * k] = listed.a(row);
+            handles[2 * k + 1] = listed.partner(row);
+        }
+        return listed.count;
+    }
+
+    // ---- snapshots
+    // ---------------------------------------------------------------------------------------------------
+
+    /** Saves what the next events depend on: pairs, hits that are not complete, and late events. */
+    void save(SavedTouches into) {
+        into.ensure(pairs.count, pairs.count, step.count);
+        for (int pair = 0; pair < pairs.count; pair++) {
+            into.pair[pair] = (long) pairs.lower(pair) << Integer.SIZE | pairs.higher(pair);
+        }
+        into.pairs = pairs.count;
+        Arrays.sort(into.pair, 0, into.pairs);
+        for (int k = 0; k < into.pairs; k++) {
+            int pair = pairs.find((int) (into.pair[k] >>> Integer.SIZE), (int) into.pair[k]);
+            if (pairs.open(pair) != TouchingPairs.NONE) {
+                open.copy(pairs.open(pair), into.openValues, SavedTouches.VALUES * into.open);
+                into.openPair[into.open++] = k;
+            }
+        }
+        step.sort();
+        for (int k = 0; k < step.count; k++) {
+            saveLate(into, k, step.ordered(k));
+        }
+        into.late = step.count;
+    }
+
+    private void saveLate(SavedTouches into, int k, int row) {
+        into.lateHandles[2 * k] = step.a(row);
+        into.lateHandles[2 * k + 1] = step.partner(row);
+        into.lateInts[SavedTouches.LATE_INTS * k] = step.type(row);
+        into.lateInts[SavedTouches.LATE_INTS * k + 1] = step.sideOf(row);
+        step.copyValues(row, into.lateValues, SavedTouches.VALUES * k);
+    }
+
+    /** Adds what was saved and may still be reported, where nothing is left of what was. The circles are those of the state. */
+    void load(SavedTouches from) {
+        int nextOpen = 0;
+        for (int k = 0; k < from.pairs; k++) {
+            int lower = (int) (from.pair[k] >>> Integer.SIZE);
+            int higher = (int) from.pair[k];
+            boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
+            if (reported.mayReport(Partner.isWall(higher), ContactEvents.OF_PAIR_TYPES)) {
+                int pair = pairs.add(lower, higher, circles.handle(lower), pieces.handleOfPartner(higher));
+                if (isOpen) {
+                    pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
+                }
+            }
+            nextOpen += isOpen ? 1 : 0;
+        }
+        for (int k = 0; k < from.late; k++) {
+            loadLate(from, k);
+        }
+    }
+
+    private void loadLate(SavedTouches from, int k) {
+        int type = from.lateInts[SavedTouches.LATE_INTS * k];
+        int side = from.lateInts[SavedTouches.LATE_INTS * k + 1];
+        long a = from.lateHandles[2 * k];
+        long b = from.lateHandles[2 * k + 1];
+        int higher = Partner.of(b, side);
+        if (reported.mayReport(Partner.isWall(higher), type)) {
+            int rank = type == ContactEvents.HIT ? EventRow.LATE_HIT : EventRow.LATE_END;
+            int row = step.add((int) a, higher, rank, a, b);
+            step.setValues(row, from.lateValues, SavedTouches.VALUES * k);
+        }
     }
 }

@@ -173,14 +173,14 @@ final class TouchingPairs {
         rows[row + HIGHER] = higherId;
         rows[row + STAMP] = NEVER;
         rows[row + OPEN] = NONE;
-        others += EventOrder.isCircle(higherId) ? 0 : 1;
+        others += Partner.isCircle(higherId) ? 0 : 1;
         chain(pair);
         return pair;
     }
 
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
-        others -= EventOrder.isCircle(higher(pair)) ? 0 : 1;
+        others -= Partner.isCircle(higher(pair)) ? 0 : 1;
         int hash = hash(mixOf(pair));
         link(pair, next[pair]);
         markAnew(hash);

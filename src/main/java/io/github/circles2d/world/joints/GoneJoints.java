@@ -9,52 +9,39 @@ public final class GoneJoints {
     public static final int CIRCLE_REMOVED = 1;
     public static final int BODY_REMOVED = 2;
 
-    private int count;
+    // of a joint that has gone: the handles of the joint and its circles; the loads
+    private static final int HANDLES = 3;
+    private static final int LOADS = 2;
 
-    private long[] joint = new long[0];
-    private long[] circle = new long[0];
-    private long[] other = new long[0];
-    private float[] force = new float[0];
-    private float[] torque = new float[0];
-    private byte[] reason = new byte[0];
+    private int count;
+    private long[] handles = new long[0];
+    private float[] loads = new float[0];
+    private byte[] reasons = new byte[0];
 
     public GoneJoints() {}
 
     /** Makes room for more. If there is none, nothing has changed. */
     void ensure(int more) {
         int needed = count + more;
-        if (needed > reason.length) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
-            int c = Math.max(needed, reason.length + (reason.length >> 1));
-            long[] newJoint = Arrays.copyOf(joint, c);
-            long[] newCircle = Arrays.copyOf(circle, c);
-            long[] newOther = Arrays.copyOf(other, c);
-            float[] newForce = Arrays.copyOf(force, c);
-            float[] newTorque = Arrays.copyOf(torque, c);
-            byte[] newReason = Arrays.copyOf(reason, c);
-            joint = newJoint;
-            circle = newCircle;
-            other = newOther;
-            force = newForce;
-            torque = newTorque;
-            reason = newReason;
+        if (needed > reasons.length) {
+            int c = Math.max(needed, reasons.length + (reasons.length >> 1));
+            long[] newHandles = Arrays.copyOf(handles, HANDLES * c);
+            float[] newLoads = Arrays.copyOf(loads, LOADS * c);
+            byte[] newReasons = Arrays.copyOf(reasons, c);
+            handles = newHandles;
+            loads = newLoads;
+            reasons = newReasons;
         }
     }
 
     /** There is room. */
-    void add(long itsJoint, long itsCircle, long itsOther, int itsReason) {
-        joint[count] = itsJoint;
-        circle[count] = itsCircle;
-        other[count] = itsOther;
-        force[count] = 0f;
-        torque[count] = 0f;
-        reason[count++] = (byte) itsReason;
-    }
-
-    /** By what the one that was added last has broken. */
-    void setLoad(float itsForce, float itsTorque) {
-        force[count - 1] = itsForce;
-        torque[count - 1] = itsTorque;
+    void add(long joint, long circle, long other, int reason, float force, float torque) {
+        handles[HANDLES * count] = joint;
+        handles[HANDLES * count + 1] = circle;
+        handles[HANDLES * count + 2] = other;
+        loads[LOADS * count] = force;
+        loads[LOADS * count + 1] = torque;
+        reasons[count++] = (byte) reason;
     }
 
     public void clear() {
@@ -63,31 +50,22 @@ public final class GoneJoints {
 
     /** Gives all away, in place of what there is. */
     public void moveTo(GoneJoints to) {
-        long[] joints = to.joint;
-        long[] circles = to.circle;
-        long[] others = to.other;
-        float[] forces = to.force;
-        float[] torques = to.torque;
-        byte[] reasons = to.reason;
+        long[] ofHandles = to.handles;
+        float[] ofLoads = to.loads;
+        byte[] ofReasons = to.reasons;
         to.count = count;
-        to.joint = joint;
-        to.circle = circle;
-        to.other = other;
-        to.force = force;
-        to.torque = torque;
-        to.reason = reason;
+        to.handles = handles;
+        to.loads = loads;
+        to.reasons = reasons;
         count = 0;
-        joint = joints;
-        circle = circles;
-        other = others;
-        force = forces;
-        torque = torques;
-        reason = reasons;
+        handles = ofHandles;
+        loads = ofLoads;
+        reasons = ofReasons;
     }
 
     /** Memory of the arrays. */
     public long bytes() {
-        return 8L * (joint.length + circle.length + other.length) + 4L * (force.length + torque.length) + reason.length;
+        return 8L * handles.length + 4L * loads.length + reasons.length;
     }
 
     public int count() {
@@ -95,27 +73,27 @@ public final class GoneJoints {
     }
 
     public long joint(int k) {
-        return joint[check(k)];
+        return handles[HANDLES * check(k)];
     }
 
     public long circle(int k) {
-        return circle[check(k)];
+        return handles[HANDLES * check(k) + 1];
     }
 
     public long other(int k) {
-        return other[check(k)];
+        return handles[HANDLES * check(k) + 2];
     }
 
     public float force(int k) {
-        return force[check(k)];
+        return loads[LOADS * check(k)];
     }
 
     public float torque(int k) {
-        return torque[check(k)];
+        return loads[LOADS * check(k) + 1];
     }
 
     public int reason(int k) {
-        return reason[check(k)];
+        return reasons[check(k)];
     }
 
     private int check(int k) {

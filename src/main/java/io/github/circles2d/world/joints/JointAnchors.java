@@ -2,15 +2,19 @@ package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.model.AnchorRow;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.terrain.BodyAnchors;
+import io.github.circles2d.world.terrain.BodyPoses;
+import io.github.circles2d.world.terrain.TerrainTables;
 import java.util.Arrays;
 
-/** Brings the anchors of joints that are on bodies of terrain to where these are, and tells steps how they move. */
-final class JointAnchors {
+/** Where the anchors of joints are. Those on bodies of terrain go along with these, and steps are told how they move. */
+public final class JointAnchors {
     private final JointTable table;
-    private final BodyAnchors places;
+    private final TerrainTables terrain;
+    private final BodyAnchors bodies;
 
     /** Bodies have not jumped since this number was theirs. */
     private int jumps;
@@ -20,9 +24,42 @@ final class JointAnchors {
     /** The number of sub-steps that row 0 is of. */
     private int subSteps;
 
-    JointAnchors(JointTable table, BodyAnchors places) {
+    JointAnchors(JointTable table, TerrainTables terrain) {
         this.table = table;
-        this.places = places;
+        this.terrain = terrain;
+        bodies = new BodyAnchors(terrain.bodies);
+    }
+
+    /** Where the anchor of a joint is: now, or with bodies in such poses if they are not null. */
+    public float x(int joint, BodyPoses poses) {
+        int body = table.places.body(joint);
+        if (body == AnchorPlaces.WORLD) {
+            return table.value(joint, JointRow.ANCHOR_X);
+        }
+        float x = table.places.x(joint);
+        float y = table.places.y(joint);
+        return poses == null ? bodies.x(body, x, y, terrain.bounds()) : bodies.x(poses, body, x, y, terrain.bounds());
+    }
+
+    public float y(int joint, BodyPoses poses) {
+        int body = table.places.body(joint);
+        if (body == AnchorPlaces.WORLD) {
+            return table.value(joint, JointRow.ANCHOR_Y);
+        }
+        float x = table.places.x(joint);
+        float y = table.places.y(joint);
+        return poses == null ? bodies.y(body, x, y, terrain.bounds()) : bodies.y(poses, body, x, y, terrain.bounds());
+    }
+
+    /** Gives a joint without another circle a place, in the world or on the body that it has. */
+    void set(int joint, float x, float y) {
+        if (table.places.body(joint) == AnchorPlaces.WORLD) {
+            Bounds bounds = terrain.bounds();
+            table.setAnchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
+        } else {
+            table.places.set(joint, x, y);
+            changed();
+        }
     }
 
     /** An anchor has come, or is another one. */
@@ -32,13 +69,13 @@ final class JointAnchors {
 
     /** Makes room for {@link #begin}. If there is none, nothing has changed. */
     void makeRoom(JointStep step, int subSteps) {
-        int needed = AnchorRow.of(1 + (places.anyMoves() ? table.places.count() : 0), 0, subSteps);
+        int needed = AnchorRow.of(1 + (bodies.anyMoves() ? table.places.count() : 0), 0, subSteps);
         if (step.anchors.length < needed) {
             step.anchors = Arrays.copyOf(step.anchors, Math.max(needed, step.anchors.length * 3 / 2));
         }
     }
 
-    void begin(JointStep step, StepConstants k, Bounds bounds) {
+    void begin(JointStep step, StepConstants k) {
         boolean moved = step.anchorCount > 1;
         if (step.anchorCount == 0 || moved || subSteps != k.subSteps) {
             Arrays.fill(step.anchors, 0, AnchorRow.of(1, 0, k.subSteps), 0f);
@@ -46,14 +83,15 @@ final class JointAnchors {
             step.anchorCount = 1;
             step.anchorsVersion++;
         }
-        if (table.places.count() > 0 && (moved || !placed || jumps != places.jumps() || places.anyMoves())) {
-            place(step, k, bounds);
-            jumps = places.jumps();
+        if (table.places.count() > 0 && (moved || !placed || jumps != bodies.jumps() || bodies.anyMoves())) {
+            place(step, k);
+            jumps = bodies.jumps();
             placed = true;
         }
     }
 
-    private void place(JointStep step, StepConstants k, Bounds bounds) {
+    private void place(JointStep step, StepConstants k) {
+        Bounds bounds = terrain.bounds();
         int rows = 1;
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (!table.ids.lives(joint) || table.places.body(joint) == AnchorPlaces.WORLD) {
@@ -62,17 +100,23 @@ final class JointAnchors {
             int body = table.places.body(joint);
             float x = table.places.x(joint);
             float y = table.places.y(joint);
-            table.rows.setAnchor(joint, places.x(body, x, y, bounds), places.y(body, x, y, bounds));
-            if (places.moves(body)) {
-                places.fill(step.anchors, rows, body, x, y, k.dt, k.subSteps, bounds);
-                table.rows.setAnchorRow(joint, rows++);
+            table.setAnchor(joint, bodies.x(body, x, y, bounds), bodies.y(body, x, y, bounds));
+            if (bodies.moves(body)) {
+                bodies.fill(step.anchors, rows, body, x, y, k.dt, k.subSteps, bounds);
+                setRow(joint, rows++);
             } else {
-                table.rows.setAnchorRow(joint, 0);
+                setRow(joint, 0);
             }
         }
         if (rows > 1) {
             step.anchorCount = rows;
             step.anchorsVersion++;
+        }
+    }
+
+    private void setRow(int joint, int row) {
+        if (table.trait(joint, JointRow.ANCHOR) != row) {
+            table.setTrait(joint, JointRow.ANCHOR, row);
         }
     }
 }

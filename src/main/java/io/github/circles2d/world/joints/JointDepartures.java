@@ -70,7 +70,7 @@ public final class JointDepartures {
         }
         Arrays.sort(leaving, 0, count);
         for (int k = 0; k < count; k++) {
-            remove(leaving[k], GoneJoints.CIRCLE_REMOVED);
+            remove(leaving[k], GoneJoints.CIRCLE_REMOVED, 0f, 0f);
         }
     }
 
@@ -85,7 +85,7 @@ public final class JointDepartures {
     public void removeOfBody(int body) {
         for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint) && table.places.body(joint) == body) {
-                remove(joint, GoneJoints.BODY_REMOVED);
+                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
             }
         }
     }
@@ -93,30 +93,23 @@ public final class JointDepartures {
     /** All bodies of terrain go. */
     public void removeOfBodies() {
         for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.places.body(joint) != AnchorPlaces.WORLD) {
-                remove(joint, GoneJoints.BODY_REMOVED);
+            if (table.ids.lives(joint) && table.places.isOnBody(joint)) {
+                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
             }
         }
     }
 
     /** A joint has broken. */
     public void breakJoint(int joint, float force, float torque) {
-        remove(joint, GoneJoints.BROKEN);
-        if (reports) {
-            gone.setLoad(force, torque);
-        }
+        remove(joint, GoneJoints.BROKEN, force, torque);
     }
 
-    private void remove(int joint, int reason) {
+    private void remove(int joint, int reason, float force, float torque) {
         if (reports) {
-            gone.add(table.ids.handle(joint), handleOf(table.a(joint)), handleOf(table.b(joint)), reason);
+            long other = table.b(joint) == JointRow.NONE ? 0 : handles.handle(table.b(joint));
+            gone.add(table.ids.handle(joint), handles.handle(table.a(joint)), other, reason, force, torque);
         }
         table.remove(joint);
-    }
-
-    /** 0 if there is none. */
-    private long handleOf(int circle) {
-        return circle == JointRow.NONE ? 0 : handles.handle(circle);
     }
 
     long bytes() {

@@ -2,17 +2,27 @@ package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
-/** Where the two ends of a joint are; of a joint without a place both are at its circle. The second one is the image nearest to the first. */
-public class JointEnds {
+/**
+ * Where the two ends of a joint are, now or as they are drawn: with their circles and bodies of terrain. Of a joint without a place both are at its
+ * circle. The second one is the image nearest to the first.
+ */
+public final class JointEnds {
     private final JointTables joints;
     private final HandleTable handles;
     private final TerrainTables terrain;
+
+    /** Of now, as a bulk read gives them. */
     private float[] circles;
+
+    /** Null if ends are as they are now. */
+    private DrawnPlaces drawn;
+
     private float x;
     private float y;
     private float dx;
@@ -24,10 +34,35 @@ public class JointEnds {
         this.terrain = terrain;
     }
 
-    /** Takes circles as of now, as a bulk read gives them. */
+    /** Ends are as they are now, with circles as a bulk read gives them. */
     public JointEnds look(float[] now) {
         circles = now;
+        drawn = null;
         return this;
+    }
+
+    /** Ends are where circles and bodies are drawn. */
+    public JointEnds look(DrawnPlaces places) {
+        drawn = places;
+        if (joints.table.places.count() > 0) {
+            drawn.between.keepBetween(drawn.before, drawn.after, drawn.alpha, terrain.bodies, terrain.bounds());
+        }
+        return this;
+    }
+
+    /** Whether {@link #takeNew} has to be called before a joint is looked at: a circle that is new is drawn where it is now. */
+    public boolean hasNewCircle(int joint) {
+        int other = joints.table.b(joint);
+        return drawn != null && (isNew(joints.table.a(joint)) || other != JointRow.NONE && isNew(other));
+    }
+
+    private boolean isNew(int circle) {
+        return 2 * circle >= drawn.positions.limit() || Float.isNaN(drawn.positions.get(2 * circle));
+    }
+
+    /** Takes circles of now, as a bulk read gives them. */
+    public void takeNew(float[] now) {
+        circles = now;
     }
 
     /** Looks at a joint. */
@@ -42,33 +77,26 @@ public class JointEnds {
         if (b != JointRow.NONE) {
             to(circleX(b), circleY(b));
         } else if (JointForm.takesAnchor(table.form(joint))) {
-            to(anchorX(joint), anchorY(joint));
+            BodyPoses poses = drawn == null ? null : drawn.between;
+            to(joints.anchors.x(joint, poses), joints.anchors.y(joint, poses));
         }
     }
 
-    float circleX(int circle) {
-        return circles[row(circle) + CircleRow.X];
+    private float circleX(int circle) {
+        return drawn == null || isNew(circle)
+                ? circles[CircleRow.of(handles.place(circle)) + CircleRow.X]
+                : drawn.positions.get(2 * circle);
     }
 
-    float circleY(int circle) {
-        return circles[row(circle) + CircleRow.Y];
-    }
-
-    float anchorX(int joint) {
-        return joints.anchorX(joint);
-    }
-
-    float anchorY(int joint) {
-        return joints.anchorY(joint);
-    }
-
-    private int row(int circle) {
-        return CircleRow.STRIDE * handles.place(circle);
+    private float circleY(int circle) {
+        return drawn == null || isNew(circle)
+                ? circles[CircleRow.of(handles.place(circle)) + CircleRow.Y]
+                : drawn.positions.get(2 * circle + 1);
     }
 
     private void to(float toX, float toY) {
-        dx = Wrapping.shortWay(toX - x, terrain.bounds().periodX());
-        dy = Wrapping.shortWay(toY - y, terrain.bounds().periodY());
+        dx = CircleMath.shortWay(toX - x, terrain.bounds().periodX());
+        dy = CircleMath.shortWay(toY - y, terrain.bounds().periodY());
     }
 
     /** Of the first end. */
@@ -104,8 +132,8 @@ public class JointEnds {
         double halfX = 0.5 * dx;
         double halfY = 0.5 * dy;
         Bounds bounds = terrain.bounds();
-        double wayX = Wrapping.shortWay(bounds.placeX(px) - (float) (x + halfX), bounds.periodX());
-        double wayY = Wrapping.shortWay(bounds.placeY(py) - (float) (y + halfY), bounds.periodY());
+        double wayX = CircleMath.shortWay(bounds.placeX(px) - (float) (x + halfX), bounds.periodX());
+        double wayY = CircleMath.shortWay(bounds.placeY(py) - (float) (y + halfY), bounds.periodY());
         double square = halfX * halfX + halfY * halfY;
         double share = square > 0 ? (wayX * halfX + wayY * halfY) / square : 0;
         share = Math.max(-1, Math.min(1, share));

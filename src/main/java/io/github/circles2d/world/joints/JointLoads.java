@@ -1,6 +1,5 @@
 package io.github.circles2d.world.joints;
 
-import io.github.circles2d.world.circles.SavedJointStates;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.JointState;
 

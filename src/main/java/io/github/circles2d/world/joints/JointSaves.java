@@ -1,7 +1,5 @@
 package io.github.circles2d.world.joints;
 
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
 
 /** Saves joints, and takes saved ones over. */
@@ -31,8 +29,8 @@ public final class JointSaves {
         to.a[joint] = table.a(joint);
         to.b[joint] = table.b(joint);
         to.body[joint] = table.places.body(joint);
-        to.referenceA[joint] = table.reference(joint, JointRow.REFERENCE_A);
-        to.referenceB[joint] = table.reference(joint, JointRow.REFERENCE_B);
+        to.referenceA[joint] = table.trait(joint, JointRow.REFERENCE_A);
+        to.referenceB[joint] = table.trait(joint, JointRow.REFERENCE_B);
         for (int k = 0; k < SavedJoints.VALUES; k++) {
             to.values[SavedJoints.VALUES * joint + k] = value(joint, k);
         }
@@ -91,8 +89,8 @@ public final class JointSaves {
                 && from.a[joint] == table.a(joint)
                 && from.b[joint] == table.b(joint)
                 && from.body[joint] == table.places.body(joint)
-                && from.referenceA[joint] == table.reference(joint, JointRow.REFERENCE_A)
-                && from.referenceB[joint] == table.reference(joint, JointRow.REFERENCE_B);
+                && from.referenceA[joint] == table.trait(joint, JointRow.REFERENCE_A)
+                && from.referenceB[joint] == table.trait(joint, JointRow.REFERENCE_B);
         for (int k = 0; same && k < SavedJoints.VALUES; k++) {
             same = Float.floatToRawIntBits(from.values[SavedJoints.VALUES * joint + k])
                     == Float.floatToRawIntBits(value(joint, k));
@@ -107,8 +105,8 @@ public final class JointSaves {
         form.frequency = from.values[values + SavedJoints.FREQUENCY];
         form.dampingRatio = from.values[values + SavedJoints.DAMPING_RATIO];
         table.revive(joint, form, from.a[joint], from.b[joint]);
-        table.rows.setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
-        table.colours.set(joint, from.colour[joint]);
+        table.setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
+        table.ofCircles.setColour(joint, from.colour[joint]);
         table.link(joint);
         if (from.body[joint] != AnchorPlaces.WORLD) {
             table.places.enter(joint, from.body[joint]);

@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
+import java.util.Arrays;
 
 /**
  * The joints: of each its rows for steps ({@link JointRow}), its spring, its colour, and where its anchor is on a body of terrain. Changes have been
@@ -13,24 +14,25 @@ public final class JointTable {
     /** The colour of a split joint. */
     public static final int SPLIT = JointStep.COLOURS;
 
-    // the ends of a joint
-    private static final int ENDS = 2;
-    private static final int A = 0;
-    private static final int B = 1;
-
     public final IdTable ids = new IdTable(Handle.JOINT);
 
     final SpringTable springs = new SpringTable();
 
-    /** What steps are told of each joint. */
-    final JointRows rows = new JointRows();
-
-    final JointColours colours = new JointColours();
-
     /** Anchors on bodies of terrain. */
     public final AnchorPlaces places = new AnchorPlaces();
 
-    private final JointLists ofCircles = new JointLists();
+    final JointsOfCircles ofCircles = new JointsOfCircles();
+
+    // by joint, as steps see it
+    private float[] rows = new float[0];
+    private int[] traits = new int[0];
+
+    private int lastSerial;
+
+    /** Joints whose rows have changed since the step was told of them: from the first one to before the last one. */
+    private int changedFrom = Integer.MAX_VALUE;
+
+    private int changedTo;
 
     // joints by what they have
     private int turning;
@@ -49,19 +51,17 @@ public final class JointTable {
         if (needed > ids.room()) {
             setRoom(Math.max(Math.max(needed, 16), ids.room() + (ids.room() >> 1)));
         }
-        ensureCircles(circleIds);
+        ofCircles.ensure(circleIds);
     }
 
     private void setRoom(int c) {
-        rows.setRoom(c);
-        colours.setRoom(c);
+        float[] newRows = Arrays.copyOf(rows, JointRow.of(c));
+        int[] newTraits = Arrays.copyOf(traits, JointRow.traits(c));
+        rows = newRows;
+        traits = newTraits;
+        ofCircles.setRoom(c);
         places.setRoom(c);
         ids.setRoom(c);
-    }
-
-    private void ensureCircles(int circleIds) {
-        ofCircles.ensure(circleIds, ENDS * ids.room());
-        colours.ensure(circleIds);
     }
 
     /** Makes room for one more spring. */
@@ -77,36 +77,36 @@ public final class JointTable {
     // ---- what there is
     // -----------------------------------------------------------------------------------------------
 
+    /** A trait of {@link JointRow}. */
+    int trait(int joint, int which) {
+        return traits[JointRow.traits(joint) + which];
+    }
+
     public int a(int joint) {
-        return rows.trait(joint, JointRow.A);
+        return trait(joint, JointRow.A);
     }
 
     /** {@link JointRow#NONE} if it holds a circle to no other. */
     public int b(int joint) {
-        return rows.trait(joint, JointRow.B);
+        return trait(joint, JointRow.B);
     }
 
     /** {@link JointRow#FORM} */
     public int form(int joint) {
-        return rows.trait(joint, JointRow.FORM);
+        return trait(joint, JointRow.FORM);
     }
 
     public int serial(int joint) {
-        return rows.trait(joint, JointRow.SERIAL);
-    }
-
-    /** {@link JointRow#REFERENCE_A} or {@code REFERENCE_B}. */
-    public int reference(int joint, int which) {
-        return rows.trait(joint, which);
+        return trait(joint, JointRow.SERIAL);
     }
 
     /** A number of {@link JointRow}. */
     public float value(int joint, int which) {
-        return rows.value(joint, which);
+        return rows[JointRow.of(joint) + which];
     }
 
     public int colour(int joint) {
-        return colours.get(joint);
+        return ofCircles.colour(joint);
     }
 
     /** Hertz; 0 without a spring. */
@@ -119,7 +119,7 @@ public final class JointTable {
     }
 
     private int spring(int joint) {
-        return rows.trait(joint, JointRow.SPRING);
+        return trait(joint, JointRow.SPRING);
     }
 
     /** What a joint does. */
@@ -130,7 +130,7 @@ public final class JointTable {
         }
         form.frequency = frequency(joint);
         form.dampingRatio = dampingRatio(joint);
-        form.angle = form.kind() == JointForm.SERVO ? reference(joint, JointRow.REFERENCE_A) : 0;
+        form.angle = form.kind() == JointForm.SERVO ? trait(joint, JointRow.REFERENCE_A) : 0;
         return form;
     }
 
@@ -172,7 +172,7 @@ public final class JointTable {
 
     /** The joint at a place. */
     public static int jointAt(int place) {
-        return place / ENDS;
+        return JointsOfCircles.jointOf(place);
     }
 
     // ---- changes
@@ -182,7 +182,7 @@ public final class JointTable {
     public int add(JointForm form, int a, int b) {
         int joint = ids.add();
         put(joint, form, a, b);
-        colours.set(joint, colours.free(a, b));
+        ofCircles.setColour(joint, ofCircles.freeColour(a, b));
         link(joint);
         if (b != JointRow.NONE) {
             splitIfHub(joint, a);
@@ -193,25 +193,67 @@ public final class JointTable {
 
     /** Splits the joints of a circle with others that has so many. It does so once for all; then a new joint alone has a colour. */
     private void splitIfHub(int joint, int circle) {
-        if (colours.becomesHub(circle)) {
+        if (ofCircles.becomesHub(circle)) {
             for (int place = firstOfCircle(circle); place >= 0; place = nextOfCircle(place)) {
                 if (b(jointAt(place)) != JointRow.NONE) {
                     split(jointAt(place));
                 }
             }
-        } else if (colours.isHub(circle)) {
+        } else if (ofCircles.isHub(circle)) {
             split(joint);
         }
     }
 
     private void split(int joint) {
-        colours.split(joint, a(joint), b(joint));
+        ofCircles.split(joint, a(joint), b(joint));
     }
 
-    /** All but the colour, the lists and the id. */
+    /** All but the colour, the lists and the id. It is at rest. */
     private void put(int joint, JointForm form, int a, int b) {
-        rows.put(joint, form, springOf(form.traits, form.frequency, form.dampingRatio), a, b);
+        System.arraycopy(form.row, 0, rows, JointRow.of(joint), JointRow.STRIDE);
+        int at = JointRow.traits(joint);
+        traits[at + JointRow.A] = a;
+        traits[at + JointRow.B] = b;
+        traits[at + JointRow.FORM] = form.traits;
+        traits[at + JointRow.SPRING] = springOf(form.traits, form.frequency, form.dampingRatio);
+        traits[at + JointRow.ANCHOR] = 0;
+        traits[at + JointRow.REFERENCE_A] = form.angle;
+        traits[at + JointRow.REFERENCE_B] = 0;
+        renew(joint);
         places.begin(joint);
+    }
+
+    /** Its impulses so far do not count. */
+    private void renew(int joint) {
+        lastSerial = lastSerial == Integer.MAX_VALUE ? 1 : lastSerial + 1;
+        setTrait(joint, JointRow.SERIAL, lastSerial);
+    }
+
+    void setTrait(int joint, int which, int to) {
+        traits[JointRow.traits(joint) + which] = to;
+        changed(joint);
+    }
+
+    void setValue(int joint, int which, float to) {
+        rows[JointRow.of(joint) + which] = to;
+        changed(joint);
+    }
+
+    private void changed(int joint) {
+        changedFrom = Math.min(changedFrom, joint);
+        changedTo = Math.max(changedTo, joint + 1);
+    }
+
+    /** Where an anchor is in the world. */
+    void setAnchor(int joint, float x, float y) {
+        setValue(joint, JointRow.ANCHOR_X, x);
+        setValue(joint, JointRow.ANCHOR_Y, y);
+    }
+
+    /** The angles, in units, at which both circles are as they should be. */
+    void setReferences(int joint, int angleA, int angleB) {
+        setTrait(joint, JointRow.REFERENCE_A, angleA);
+        setTrait(joint, JointRow.REFERENCE_B, angleB);
     }
 
     private int springOf(int form, float frequency, float dampingRatio) {
@@ -220,26 +262,14 @@ public final class JointTable {
 
     /** Enters a joint, which has its colour, into the lists of its circles. */
     void link(int joint) {
-        int a = a(joint);
-        int b = b(joint);
-        ofCircles.add(a, ENDS * joint + A);
-        if (b != JointRow.NONE) {
-            ofCircles.add(b, ENDS * joint + B);
-        }
-        colours.enter(joint, a, b);
+        ofCircles.enter(joint, a(joint), b(joint));
         count(joint, 1);
         orderChanged = true;
     }
 
     private void unlink(int joint) {
-        int a = a(joint);
-        int b = b(joint);
         count(joint, -1);
-        ofCircles.remove(a, ENDS * joint + A);
-        if (b != JointRow.NONE) {
-            ofCircles.remove(b, ENDS * joint + B);
-        }
-        colours.leave(joint, a, b);
+        ofCircles.leave(joint, a(joint), b(joint));
         orderChanged = true;
     }
 
@@ -260,19 +290,20 @@ public final class JointTable {
         int after = setting.traits(before, x, y);
         if (after != before) {
             count(joint, -1);
-            rows.setTrait(joint, JointRow.FORM, after);
+            setTrait(joint, JointRow.FORM, after);
             count(joint, 1);
             if (JointForm.has(after ^ before, JointRow.LOWER | JointRow.UPPER)) {
-                rows.renew(joint); // a limit that has gone pushes no more
+                renew(joint); // a limit that has gone pushes no more
             }
         }
-        rows.write(joint, setting, x, y);
+        setting.write(rows, JointRow.of(joint), x, y);
+        changed(joint);
         if (setting == JointSetting.SPRING) {
             int spring = springOf(after, x + 0f, y + 0f);
             springs.release(spring(joint));
-            rows.setTrait(joint, JointRow.SPRING, spring);
+            setTrait(joint, JointRow.SPRING, spring);
         } else if (setting == JointSetting.ANGLE) {
-            rows.setTrait(joint, JointRow.REFERENCE_A, JointSetting.angle(x));
+            setTrait(joint, JointRow.REFERENCE_A, JointSetting.angle(x));
         }
     }
 
@@ -282,7 +313,7 @@ public final class JointTable {
         if (JointForm.has(form(joint), JointRow.ELASTIC)) {
             springs.release(spring(joint));
         }
-        rows.setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
+        setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
         ids.remove(joint);
     }
 
@@ -304,7 +335,7 @@ public final class JointTable {
             setRoom(joints);
         }
         if (ids.room() > 0) {
-            ensureCircles(circleIds);
+            ofCircles.ensure(circleIds);
             springs.ensure(joints);
         }
     }
@@ -313,7 +344,6 @@ public final class JointTable {
     void load(int[] generations, int joints) {
         ofCircles.clear();
         springs.clear();
-        colours.clear();
         turning = 0;
         breakable = 0;
         parting = 0;
@@ -321,7 +351,11 @@ public final class JointTable {
         orderChanged = true;
         partnersChanged = true;
         ids.load(generations, joints);
-        rows.load(joints);
+        for (int joint = 0; joint < joints; joint++) {
+            setTrait(joint, JointRow.FORM, JointRow.NO_JOINT);
+        }
+        changedFrom = 0; // what has changed behind the last joint is no step's any more
+        changedTo = joints;
     }
 
     /** A saved joint lives; its colour, its anchor and {@link #link} follow. */
@@ -336,11 +370,19 @@ public final class JointTable {
         step.breakable = breaks();
         step.turns = turns();
         step.parts = parts();
-        rows.publish(step);
+        step.rows = rows;
+        step.traits = traits;
+        if (changedTo > 0) {
+            step.changedFrom = changedFrom;
+            step.changedTo = changedTo;
+            step.version++;
+            changedFrom = Integer.MAX_VALUE;
+            changedTo = 0;
+        }
     }
 
     /** Bytes of the table. */
     long bytes() {
-        return rows.bytes() + places.bytes() + colours.bytes() + ofCircles.bytes() + springs.bytes();
+        return 4L * (rows.length + traits.length) + places.bytes() + ofCircles.bytes() + springs.bytes();
     }
 }

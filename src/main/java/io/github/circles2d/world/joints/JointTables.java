@@ -1,13 +1,9 @@
 package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.terrain.BodyAnchors;
-import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /** The joints of a world, and what a step is told of them. Changes have been checked, and there is room. */
@@ -16,15 +12,13 @@ public final class JointTables {
 
     public final JointSaves saves = new JointSaves(table);
 
+    public final JointAnchors anchors;
+
     private final JointStep step;
     private final HandleTable handles;
     private final TerrainTables terrain;
-    private final BodyAnchors places;
     private final JointSchedule schedule = new JointSchedule(table);
-    private final JointPartners partners = new JointPartners(table);
-    private final JointAnchors anchors;
     private final JointEnds ends;
-    private final DrawnJointEnds drawnEnds;
     private final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
@@ -32,10 +26,8 @@ public final class JointTables {
         this.step = step;
         this.handles = handles;
         this.terrain = terrain;
-        places = new BodyAnchors(terrain.bodies);
-        anchors = new JointAnchors(table, places);
+        anchors = new JointAnchors(table, terrain);
         ends = new JointEnds(this, handles, terrain);
-        drawnEnds = new DrawnJointEnds(this, handles, terrain);
         departures = new JointDepartures(table, handles);
     }
 
@@ -58,7 +50,7 @@ public final class JointTables {
         if (body != AnchorPlaces.WORLD) {
             table.places.enter(joint, body);
         }
-        setAnchor(joint, x, y);
+        anchors.set(joint, x, y);
         return joint;
     }
 
@@ -71,15 +63,15 @@ public final class JointTables {
     public void complete(int joint, float[] circles, int[] angles) {
         ends.look(circles).of(joint);
         if (Float.isNaN(table.value(joint, JointRow.LENGTH))) {
-            table.rows.setValue(joint, JointRow.LENGTH, ends.length());
+            table.setValue(joint, JointRow.LENGTH, ends.length());
         }
         if (JointForm.kind(table.form(joint)) == JointForm.WELD) {
             float d = ends.length();
-            table.rows.setValue(joint, JointRow.DIRECTION_X, d > 0f ? ends.dx() / d : 1f);
-            table.rows.setValue(joint, JointRow.DIRECTION_Y, d > 0f ? ends.dy() / d : 0f);
+            table.setValue(joint, JointRow.DIRECTION_X, d > 0f ? ends.dx() / d : 1f);
+            table.setValue(joint, JointRow.DIRECTION_Y, d > 0f ? ends.dy() / d : 0f);
             if (angles != null) {
                 int a = angles[handles.place(table.a(joint))];
-                table.rows.setReferences(joint, a, angles[handles.place(table.b(joint))]);
+                table.setReferences(joint, a, angles[handles.place(table.b(joint))]);
             }
         }
     }
@@ -87,52 +79,6 @@ public final class JointTables {
     /** Where the ends of joints are, for a caller to look at. */
     public JointEnds ends() {
         return ends;
-    }
-
-    /** Where they are drawn, likewise. */
-    public DrawnJointEnds drawnEnds() {
-        return drawnEnds;
-    }
-
-    /** Gives a joint without another circle a place, in the world or on the body that it has. */
-    private void setAnchor(int joint, float x, float y) {
-        if (table.places.body(joint) == AnchorPlaces.WORLD) {
-            Bounds bounds = terrain.bounds();
-            table.rows.setAnchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
-        } else {
-            table.places.set(joint, x, y);
-            anchors.changed();
-        }
-    }
-
-    /** Where the anchor of a joint is now. */
-    public float anchorX(int joint) {
-        int body = table.places.body(joint);
-        return body == AnchorPlaces.WORLD
-                ? table.value(joint, JointRow.ANCHOR_X)
-                : places.x(body, table.places.x(joint), table.places.y(joint), terrain.bounds());
-    }
-
-    public float anchorY(int joint) {
-        int body = table.places.body(joint);
-        return body == AnchorPlaces.WORLD
-                ? table.value(joint, JointRow.ANCHOR_Y)
-                : places.y(body, table.places.x(joint), table.places.y(joint), terrain.bounds());
-    }
-
-    /** Where it is with bodies in such poses. */
-    float anchorX(int joint, BodyPoses poses) {
-        int body = table.places.body(joint);
-        return body == AnchorPlaces.WORLD
-                ? table.value(joint, JointRow.ANCHOR_X)
-                : places.x(poses, body, table.places.x(joint), table.places.y(joint), terrain.bounds());
-    }
-
-    float anchorY(int joint, BodyPoses poses) {
-        int body = table.places.body(joint);
-        return body == AnchorPlaces.WORLD
-                ? table.value(joint, JointRow.ANCHOR_Y)
-                : places.y(poses, body, table.places.x(joint), table.places.y(joint), terrain.bounds());
     }
 
     /** Refuses values that are out of range, and joints that do not have this. */
@@ -154,7 +100,7 @@ public final class JointTables {
 
     public void set(int joint, JointSetting setting, float a, float b) {
         if (setting == JointSetting.ANCHOR) {
-            setAnchor(joint, a, b);
+            anchors.set(joint, a, b);
         } else {
             table.set(joint, setting, a, b);
         }
@@ -169,13 +115,13 @@ public final class JointTables {
     // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
-    public void makeRoom(SavedState from) {
-        table.makeRoom(from.joints.ids, from.ids);
+    public void makeRoom(SavedJoints from, int circleIds) {
+        table.makeRoom(from.ids, circleIds);
     }
 
     /** Takes over saved joints; circles and terrain are there. There is room. */
-    public void load(SavedState from) {
-        saves.load(from.joints, from.jointStates);
+    public void load(SavedJoints from, SavedJointStates states) {
+        saves.load(from, states);
         departures.gone().clear();
         anchors.changed();
     }
@@ -187,7 +133,6 @@ public final class JointTables {
     public void makeRoom(int subSteps) {
         if (isThere()) {
             schedule.makeRoom(step, handles.end());
-            partners.makeRoom(step, handles.end());
             anchors.makeRoom(step, subSteps);
             table.springs.makeRoom(step);
         }
@@ -195,14 +140,14 @@ public final class JointTables {
 
     /** Tells the next step of the joints. Room has been made. */
     public void begin(StepConstants constants) {
-        anchors.begin(step, constants, terrain.bounds());
+        anchors.begin(step, constants);
         table.springs.fill(step, constants.h);
         if (table.orderChanged) {
             schedule.make(step, handles.end());
             table.orderChanged = false;
         }
         if (table.partnersChanged) {
-            partners.make(step);
+            schedule.makePartners(step);
             table.partnersChanged = false;
         }
         table.publish(step);

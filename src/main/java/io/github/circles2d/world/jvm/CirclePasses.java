@@ -27,14 +27,13 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.model.Walls;
-import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
 
 /** The circles' part of stage Solver: gravity, motion, and when a circle visits walls. Each worker has its own. */
@@ -104,14 +103,14 @@ final class CirclePasses {
             if (kinds != null) {
                 int row = state.motionRow(slot);
                 float factor = kinds[row + KindMotion.DAMPING_FACTOR];
-                vx = Motion.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
-                vy = Motion.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
-                float share = Motion.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
+                vx = Velocity.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
+                vy = Velocity.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
+                float share = Velocity.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
                 vx = share * vx;
                 vy = share * vy;
             }
-            float nextX = Motion.limitSpeed(vx + w * load[s + IMPULSE_X]);
-            float nextY = Motion.limitSpeed(vy + w * load[s + IMPULSE_Y]);
+            float nextX = Velocity.limitSpeed(vx + w * load[s + IMPULSE_X]);
+            float nextY = Velocity.limitSpeed(vy + w * load[s + IMPULSE_Y]);
             m[s + VX] = nextX;
             m[s + VY] = nextY;
             load[s + BEFORE_X] = vx;
@@ -186,8 +185,8 @@ final class CirclePasses {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float w = traits[s + INVERSE_MASS];
-            m[s + VX] = Motion.limitSpeed(m[s + VX]);
-            m[s + VY] = Motion.limitSpeed(m[s + VY]);
+            m[s + VX] = Velocity.limitSpeed(m[s + VX]);
+            m[s + VY] = Velocity.limitSpeed(m[s + VY]);
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
             float allowance = clamp[s + ALLOWANCE];
@@ -340,8 +339,8 @@ final class CirclePasses {
             m[s + DY] = keptY == y ? CircleMath.lostByRounding(circle[s + Y], m[s + DY], y) : 0f;
             circle[s + X] = keptX;
             circle[s + Y] = keptY;
-            m[s + VX] = Motion.limitSpeed(m[s + VX]);
-            m[s + VY] = Motion.limitSpeed(m[s + VY]);
+            m[s + VX] = Velocity.limitSpeed(m[s + VX]);
+            m[s + VY] = Velocity.limitSpeed(m[s + VY]);
         }
         if (k.turning) {
             state.turning.end(from, to, k);
@@ -362,7 +361,7 @@ final class CirclePasses {
 
     private void bringInside(int at, int atDisplacement, float min, float last, float period) {
         float x = state.circle[at];
-        float laps = Wrapping.laps(x, min, period);
+        float laps = CircleMath.laps(x, min, period);
         if (laps != 0f) {
             float away = -(laps * period);
             float near = x + away;

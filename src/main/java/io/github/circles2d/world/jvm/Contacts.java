@@ -13,7 +13,6 @@ import static io.github.circles2d.world.jvm.ContactRow.RADII;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Cells;
@@ -24,6 +23,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.snapshots.SavedState;
 
 /**
  * Stage Contacts: lists the pairs of circles that may meet within the step, in the order of every sum: level, colour, group, lower
@@ -329,7 +329,7 @@ public final class Contacts {
             contact[o + INV_MASS_A] = inverseMass(light);
             contact[o + INV_MASS_B] = inverseMass(heavy);
             float share = cross.share(c - firstCross);
-            contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), share);
+            contact[o + MASS] = CrossRule.crossMass(inverseMass(light), inverseMass(heavy), share);
             if (constants.turning) {
                 fillGrip(c, light, heavy, share);
                 warmGrip(c, found, constants);

@@ -24,7 +24,6 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TimeOfImpact;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
-import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Keeps fast circles from passing through others, and makes them meet as rigid circles would, by docs/step.md. A fast circle stops
@@ -292,8 +291,8 @@ public final class ContinuousCollision {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
             if (state.wraps) {
-                dx = Wrapping.shortWay(dx, state.periodX);
-                dy = Wrapping.shortWay(dy, state.periodY);
+                dx = CircleMath.shortWay(dx, state.periodX);
+                dy = CircleMath.shortWay(dy, state.periodY);
             }
             if (PairRule.isNear(dx, dy, own, reach[other]) != 0
                     && other != slot

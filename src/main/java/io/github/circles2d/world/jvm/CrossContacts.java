@@ -111,7 +111,7 @@ final class CrossContacts {
 
     /** By how much the heavy circle of a contact counts as lighter. */
     float share(int contact) {
-        return CrossRule.share(load[heavySlot(contact)]);
+        return CrossRule.crossShare(load[heavySlot(contact)]);
     }
 
     /** The first contact whose light circle lies in a slot or behind it. */
@@ -272,7 +272,7 @@ final class CrossContacts {
             float v = state.traits[CircleRow.of(other) + INVERSE_MASS];
             if (CrossRule.isFinerLight(w, v)) {
                 f.add(slot, (long) state.id[other] << 32 | other);
-                countIn(load, other, CrossRule.load(w, v));
+                countIn(load, other, CrossRule.loadOfHeavy(w, v));
             }
         }
         f.sort(before);
@@ -283,7 +283,7 @@ final class CrossContacts {
             float v = state.traits[CircleRow.of(other) + INVERSE_MASS];
             if (!CrossRule.isFinerLight(w, v) && candidates.keeps(slot, other)) {
                 f.addFromFiner(other, (long) state.id[slot] << 32 | slot, countIn(lightStart, other, 1));
-                countIn(load, slot, CrossRule.load(v, w));
+                countIn(load, slot, CrossRule.loadOfHeavy(v, w));
                 fromFiner++;
             }
         }

@@ -15,10 +15,9 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.model.Velocity;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -246,23 +245,23 @@ public final class Grid {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
             boolean isStatic = state.traits[s + INVERSE_MASS] == 0f;
-            float px = Motion.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
-            float py = Motion.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
+            float px = Velocity.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
+            float py = Velocity.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
             float length = CircleMath.length(px, py);
             if (kinds != null && !isStatic) {
                 int row = state.motionRow(slot);
                 float falls = kinds[row + KindMotion.FALLS];
                 float time = kinds[row + KindMotion.TIME];
-                px = Motion.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
-                py = Motion.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
-                float most = Motion.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
+                px = Velocity.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
+                py = Velocity.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
+                float most = Velocity.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
                 px = most * px;
                 py = most * py;
                 length = CircleMath.length(px, py);
             }
             if (state.wraps) {
                 float within = CircleMath.min(
-                        Wrapping.shareOfPeriod(px, state.periodX), Wrapping.shareOfPeriod(py, state.periodY));
+                        CircleMath.shareOfPeriod(px, state.periodX), CircleMath.shareOfPeriod(py, state.periodY));
                 px = within * px;
                 py = within * py;
                 length = CircleMath.length(px, py);

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.jvm;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.jvm.threads.SharedInts;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**

@@ -104,10 +104,10 @@ final class JointPush {
      */
     void loadCircles() {
         float strain = view.strain();
-        if (view.work[view.o + INV_MASS_A] != 0f && JointMath.loads(strain, state.circle[view.a + RADIUS])) {
+        if (view.work[view.o + INV_MASS_A] != 0f && JointMath.jointLoads(strain, state.circle[view.a + RADIUS])) {
             state.load[view.a + LOADED_NEXT] = 1f;
         }
-        if (view.work[view.o + INV_MASS_B] != 0f && JointMath.loads(strain, state.circle[view.b + RADIUS])) {
+        if (view.work[view.o + INV_MASS_B] != 0f && JointMath.jointLoads(strain, state.circle[view.b + RADIUS])) {
             state.load[view.b + LOADED_NEXT] = 1f;
         }
     }

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.jvm;
 
-import io.github.circles2d.world.circles.BrokenJoints;
-import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;

@@ -36,7 +36,6 @@ import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Wrapping;
 
 /** The joint of a visit: what it is, where its ends are, and how they move. */
 final class JointView {
@@ -126,7 +125,7 @@ final class JointView {
     }
 
     private float across(float d, float period) {
-        return state.wraps ? Wrapping.shortWay(d, period) : d;
+        return state.wraps ? CircleMath.shortWay(d, period) : d;
     }
 
     // ---- what it is
@@ -221,8 +220,8 @@ final class JointView {
                 angle(b),
                 joints.traits[traits + JointRow.REFERENCE_B],
                 turned(b));
-        float cos = JointMath.cos(turn);
-        float sin = JointMath.sin(turn);
+        float cos = JointMath.cosOfUnits(turn);
+        float sin = JointMath.sinOfUnits(turn);
         float directionX = joints.rows[row + JointRow.DIRECTION_X];
         float directionY = joints.rows[row + JointRow.DIRECTION_Y];
         return (cos * directionX - sin * directionY) * y - (sin * directionX + cos * directionY) * x;
@@ -274,7 +273,7 @@ final class JointView {
         vx = ofX - m[a + VX];
         vy = ofY - m[a + VY];
         inverse = work[o + SHARE_A] * work[o + INV_MASS_A] + work[o + SHARE_B] * work[o + INV_MASS_B];
-        mass = JointMath.mass(inverse);
+        mass = JointMath.jointMass(inverse);
         if (turns()) {
             float rA = radius(a);
             float rB = radius(b);
@@ -310,14 +309,14 @@ final class JointView {
     /** The effective mass for an exact spring, which a hub must not make weaker than it has to. */
     float springMass() {
         float split = ofSpring(JointSpring.EXACT);
-        return JointMath.mass(JointMath.springShare(work[o + SHARE_A], split) * work[o + INV_MASS_A]
+        return JointMath.jointMass(JointMath.springShare(work[o + SHARE_A], split) * work[o + INV_MASS_A]
                 + JointMath.springShare(work[o + SHARE_B], split) * work[o + INV_MASS_B]);
     }
 
     /** One over what an impulse across changes of the speed across. */
     float acrossMass() {
         float arm = 0.5f * work[o + DISTANCE];
-        return JointMath.mass(inverse + arm * arm * (turnA + turnB));
+        return JointMath.jointMass(inverse + arm * arm * (turnA + turnB));
     }
 
     /** Speed of B across, against the direction that turns with both. */

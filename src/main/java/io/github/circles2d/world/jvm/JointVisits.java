@@ -19,6 +19,7 @@ import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.Softness;
+import io.github.circles2d.world.model.Velocity;
 
 /**
  * The visits of joints: a joint at a time, which knows all of its two ends. {@link JointMath} has the formulas, {@link JointPasses} the order.
@@ -133,16 +134,17 @@ final class JointVisits {
 
     private float limit(boolean biased, float before, float v, float gap) {
         return biased
-                ? JointMath.solveLimit(
+                ? JointMath.solvedLimit(
                         before, view.mass, v, gap, view.k.inverseH, view.k.jointSoftness, view.work[view.o + PUSH])
-                : JointMath.relaxLimit(before, view.mass, v, gap, view.k.inverseH);
+                : JointMath.relaxedLimit(before, view.mass, v, gap, view.k.inverseH);
     }
 
     private void across(boolean biased) {
         float before = states.rows[view.kept + ACROSS];
         float m = view.acrossMass();
         float v = view.speedAcross();
-        float next = biased ? hold(before, m, v, view.work[view.o + DIRECTION]) : JointMath.relax(before, m, v);
+        float next =
+                biased ? hold(before, m, v, view.work[view.o + DIRECTION]) : JointMath.relaxedImpulse(before, m, v);
         states.rows[view.kept + ACROSS] = next;
         float change = next - before;
         push.x -= view.work[view.o + NORMAL_Y] * change;
@@ -151,7 +153,7 @@ final class JointVisits {
     }
 
     private float hold(float before, float m, float v, float c) {
-        return JointMath.hold(before, m, v, c, view.k.jointSoftness, view.work[view.o + PUSH]);
+        return JointMath.heldImpulse(before, m, v, c, view.k.jointSoftness, view.work[view.o + PUSH]);
     }
 
     /** One axis with bias; returns how much its impulse has changed. An exact spring keeps none. */
@@ -166,7 +168,7 @@ final class JointVisits {
     }
 
     private float exact(float m, float v, float begun, float c) {
-        return JointMath.spring(
+        return JointMath.springImpulse(
                 m,
                 v,
                 begun,
@@ -177,7 +179,7 @@ final class JointVisits {
     }
 
     private float implicit(float before, float m, float v, float c) {
-        return JointMath.solve(
+        return JointMath.solvedImpulse(
                 before,
                 m,
                 v,
@@ -194,7 +196,7 @@ final class JointVisits {
         float changeX = solveAxis(AXIAL, view.vx, view.begunX, view.work[view.o + NORMAL_X]);
         float changeY = solveAxis(ACROSS, view.vy, view.begunY, view.work[view.o + NORMAL_Y]);
         if (view.isLinearExact()) {
-            float share = JointMath.shareWithin(changeX, changeY, greatestImpulse());
+            float share = Velocity.shareWithin(changeX, changeY, greatestImpulse());
             push.x = changeX * share;
             push.y = changeY * share;
             q[view.kept + SUM_X] += push.x;
@@ -212,7 +214,7 @@ final class JointVisits {
     private void keepWithin(float beforeX, float beforeY) {
         float[] q = states.rows;
         int kept = view.kept;
-        float share = JointMath.shareWithin(q[kept + AXIAL], q[kept + ACROSS], greatestImpulse());
+        float share = Velocity.shareWithin(q[kept + AXIAL], q[kept + ACROSS], greatestImpulse());
         q[kept + AXIAL] *= share;
         q[kept + ACROSS] *= share;
         push.x = q[kept + AXIAL] - beforeX;
@@ -226,12 +228,13 @@ final class JointVisits {
         float away = view.turnedAway();
         float before = states.rows[view.kept + ANGULAR];
         Softness soft = view.k.jointSoftness;
-        float turnMass = JointMath.mass(view.turnA + view.turnB);
+        float turnMass = JointMath.jointMass(view.turnA + view.turnB);
         float omega = view.omegaA - view.omegaB;
         if (view.angular() == JointRow.TURN_RIGID) {
             giveTwist(
                     before,
-                    JointMath.solve(before, turnMass, omega, away, soft.massScale, soft.biasRate, soft.impulseScale));
+                    JointMath.solvedImpulse(
+                            before, turnMass, omega, away, soft.massScale, soft.biasRate, soft.impulseScale));
         } else if (view.isAngularExact()) {
             twist(heldTwist(exact(turnMass, omega, omega, away)));
             states.rows[view.kept + SUM_ANGULAR] += push.twist;
@@ -281,20 +284,20 @@ final class JointVisits {
             return;
         }
         float before = states.rows[view.kept + ANGULAR];
-        float turnMass = JointMath.mass(view.turnA + view.turnB);
+        float turnMass = JointMath.jointMass(view.turnA + view.turnB);
         float omega = view.omegaA - view.omegaB;
         if (view.angular() == JointRow.TURN_RIGID) {
-            giveTwist(before, JointMath.relax(before, turnMass, omega));
+            giveTwist(before, JointMath.relaxedImpulse(before, turnMass, omega));
         } else if (view.angular() == JointRow.TURN_SPEED) {
             float speed = view.joints.rows[view.row + JointRow.SPEED];
-            giveTwist(before, JointMath.relax(before, turnMass, omega - speed));
+            giveTwist(before, JointMath.relaxedImpulse(before, turnMass, omega - speed));
         }
     }
 
     /** One axis without bias; returns how much its impulse has changed. */
     private float relaxAxis(int which, float v) {
         float before = states.rows[view.kept + which];
-        float next = JointMath.relax(before, view.mass, v);
+        float next = JointMath.relaxedImpulse(before, view.mass, v);
         states.rows[view.kept + which] = next;
         return next - before;
     }

@@ -3,9 +3,9 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
 
-import io.github.circles2d.world.circles.SavedPieceContacts;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.util.Arrays;
 
 /**

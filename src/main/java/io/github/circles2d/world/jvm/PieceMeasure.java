@@ -24,6 +24,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
@@ -31,7 +32,6 @@ import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
-import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Where circles are against the pieces of terrain near them, at the boundaries of sub-steps: distances, normals, and how surfaces move. {@link PieceGap}
@@ -75,7 +75,7 @@ final class PieceMeasure {
             return x - at;
         }
         float mid = rows[row + PieceRow.MID_X];
-        return Wrapping.shortWay(x - mid, state.periodX) + (mid - at);
+        return CircleMath.shortWay(x - mid, state.periodX) + (mid - at);
     }
 
     static float offsetY(State state, int slot, float[] rows, int row) {
@@ -85,7 +85,7 @@ final class PieceMeasure {
             return y - at;
         }
         float mid = rows[row + PieceRow.MID_Y];
-        return Wrapping.shortWay(y - mid, state.periodY) + (mid - at);
+        return CircleMath.shortWay(y - mid, state.periodY) + (mid - at);
     }
 
     /** Brings a place, against (X, Y) of a piece, to the frame of the start of the step. */

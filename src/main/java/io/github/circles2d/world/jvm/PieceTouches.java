@@ -11,7 +11,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.PieceCode;
+import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounce;
@@ -101,7 +101,7 @@ final class PieceTouches {
         float gap = contacts.rows[k + PieceContactRow.GAP];
         int s = CircleRow.of(slot);
         rows[t + IMPULSE] += impulse;
-        float approach = TouchRule.approach(vn);
+        float approach = TouchRule.approachSpeed(vn);
         if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {
             rows[t + APPROACH] = approach;
             rows[t + SLIP] = slip;
@@ -121,8 +121,8 @@ final class PieceTouches {
         float r = state.circle[s + RADIUS];
         rows[t + NORMAL_X] = nx;
         rows[t + NORMAL_Y] = ny;
-        rows[t + POINT_X] = TouchRule.point(state.circle[s + X], dx, -1f * nx, r, gap);
-        rows[t + POINT_Y] = TouchRule.point(state.circle[s + Y], dy, -1f * ny, r, gap);
+        rows[t + POINT_X] = TouchRule.touchPoint(state.circle[s + X], dx, -1f * nx, r, gap);
+        rows[t + POINT_Y] = TouchRule.touchPoint(state.circle[s + Y], dy, -1f * ny, r, gap);
     }
 
     void endStep(TouchRecords records, PieceGap found, int from, int to, TerrainStep terrain, StepConstants k) {
@@ -169,7 +169,7 @@ final class PieceTouches {
             TouchRecords records, int slot, int c, boolean touches, float impulse, float vn, float threshold) {
         int t = STRIDE * c;
         int id = state.id[slot];
-        int code = PieceCode.of(contacts.piece(c));
+        int code = Partner.ofPiece(contacts.piece(c));
         int pair = events.find(id, code);
         float approach = rows[t + APPROACH];
         if (events.concerns(pair, id, code, touches, approach, impulse, threshold)) {
@@ -208,7 +208,7 @@ final class PieceTouches {
         float side = twoSided && !PieceGap.isInFront(terrain.rows, at, shape, ox, oy) ? -1f : 1f;
         float time = behind
                 ? PieceSensor.timeOfReturn(terrain.rows, at, shape, ox, oy, ux, uy, r)
-                : PieceSensor.timeOfTouch(terrain.rows, at, shape, ox, oy, ux, uy, r);
+                : PieceSensor.timeOfSensing(terrain.rows, at, shape, ox, oy, ux, uy, r);
         boolean touches = time <= 1f;
         if (!touches) {
             float gap = PieceGap.distance(terrain.rows, at, shape, endX, endY) - r;
@@ -222,7 +222,7 @@ final class PieceTouches {
         found.measure(terrain.rows, at, shape, x, y, r, side);
         float vn = (found.nx * ux + found.ny * uy) / k.dt;
         float away = r + 0.5f * found.gap;
-        rows[t + APPROACH] = TouchRule.approach(vn);
+        rows[t + APPROACH] = TouchRule.approachSpeed(vn);
         rows[t + SLIP] = 0f;
         place(c, found, x - away * found.nx, y - away * found.ny, piece, terrain, k);
         tell(records, slot, c, touches, 0f, vn, Float.MAX_VALUE);

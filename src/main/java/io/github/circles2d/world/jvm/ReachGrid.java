@@ -67,12 +67,12 @@ final class ReachGrid {
         if (before.length < state.capacity()) {
             int[] newBefore = new int[state.capacity()];
             float[] newReach = new float[state.capacity()];
-            int[] newLast = new int[Reach.buckets(state.capacity())];
+            int[] newLast = new int[Reach.reachBuckets(state.capacity())];
             before = newBefore;
             reach = newReach;
             last = newLast;
         }
-        buckets = Reach.buckets(state.n);
+        buckets = Reach.reachBuckets(state.n);
         topExponent = Reach.topExponent(levels.rmax);
         rounding = state.wraps ? levels.bounds.magnitude() * 0x1p-20f : 0f;
         used.set(0);
@@ -100,15 +100,15 @@ final class ReachGrid {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
             boolean isStatic = state.isStatic(slot);
-            reach[slot] = Reach.of(r, grid.path[slot], isStatic);
+            reach[slot] = Reach.reachOf(r, grid.path[slot], isStatic);
             if (!(reach[slot] > far) || isStatic || !Paths.isFast(grid.path[slot], r)) {
                 continue;
             }
-            int k = Reach.classOf(reach[slot], topExponent);
-            float inverseEdge = Reach.inverseEdge(k, topExponent);
-            int b = Reach.bucket(
-                    Reach.cell(state.circle[s + X], levels.minX, inverseEdge),
-                    Reach.cell(state.circle[s + Y], levels.minY, inverseEdge),
+            int k = Reach.reachClassOf(reach[slot], topExponent);
+            float inverseEdge = Reach.inverseReachEdge(k, topExponent);
+            int b = Reach.reachBucket(
+                    Reach.reachCell(state.circle[s + X], levels.minX, inverseEdge),
+                    Reach.reachCell(state.circle[s + Y], levels.minY, inverseEdge),
                     k,
                     buckets);
             if (shared) {
@@ -151,7 +151,7 @@ final class ReachGrid {
         if (classes == 0) {
             return 0;
         }
-        int own = Reach.classOf(reach[slot], topExponent);
+        int own = Reach.reachClassOf(reach[slot], topExponent);
         classes &= (2 << own) - 1;
         // One that reaches far itself looks for all of them.
         boolean isHere = looks && reach[slot] > farIn(levels.used[0]);
@@ -160,7 +160,7 @@ final class ReachGrid {
         while (classes != 0) {
             int j = Integer.numberOfTrailingZeros(classes);
             classes &= classes - 1;
-            if (Reach.top(j, topExponent) > far) {
+            if (Reach.topReach(j, topExponent) > far) {
                 count = findIn(worker, slot, j, isHere && j == own ? slot : NONE, count);
             }
         }
@@ -171,7 +171,7 @@ final class ReachGrid {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
-        float far = SLACK * (reach[slot] + Reach.top(j, topExponent)) + rounding;
+        float far = SLACK * (reach[slot] + Reach.topReach(j, topExponent)) + rounding;
         if (!state.wraps) {
             return scan(worker, slot, j, after, x - far, x + far, y - far, y + far, found);
         }
@@ -203,15 +203,15 @@ final class ReachGrid {
 
     private int scan(
             int worker, int slot, int j, int after, float left, float right, float low, float high, int found) {
-        float inverseEdge = Reach.inverseEdge(j, topExponent);
-        int c0 = Reach.cell(left, levels.minX, inverseEdge);
-        int c1 = Reach.cell(right, levels.minX, inverseEdge);
-        int r0 = Reach.cell(low, levels.minY, inverseEdge);
-        int r1 = Reach.cell(high, levels.minY, inverseEdge);
+        float inverseEdge = Reach.inverseReachEdge(j, topExponent);
+        int c0 = Reach.reachCell(left, levels.minX, inverseEdge);
+        int c1 = Reach.reachCell(right, levels.minX, inverseEdge);
+        int r0 = Reach.reachCell(low, levels.minY, inverseEdge);
+        int r1 = Reach.reachCell(high, levels.minY, inverseEdge);
         int count = found;
         for (int row = r0; row <= r1; row++) {
             for (int column = c0; column <= c1; column++) {
-                int first = last[Reach.bucket(column, row, j, buckets)];
+                int first = last[Reach.reachBucket(column, row, j, buckets)];
                 if (first != NONE) {
                     count = scanBucket(worker, slot, first, after, count);
                 }

@@ -18,7 +18,6 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
-import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
@@ -102,12 +101,12 @@ final class Sensing {
 
     private float pathX(int slot) {
         float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
-        return state.wraps ? Wrapping.shortWay(path, state.periodX) : path;
+        return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
     }
 
     private float pathY(int slot) {
         float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
-        return state.wraps ? Wrapping.shortWay(path, state.periodY) : path;
+        return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
     }
 
     private float path(int slot) {
@@ -115,7 +114,7 @@ final class Sensing {
     }
 
     private boolean isFast(int slot) {
-        return SensorRule.isFast(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
+        return SensorRule.isFastSensed(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
     }
 
     private void look(Nearby near, TouchRecords records, int slot, StepConstants k) {
@@ -127,7 +126,7 @@ final class Sensing {
         float toY = y + pathY(slot);
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
-            float margin = SensorRule.margin(r, path, levels.top[level]);
+            float margin = SensorRule.sensorMargin(r, path, levels.top[level]);
             float left = CircleMath.min(x, toX) - margin;
             float below = CircleMath.min(y, toY) - margin;
             float right = CircleMath.max(x, toX) + margin;
@@ -148,7 +147,7 @@ final class Sensing {
                     && other != slot
                     && (isFast || row != SensorRule.FOUND)
                     && PairFilter.maySense(state, slot, other)
-                    && SensorRule.finds(
+                    && SensorRule.findsSensed(
                             row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
                 boolean isLower = state.id[slot] < state.id[other];
                 meet(records, isLower ? slot : other, isLower ? other : slot, k);
@@ -160,16 +159,16 @@ final class Sensing {
     private void meet(TouchRecords records, int a, int b, StepConstants k) {
         float ax = start[CircleRow.vector(a) + X];
         float ay = start[CircleRow.vector(a) + Y];
-        float dx = Wrapping.shortWay(
+        float dx = CircleMath.shortWay(
                 start[CircleRow.vector(b) + X] - ax, events.arena().periodX());
-        float dy = Wrapping.shortWay(
+        float dy = CircleMath.shortWay(
                 start[CircleRow.vector(b) + Y] - ay, events.arena().periodY());
         float ux = pathX(b) - pathX(a);
         float uy = pathY(b) - pathY(a);
         float r = state.circle[CircleRow.of(a) + RADIUS];
         float sum = r + state.circle[CircleRow.of(b) + RADIUS];
         float closest = SensorRule.timeOfClosest(dx, dy, ux, uy);
-        float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
+        float least = SensorRule.sensedSeparation(dx, dy, ux, uy, closest, sum);
         if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)) {
             return;
         }
@@ -181,7 +180,7 @@ final class Sensing {
         if (!events.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
-        float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;
+        float t = touches ? SensorRule.timeSensed(dx, dy, ux, uy, sum) : closest;
         float mx = dx + t * ux;
         float my = dy + t * uy;
         float distance = CircleMath.length(mx, my);
@@ -192,9 +191,9 @@ final class Sensing {
         float nx = towardsX / length;
         float ny = towardsY / length;
         float vn = CircleMath.dot(nx, ny, ux / k.dt, uy / k.dt);
-        float px = TouchRule.point(ax, t * pathX(a), nx, r, distance - sum);
-        float py = TouchRule.point(ay, t * pathY(a), ny, r, distance - sum);
-        float approach = TouchRule.approach(vn);
+        float px = TouchRule.touchPoint(ax, t * pathX(a), nx, r, distance - sum);
+        float py = TouchRule.touchPoint(ay, t * pathY(a), ny, r, distance - sum);
+        float approach = TouchRule.approachSpeed(vn);
         records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, 0f, vn, Float.MAX_VALUE);
     }
 

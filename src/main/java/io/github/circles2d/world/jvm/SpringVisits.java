@@ -46,7 +46,7 @@ final class SpringVisits {
         float[] work = view.work;
         int o = view.o;
         work[o + LENGTH] = view.joints.rows[view.row + JointRow.LENGTH];
-        work[o + MASS] = JointMath.mass(work[o + INV_MASS_A] + work[o + INV_MASS_B]);
+        work[o + MASS] = JointMath.jointMass(work[o + INV_MASS_A] + work[o + INV_MASS_B]);
         work[o + NOW] = view.ofSpring(JointSpring.NOW);
         work[o + BEGUN] = view.ofSpring(JointSpring.BEGUN);
         work[o + WAY] = view.ofSpring(JointSpring.WAY);
@@ -79,7 +79,8 @@ final class SpringVisits {
         float begunY = load[b + BEFORE_Y] - (fallsB ? state.gainY(CircleRow.slot(b), k) : 0f) - ofA;
         float v = CircleMath.dot(nx, ny, m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
         float begun = CircleMath.dot(nx, ny, begunX, begunY);
-        float push = JointMath.spring(w[o + MASS], v, begun, d - w[o + LENGTH], w[o + NOW], w[o + BEGUN], w[o + WAY]);
+        float push =
+                JointMath.springImpulse(w[o + MASS], v, begun, d - w[o + LENGTH], w[o + NOW], w[o + BEGUN], w[o + WAY]);
         w[o + SUM_X] += nx * push;
         w[o + SUM_Y] += ny * push;
         float pushX = nx * (0f + push); // as a sum that begins with 0

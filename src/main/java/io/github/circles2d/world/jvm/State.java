@@ -16,18 +16,17 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.Walls;
-import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**
@@ -90,7 +89,7 @@ public final class State {
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
 
-    /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain Wrapping#shortWay the short way}. */
+    /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain CircleMath#shortWay the short way}. */
     boolean wraps;
 
     /** Within a step: the period along x; infinite if x does not wrap. */
@@ -285,8 +284,8 @@ public final class State {
                 case Commands.RESTITUTION -> traits[s + RESTITUTION] = a;
                 case Commands.IMPULSE -> {
                     float w = traits[s + INVERSE_MASS];
-                    motion[s + VX] = Motion.afterImpulse(motion[s + VX], w, a);
-                    motion[s + VY] = Motion.afterImpulse(motion[s + VY], w, b);
+                    motion[s + VX] = Velocity.afterImpulse(motion[s + VX], w, a);
+                    motion[s + VY] = Velocity.afterImpulse(motion[s + VY], w, b);
                 }
                 case Commands.ANGLE -> turning.angle[slot] = records[k + Commands.FIRST];
                 case Commands.ANGULAR_VELOCITY -> turning.angularVelocity[slot] = a;
@@ -305,8 +304,8 @@ public final class State {
         float periodY = Float.intBitsToFloat(records[k + Commands.FIFTH]);
         traits[s + WALL_X] = motion[s + VX];
         traits[s + WALL_Y] = motion[s + VY];
-        motion[s + VX] = Motion.travelSpeed(circle[s + X], x, dt, periodX);
-        motion[s + VY] = Motion.travelSpeed(circle[s + Y], y, dt, periodY);
+        motion[s + VX] = Velocity.travelSpeed(circle[s + X], x, dt, periodX);
+        motion[s + VY] = Velocity.travelSpeed(circle[s + Y], y, dt, periodY);
     }
 
     private void arrive(int s, float x, float y) {
@@ -396,7 +395,7 @@ public final class State {
 
     private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
         float w = traits[CircleRow.of(slot) + INVERSE_MASS];
-        return Motion.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
+        return Velocity.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
     /** The same, but 0 for a static circle. */
@@ -412,13 +411,13 @@ public final class State {
     /** How much greater the x of one slot is than that of another. */
     float differenceX(int slot, int other) {
         float d = circle[CircleRow.of(other) + X] - circle[CircleRow.of(slot) + X];
-        return wraps ? Wrapping.shortWay(d, periodX) : d;
+        return wraps ? CircleMath.shortWay(d, periodX) : d;
     }
 
     /** How much greater the y of one slot is than that of another. */
     float differenceY(int slot, int other) {
         float d = circle[CircleRow.of(other) + Y] - circle[CircleRow.of(slot) + Y];
-        return wraps ? Wrapping.shortWay(d, periodY) : d;
+        return wraps ? CircleMath.shortWay(d, periodY) : d;
     }
 
     /** Whether a circle has an infinite mass. */

@@ -49,7 +49,7 @@ final class Touches {
     private static final int APPROACH_NOW = 2;
     private static final int IMPULSE_NOW = 3;
 
-    // How fast surfaces slide, in worlds that turn: in the sub-step of the approach speed, and in this one.
+    // How fast surfaces slide, if circles can rotate: in the sub-step of the approach speed, and in this one.
     private static final int SLIPS = 2;
     private static final int SLIP = 0;
     private static final int SLIP_NOW = 1;
@@ -298,7 +298,7 @@ final class Touches {
             float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
             float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
             float vn = CircleMath.dot(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
-            float approach = TouchRule.approach(vn);
+            float approach = TouchRule.approachSpeed(vn);
             float impulse = q[o + NORMAL_IMPULSE] + r[t + IMPULSE_NOW];
             float before = r[t + APPROACH];
             float greatest = TouchRule.greatest(before, approach, impulse, q[o + SEPARATION]);
@@ -307,7 +307,7 @@ final class Touches {
             if (slide != null && greatest > before) {
                 slide[SLIPS * c + SLIP] = slide[SLIPS * c + SLIP_NOW];
             }
-            if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
+            if (TouchRule.isFastApproach(approach, dt, q[o + RADII]) && greatest > before) {
                 fastOnes[many++] = c;
             }
         }
@@ -371,7 +371,7 @@ final class Touches {
         if (slips != null) {
             slips[SLIPS * c + SLIP] = slips[SLIPS * c + SLIP_NOW];
         }
-        if (TouchRule.isFast(approach, dt, contacts.contact[o + RADII])) {
+        if (TouchRule.isFastApproach(approach, dt, contacts.contact[o + RADII])) {
             int a = contacts.pair[ContactRow.a(c)];
             place(o, t, a, state.motion[a + DX], state.motion[a + DY]);
         }
@@ -458,8 +458,8 @@ final class Touches {
         float[] circle = state.circle;
         places[t + AT_NORMAL_X] = nx;
         places[t + AT_NORMAL_Y] = ny;
-        places[t + POINT_X] = TouchRule.point(circle[a + X], dx, nx, circle[a + RADIUS], separation);
-        places[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
+        places[t + POINT_X] = TouchRule.touchPoint(circle[a + X], dx, nx, circle[a + RADIUS], separation);
+        places[t + POINT_Y] = TouchRule.touchPoint(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
     }
 
     /** Ends a step: records the pairs that need it, and tells of a part of the slots at walls and pieces. */
@@ -490,7 +490,7 @@ final class Touches {
         float[] m = state.motion;
         int a = contacts.pair[ContactRow.a(c)];
         int b = contacts.pair[ContactRow.b(c)];
-        if (!TouchRule.isFast(approach(c), k.dt, q[o + RADII])) {
+        if (!TouchRule.isFastApproach(approach(c), k.dt, q[o + RADII])) {
             place(o, t, a, 0f, 0f);
         }
         float vn = CircleMath.dot(

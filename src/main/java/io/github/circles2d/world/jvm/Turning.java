@@ -10,13 +10,13 @@ import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.TURNED;
 
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindSurface;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.Velocity;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /** What the circles of a {@link State} turn by. Worlds in which nothing has turned or gripped have none. Arrays are by slot. */
@@ -130,7 +130,7 @@ final class Turning {
         float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
         float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
         float before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, skin[s + ANGULAR_FACTOR]);
-        spin[s + SURFACE_SPEED] = Motion.limitSpeed(before + spin[s + INVERSE_INERTIA] * spin[s + SPIN_IMPULSE]);
+        spin[s + SURFACE_SPEED] = Velocity.limitSpeed(before + spin[s + INVERSE_INERTIA] * spin[s + SPIN_IMPULSE]);
         spin[s + SPIN_IMPULSE] = before;
     }
 
@@ -148,7 +148,7 @@ final class Turning {
     /** The move of a circle in a sub-step. */
     void move(int slot) {
         int s = CircleRow.of(slot);
-        spin[s + SURFACE_SPEED] = Motion.limitSpeed(spin[s + SURFACE_SPEED]);
+        spin[s + SURFACE_SPEED] = Velocity.limitSpeed(spin[s + SURFACE_SPEED]);
         spin[s + TURNED] += spin[s + SURFACE_SPEED];
         spin[s + SPIN_IMPULSE] = 0f;
     }

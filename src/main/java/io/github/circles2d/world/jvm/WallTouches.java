@@ -8,8 +8,8 @@ import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.X;
 
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.events.TouchRecords;
-import io.github.circles2d.world.events.WallCode;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.StepConstants;
@@ -91,7 +91,7 @@ final class WallTouches {
         int t = row(slot, axis);
         float impulse = side * gained;
         rows[t + IMPULSE] += impulse;
-        float approach = TouchRule.approach(vn);
+        float approach = TouchRule.approachSpeed(vn);
         if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {
             rows[t + APPROACH] = approach;
             rows[t + PLACE] = place(CircleRow.of(slot), axis, 1f);
@@ -150,7 +150,7 @@ final class WallTouches {
             float at,
             StepConstants k) {
         int id = state.id[slot];
-        int wall = WallCode.of(axis, side);
+        int wall = Partner.ofWall(axis, side);
         int pair = events.find(id, wall);
         boolean isX = axis == 0;
         float r = state.circle[CircleRow.of(slot) + RADIUS];

@@ -74,7 +74,7 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         if (x >= min && x <= last) {
             return x;
         }
-        float laps = Wrapping.laps(x, min, period);
+        float laps = CircleMath.laps(x, min, period);
         return laps == 0f ? x : CircleMath.clamp(x - laps * period, min, last);
     }
 

@@ -22,9 +22,15 @@ public final class Cells {
         return (int) CircleMath.clamp((x - min) * inverseEdge, 0f, MOST);
     }
 
+    private static int mixBits(int h) {
+        h = (h ^ (h >>> 16)) * 0x85ebca6b;
+        h = (h ^ (h >>> 13)) * 0xc2b2ae35;
+        return h ^ (h >>> 16);
+    }
+
     /** The finalizer of MurmurHash3, twice. */
     public static int pairHash(int lo, int hi) {
-        return mix(mix(lo) + hi);
+        return mixBits(mixBits(lo) + hi);
     }
 
     /** Contacts grow with the circles in a point, not with their square. */
@@ -39,11 +45,5 @@ public final class Cells {
 
     public static float partingY(int hash) {
         return (float) ((hash >>> 10) & 1023) - 511.5f;
-    }
-
-    private static int mix(int h) {
-        h = (h ^ (h >>> 16)) * 0x85ebca6b;
-        h = (h ^ (h >>> 13)) * 0xc2b2ae35;
-        return h ^ (h >>> 16);
     }
 }

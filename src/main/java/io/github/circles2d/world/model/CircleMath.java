@@ -9,10 +9,6 @@ package io.github.circles2d.world.model;
 public final class CircleMath {
     private CircleMath() {}
 
-    public static float length(float x, float y) {
-        return (float) Math.sqrt(x * x + y * y);
-    }
-
     /** Like max, the second of +0 and -0; not for NaN. */
     public static float min(float a, float b) {
         return a < b ? a : b;
@@ -25,6 +21,28 @@ public final class CircleMath {
     /** If low is above high, low wins; a zero at a bound is the bound's. */
     public static float clamp(float a, float low, float high) {
         return max(min(a, high), low);
+    }
+
+    /** A period is infinite if its axis does not wrap; then nothing changes. */
+    public static float shortWay(float d, float period) {
+        float half = 0.5f * period;
+        return d > half ? d - period : d < -half ? d + period : d;
+    }
+
+    /** Whole periods between min and a coordinate. */
+    public static float laps(float x, float min, float period) {
+        return (float) Math.floor((x - min) / period); // the floor of a float is exact
+    }
+
+    /** Of a path: at most an eighth, so circles meet the short way alone. */
+    public static float shareOfPeriod(float p, float period) {
+        float most = 0.125f * period;
+        float way = Math.abs(p);
+        return way > most ? most / way : 1f;
+    }
+
+    public static float length(float x, float y) {
+        return (float) Math.sqrt(x * x + y * y);
     }
 
     public static float dot(float nx, float ny, float vx, float vy) {

@@ -33,15 +33,15 @@ public final class CrossRule {
         return inverseMassOfFiner >= inverseMassOfCoarser;
     }
 
-    public static int load(float inverseMassOfLight, float inverseMassOfHeavy) {
+    public static int loadOfHeavy(float inverseMassOfLight, float inverseMassOfHeavy) {
         return (int) (inverseMassOfHeavy / (inverseMassOfHeavy + inverseMassOfLight) * LOAD_UNITS) + 1;
     }
 
-    public static float share(int load) {
+    public static float crossShare(int load) {
         return CircleMath.max((float) load * (1f / LOAD_UNITS), 1f);
     }
 
-    public static float mass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
+    public static float crossMass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
         return 1f / (inverseMassOfLight + share * inverseMassOfHeavy);
     }
 
@@ -61,18 +61,18 @@ public final class CrossRule {
         return radius * inverseH / inverseMass;
     }
 
+    private static int exponentOf(float range) {
+        return Math.max(Float.floatToRawIntBits(range) & EXPONENT, LEAST_EXPONENT << EXPONENT_SHIFT);
+    }
+
     /** Units per 1. */
     public static float scaleOf(float range) {
         return Float.intBitsToFloat(
-                ((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponent(range));
+                ((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponentOf(range));
     }
 
     public static float unitOf(float range) {
-        return Float.intBitsToFloat(exponent(range) - (RANGE_LOG << EXPONENT_SHIFT));
-    }
-
-    private static int exponent(float range) {
-        return Math.max(Float.floatToRawIntBits(range) & EXPONENT, LEAST_EXPONENT << EXPONENT_SHIFT);
+        return Float.intBitsToFloat(exponentOf(range) - (RANGE_LOG << EXPONENT_SHIFT));
     }
 
     public static long toFixed(float v, float scale) {

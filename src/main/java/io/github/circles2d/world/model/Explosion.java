@@ -37,8 +37,8 @@ public final class Explosion {
 
     /** Whether a circle gets {@link #impulseX} and {@link #impulseY}. */
     public boolean reaches(float[] circles, int row) {
-        dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
-        dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);
+        dx = CircleMath.shortWay(circles[row + CircleRow.X] - x, periodX);
+        dy = CircleMath.shortWay(circles[row + CircleRow.Y] - y, periodY);
         float distance = CircleMath.length(dx, dy);
         float gap = CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f);
         float reach = radius + falloff;

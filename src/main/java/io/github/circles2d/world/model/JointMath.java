@@ -2,7 +2,7 @@ package io.github.circles2d.world.model;
 
 /**
  * What a visit of a joint does to its impulses. m is an effective mass, v the speed of B against A, c how far B is from where it should be, along the
- * same line. {@code Joint.cl} has the same functions.
+ * same line.
  */
 public final class JointMath {
     /** So that what cannot be satisfied stays finite; more than the greatest mass at the greatest speed. */
@@ -10,14 +10,18 @@ public final class JointMath {
 
     public static final float RADIANS_PER_UNIT = 1.4629181e-9f;
 
+    private static final int QUARTER_LOG = 30;
+    private static final int QUARTER = 1 << QUARTER_LOG;
+    private static final int EIGHTH = 1 << 29;
+
     private JointMath() {}
 
-    public static float kept(float impulse) {
+    public static float keptImpulse(float impulse) {
         return CircleMath.clamp(impulse, -GREATEST_IMPULSE, GREATEST_IMPULSE);
     }
 
     /** One over a sum of inverse masses; 0 if nothing moves. */
-    public static float mass(float inverse) {
+    public static float jointMass(float inverse) {
         return inverse > 0f ? 1f / inverse : 0f;
     }
 
@@ -27,8 +31,14 @@ public final class JointMath {
     }
 
     /** Whether a joint that is so far from what it is to keep loads a circle. */
-    public static boolean loads(float strain, float radius) {
+    public static boolean jointLoads(float strain, float radius) {
         return strain > Tuning.JOINT_STRAIN * radius;
+    }
+
+    /** With bias, by an implicit spring, or of a fixed angle. */
+    public static float solvedImpulse(
+            float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
+        return keptImpulse((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
     }
 
     /** The greatest speed by which a joint corrects where its ends are; radius: the lesser one of its circles. */
@@ -36,48 +46,37 @@ public final class JointMath {
         return Tuning.JOINT_PUSH * radius * inverseH;
     }
 
-    /** With bias, by an implicit spring, or of a fixed angle. */
-    public static float solve(
-            float impulse, float m, float v, float c, float massScale, float biasRate, float impulseScale) {
-        return kept((impulse - m * (massScale * v + massScale * (biasRate * c))) - impulseScale * impulse);
-    }
-
-    /** With bias, of what is rigid; most: {@link #greatestPush}. */
-    public static float hold(float impulse, float m, float v, float c, Softness s, float most) {
-        return kept(held(impulse, m, v, c, s, most));
-    }
-
-    private static float held(float impulse, float m, float v, float c, Softness s, float most) {
+    private static float heldUnkept(float impulse, float m, float v, float c, Softness s, float most) {
         float soft = m * (s.massScale * (s.biasRate * c)) + s.impulseScale * impulse;
         return (impulse - m * (s.massScale * v)) - CircleMath.clamp(soft, -1f * (m * most), m * most);
     }
 
+    /** With bias, of what is rigid; most: {@link #greatestPush}. */
+    public static float heldImpulse(float impulse, float m, float v, float c, Softness s, float most) {
+        return keptImpulse(heldUnkept(impulse, m, v, c, s, most));
+    }
+
     /** Without bias. */
-    public static float relax(float impulse, float m, float v) {
-        return kept(impulse - m * v);
+    public static float relaxedImpulse(float impulse, float m, float v) {
+        return keptImpulse(impulse - m * v);
     }
 
     /** By an exact spring; begun: the speed as the sub-step began. */
-    public static float spring(float m, float v, float begun, float c, float now, float ofBegun, float way) {
-        return kept(-1f * (m * ((now * v + ofBegun * begun) + way * c)));
+    public static float springImpulse(float m, float v, float begun, float c, float now, float ofBegun, float way) {
+        return keptImpulse(-1f * (m * ((now * v + ofBegun * begun) + way * c)));
     }
 
     /** Of a limit, from which B is away by gap, with bias; v is positive if B goes away from it. */
-    public static float solveLimit(float impulse, float m, float v, float gap, float inverseH, Softness s, float most) {
-        float next = gap > 0f ? impulse - m * (v + gap * inverseH) : held(impulse, m, v, gap, s, most);
+    public static float solvedLimit(
+            float impulse, float m, float v, float gap, float inverseH, Softness s, float most) {
+        float next = gap > 0f ? impulse - m * (v + gap * inverseH) : heldUnkept(impulse, m, v, gap, s, most);
         return CircleMath.clamp(next, 0f, GREATEST_IMPULSE);
     }
 
     /** The same without bias. */
-    public static float relaxLimit(float impulse, float m, float v, float gap, float inverseH) {
+    public static float relaxedLimit(float impulse, float m, float v, float gap, float inverseH) {
         float next = impulse - m * (gap > 0f ? v + gap * inverseH : v);
         return CircleMath.clamp(next, 0f, GREATEST_IMPULSE);
-    }
-
-    /** The share of a vector that is not longer than a limit. */
-    public static float shareWithin(float x, float y, float limit) {
-        float length = CircleMath.length(x, y);
-        return length > limit ? limit / length : 1f;
     }
 
     /** How far A has turned against B since the reference angles, in radians; turned: in the step, in radians. */
@@ -95,22 +94,6 @@ public final class JointMath {
         return b + ((a - b) >> 1) + (int) (long) CircleMath.clamp(half, -Surface.MOST_UNITS, Surface.MOST_UNITS);
     }
 
-    public static float cos(int units) {
-        return sin(units + QUARTER);
-    }
-
-    /** To 1e-7; by sums and products alone. */
-    public static float sin(int units) {
-        int quarter = units + EIGHTH >>> QUARTER_LOG;
-        float x = (float) (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
-        float value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
-        return (quarter & 2) == 0 ? value : -1f * value;
-    }
-
-    private static final int QUARTER_LOG = 30;
-    private static final int QUARTER = 1 << QUARTER_LOG;
-    private static final int EIGHTH = 1 << 29;
-
     private static float sinOfEighth(float x) {
         float z = x * x;
         return x + x * (z * (-1.6666667e-1f + z * (8.3333310e-3f + z * -1.9840874e-4f)));
@@ -119,5 +102,17 @@ public final class JointMath {
     private static float cosOfEighth(float x) {
         float z = x * x;
         return 1f - z * (0.5f - z * (4.1666666e-2f + z * (-1.3888397e-3f + z * 2.4760495e-5f)));
+    }
+
+    /** To 1e-7; by sums and products alone. */
+    public static float sinOfUnits(int units) {
+        int quarter = units + EIGHTH >>> QUARTER_LOG;
+        float x = (float) (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
+        float value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
+        return (quarter & 2) == 0 ? value : -1f * value;
+    }
+
+    public static float cosOfUnits(int units) {
+        return sinOfUnits(units + QUARTER);
     }
 }

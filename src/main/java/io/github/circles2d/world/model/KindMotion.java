@@ -71,8 +71,8 @@ public final class KindMotion {
     private void set(int kind, StepConstants k, float gravityScale, float damping, float greatestSpeed) {
         int row = of(kind);
         float factor = 1f / (1f + damping * k.h);
-        rows[row + GAIN_X] = Motion.limitSpeed(k.gravityX * gravityScale) * k.h;
-        rows[row + GAIN_Y] = Motion.limitSpeed(k.gravityY * gravityScale) * k.h;
+        rows[row + GAIN_X] = Velocity.limitSpeed(k.gravityX * gravityScale) * k.h;
+        rows[row + GAIN_Y] = Velocity.limitSpeed(k.gravityY * gravityScale) * k.h;
         rows[row + DAMPING_FACTOR] = factor;
         rows[row + GREATEST_SPEED] = greatestSpeed;
         rows[row + TIME] = k.dt;

@@ -2,7 +2,7 @@ package io.github.circles2d.world.model;
 
 /** What turns the circles of each kind: a row of floats a kind. */
 public final class KindSurface {
-    /** Surface speed that the surface has besides that of turning, positive to the left. */
+    /** Surface speed that the surface has besides that of turning, positive anticlockwise. */
     public static final int BELT = 0;
 
     /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not turn. */

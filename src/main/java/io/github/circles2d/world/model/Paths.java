@@ -9,6 +9,11 @@ public final class Paths {
         return (r + Tuning.MARGIN * r) + CircleMath.min(path, Tuning.CAP * r);
     }
 
+    /** How far from its centre a circle may touch terrain in a step: with its free path, and as far off it as others may push it. */
+    public static float sight(float r, float path) {
+        return (r + Tuning.MARGIN * r) + (path + r); // no allowance is greater than the radius
+    }
+
     /** May meet others unseen. */
     public static boolean isFast(float path, float r) {
         return path > Tuning.CAP * r;
@@ -84,10 +89,5 @@ public final class Paths {
     public static float alongPath(float dx, float dy, float px, float py) {
         float square = px * px + py * py;
         return square > 0f ? (dx * px + dy * py) / square : 0f;
-    }
-
-    /** How far from its centre a circle may touch terrain in a step: with its free path, and as far off it as others may push it. */
-    public static float sight(float r, float path) {
-        return (r + Tuning.MARGIN * r) + (path + r); // no allowance is greater than the radius
     }
 }

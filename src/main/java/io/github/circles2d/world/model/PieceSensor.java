@@ -9,13 +9,52 @@ public final class PieceSensor {
 
     private PieceSensor() {}
 
-    public static float timeOfTouch(float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
+    private static float timeAtLine(float[] rows, int row, float ox, float oy, float ux, float uy, float reach) {
+        float tx = rows[row + PieceRow.TX];
+        float ty = rows[row + PieceRow.TY];
+        float height = ox * ty - oy * tx;
+        float side = height >= 0f ? 1f : -1f;
+        float sinks = -(side * (ux * ty - uy * tx));
+        float gap = side * height - reach;
+        if (!(sinks > 0f) || !(gap > 0f)) {
+            return NEVER; // beyond an end, perhaps
+        }
+        float t = gap / sinks;
+        float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
+        return along >= 0f && along <= rows[row + PieceRow.LENGTH] ? t : NEVER;
+    }
+
+    /** When a point leaves a circle around 0, perhaps after it has come into it. */
+    private static float timeOfLeaving(float ox, float oy, float ux, float uy, float radius) {
+        float a = ux * ux + uy * uy;
+        float b = ox * ux + oy * uy;
+        float c = radius * radius - (ox * ox + oy * oy);
+        float disc = b * b + a * c;
+        if (!(radius > 0f) || !(disc >= 0f) || !(a > 0f) || !(c > 0f) && !(b < 0f)) {
+            return NEVER;
+        }
+        // the root that loses no digits
+        float root = (float) Math.sqrt(disc);
+        return b > 0f ? c / (b + root) : (root - b) / a;
+    }
+
+    /** On its outer side from outside, or on its inner side from within. */
+    private static float timeAtArc(float[] rows, int row, float ox, float oy, float ux, float uy, float r) {
+        float length = rows[row + PieceRow.LENGTH];
+        boolean outside = CircleMath.isLonger(ox, oy, length + r);
+        float outer = outside ? TimeOfImpact.timeOfTouch(-ox, -oy, ux, uy, length + r) : NEVER;
+        float inner = timeOfLeaving(ox, oy, ux, uy, length - r);
+        float t = PieceSweep.isInOpening(rows, row, ox + outer * ux, oy + outer * uy) ? outer : NEVER;
+        return inner < t && PieceSweep.isInOpening(rows, row, ox + inner * ux, oy + inner * uy) ? inner : t;
+    }
+
+    public static float timeOfSensing(float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
         if (PieceGap.distance(rows, row, shape, ox, oy) <= r) {
             return 0f;
         }
         float reach = r + rows[row + PieceRow.THICKNESS];
         boolean isArc = PieceRow.form(shape) == PieceRow.ARC;
-        float t = isArc ? timeOfArc(rows, row, ox, oy, ux, uy, r) : timeOfLine(rows, row, ox, oy, ux, uy, reach);
+        float t = isArc ? timeAtArc(rows, row, ox, oy, ux, uy, r) : timeAtLine(rows, row, ox, oy, ux, uy, reach);
         if (isArc && rows[row + PieceRow.SPREAD] == PieceRow.ALL_AROUND) {
             return t;
         }
@@ -35,50 +74,6 @@ public final class PieceSensor {
             return NEVER;
         }
         float t = timeOfLeaving(ox, oy, ux, uy, rows[row + PieceRow.LENGTH] - r);
-        return opens(rows, row, ox + t * ux, oy + t * uy) ? t : NEVER;
-    }
-
-    private static float timeOfLine(float[] rows, int row, float ox, float oy, float ux, float uy, float reach) {
-        float tx = rows[row + PieceRow.TX];
-        float ty = rows[row + PieceRow.TY];
-        float height = ox * ty - oy * tx;
-        float side = height >= 0f ? 1f : -1f;
-        float sinks = -(side * (ux * ty - uy * tx));
-        float gap = side * height - reach;
-        if (!(sinks > 0f) || !(gap > 0f)) {
-            return NEVER; // beyond an end, perhaps
-        }
-        float t = gap / sinks;
-        float along = (ox * tx + oy * ty) + t * (ux * tx + uy * ty);
-        return along >= 0f && along <= rows[row + PieceRow.LENGTH] ? t : NEVER;
-    }
-
-    /** On its outer side from outside, or on its inner side from within. */
-    private static float timeOfArc(float[] rows, int row, float ox, float oy, float ux, float uy, float r) {
-        float length = rows[row + PieceRow.LENGTH];
-        boolean outside = CircleMath.isLonger(ox, oy, length + r);
-        float outer = outside ? TimeOfImpact.timeOfTouch(-ox, -oy, ux, uy, length + r) : NEVER;
-        float inner = timeOfLeaving(ox, oy, ux, uy, length - r);
-        float t = opens(rows, row, ox + outer * ux, oy + outer * uy) ? outer : NEVER;
-        return inner < t && opens(rows, row, ox + inner * ux, oy + inner * uy) ? inner : t;
-    }
-
-    private static boolean opens(float[] rows, int row, float x, float y) {
-        float cos = x * rows[row + PieceRow.TX] + y * rows[row + PieceRow.TY];
-        return cos >= rows[row + PieceRow.SPREAD] * CircleMath.length(x, y);
-    }
-
-    /** When a point leaves a circle around 0, perhaps after it has come into it. */
-    private static float timeOfLeaving(float ox, float oy, float ux, float uy, float radius) {
-        float a = ux * ux + uy * uy;
-        float b = ox * ux + oy * uy;
-        float c = radius * radius - (ox * ox + oy * oy);
-        float disc = b * b + a * c;
-        if (!(radius > 0f) || !(disc >= 0f) || !(a > 0f) || !(c > 0f) && !(b < 0f)) {
-            return NEVER;
-        }
-        // the root that loses no digits
-        float root = (float) Math.sqrt(disc);
-        return b > 0f ? c / (b + root) : (root - b) / a;
+        return PieceSweep.isInOpening(rows, row, ox + t * ux, oy + t * uy) ? t : NEVER;
     }
 }

@@ -9,25 +9,6 @@ public final class PieceSweep {
 
     private PieceSweep() {}
 
-    public static float timeOfFace(
-            float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
-        float reach = r + rows[row + PieceRow.THICKNESS];
-        return PieceRow.form(shape) == PieceRow.ARC
-                ? timeOfArc(rows, row, shape, ox, oy, ux, uy, r)
-                : timeOfLine(rows, row, shape, ox, oy, ux, uy, r, reach, side);
-    }
-
-    /** Of an end that is not concave. Of a tip, who comes from behind the piece that ends there is in front of the one that starts. */
-    public static float timeOfVertex(
-            float[] rows, int row, int shape, boolean start, float ox, float oy, float ux, float uy, float r) {
-        if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) == PieceRow.CONCAVE) {
-            return NEVER;
-        }
-        float dx = rows[row + (start ? PieceRow.START_X : PieceRow.END_X)] - ox;
-        float dy = rows[row + (start ? PieceRow.START_Y : PieceRow.END_Y)] - oy;
-        return TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + rows[row + PieceRow.THICKNESS]);
-    }
-
     private static float timeOfLine(
             float[] rows,
             int row,
@@ -56,6 +37,40 @@ public final class PieceSweep {
         return meets ? t : NEVER;
     }
 
+    /** When a point leaves a circle around 0, unless it gets no farther than a graze. */
+    private static float timeFromInside(float ox, float oy, float ux, float uy, float radius, float graze) {
+        float b = ox * ux + oy * uy;
+        float a = ux * ux + uy * uy;
+        float c = radius * radius - (ox * ox + oy * oy);
+        if (!CircleMath.isLonger(ox + ux, oy + uy, radius + graze) || !(radius > 0f)) {
+            return NEVER;
+        }
+        if (b > 0f) {
+            // the root that loses no digits
+            return c > 0f ? c / (b + (float) Math.sqrt(b * b + a * c)) : 0f;
+        }
+        // a chord, also of a point that starts a little outside; one that never comes in stops where it is nearest
+        float disc = CircleMath.max(b * b + a * c, 0f);
+        return ((float) Math.sqrt(disc) - b) / a;
+    }
+
+    static boolean isInOpening(float[] rows, int row, float x, float y) {
+        float cos = x * rows[row + PieceRow.TX] + y * rows[row + PieceRow.TY];
+        return cos >= rows[row + PieceRow.SPREAD] * CircleMath.length(x, y);
+    }
+
+    /** When a point comes, after a share of its motion, from beside an arc to the radius of its end e, in front of the arc. */
+    private static float timeOfEnd(
+            float ex, float ey, float ox, float oy, float ux, float uy, float after, float length) {
+        float t = (ey * ox - ex * oy) / (ex * uy - ey * ux);
+        if (!(t >= after && t < 1f)) {
+            return NEVER;
+        }
+        float x = ox + t * ux;
+        float y = oy + t * uy;
+        return x * ex + y * ey > 0f && !CircleMath.isLonger(x, y, length) ? t : NEVER;
+    }
+
     private static float timeOfArc(float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
         float length = rows[row + PieceRow.LENGTH];
         boolean inner = (shape & PieceRow.SOLID_OUTSIDE) != 0;
@@ -77,37 +92,22 @@ public final class PieceSweep {
         return CircleMath.min(end, start);
     }
 
-    private static boolean isInOpening(float[] rows, int row, float x, float y) {
-        float cos = x * rows[row + PieceRow.TX] + y * rows[row + PieceRow.TY];
-        return cos >= rows[row + PieceRow.SPREAD] * CircleMath.length(x, y);
+    public static float timeOfFace(
+            float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r, float side) {
+        float reach = r + rows[row + PieceRow.THICKNESS];
+        return PieceRow.form(shape) == PieceRow.ARC
+                ? timeOfArc(rows, row, shape, ox, oy, ux, uy, r)
+                : timeOfLine(rows, row, shape, ox, oy, ux, uy, r, reach, side);
     }
 
-    /** When a point comes, after a share of its motion, from beside an arc to the radius of its end e, in front of the arc. */
-    private static float timeOfEnd(
-            float ex, float ey, float ox, float oy, float ux, float uy, float after, float length) {
-        float t = (ey * ox - ex * oy) / (ex * uy - ey * ux);
-        if (!(t >= after && t < 1f)) {
+    /** Of an end that is not concave. Of a tip, who comes from behind the piece that ends there is in front of the one that starts. */
+    public static float timeOfVertex(
+            float[] rows, int row, int shape, boolean start, float ox, float oy, float ux, float uy, float r) {
+        if ((start ? PieceRow.startJoint(shape) : PieceRow.endJoint(shape)) == PieceRow.CONCAVE) {
             return NEVER;
         }
-        float x = ox + t * ux;
-        float y = oy + t * uy;
-        return x * ex + y * ey > 0f && !CircleMath.isLonger(x, y, length) ? t : NEVER;
-    }
-
-    /** When a point leaves a circle around 0, unless it gets no farther than a graze. */
-    private static float timeFromInside(float ox, float oy, float ux, float uy, float radius, float graze) {
-        float b = ox * ux + oy * uy;
-        float a = ux * ux + uy * uy;
-        float c = radius * radius - (ox * ox + oy * oy);
-        if (!CircleMath.isLonger(ox + ux, oy + uy, radius + graze) || !(radius > 0f)) {
-            return NEVER;
-        }
-        if (b > 0f) {
-            // the root that loses no digits
-            return c > 0f ? c / (b + (float) Math.sqrt(b * b + a * c)) : 0f;
-        }
-        // a chord, also of a point that starts a little outside; one that never comes in stops where it is nearest
-        float disc = CircleMath.max(b * b + a * c, 0f);
-        return ((float) Math.sqrt(disc) - b) / a;
+        float dx = rows[row + (start ? PieceRow.START_X : PieceRow.END_X)] - ox;
+        float dy = rows[row + (start ? PieceRow.START_Y : PieceRow.END_Y)] - oy;
+        return TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + rows[row + PieceRow.THICKNESS]);
     }
 }

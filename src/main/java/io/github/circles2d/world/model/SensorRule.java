@@ -17,16 +17,16 @@ public final class SensorRule {
 
     private SensorRule() {}
 
-    public static boolean isFast(float path, float r) {
+    public static boolean isFastSensed(float path, float r) {
         return path > r;
     }
 
     /** Around its path, for slower ones; top is their greatest radius. */
-    public static float margin(float r, float path, float top) {
+    public static float sensorMargin(float r, float path, float top) {
         return 1.125f * ((r + top) + CircleMath.max(path, top));
     }
 
-    public static boolean finds(
+    public static boolean findsSensed(
             int row, boolean isFast, float path, int id, boolean otherIsFast, float otherPath, int otherId) {
         if (isFast || otherIsFast) {
             return isFast && (!otherIsFast || path > otherPath || path == otherPath && id < otherId);
@@ -39,12 +39,12 @@ public final class SensorRule {
         return uu > 0f ? CircleMath.clamp(-(dx * ux + dy * uy) / uu, 0f, 1f) : 0f;
     }
 
-    public static float separation(float dx, float dy, float ux, float uy, float share, float sum) {
+    public static float sensedSeparation(float dx, float dy, float ux, float uy, float share, float sum) {
         return CircleMath.length(dx + share * ux, dy + share * uy) - sum;
     }
 
     /** For circles that do touch. */
-    public static float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
+    public static float timeSensed(float dx, float dy, float ux, float uy, float sum) {
         float b = -(dx * ux + dy * uy);
         float gap = (dx * dx + dy * dy) - sum * sum;
         float disc = CircleMath.max(b * b - (ux * ux + uy * uy) * gap, 0f);

@@ -3,7 +3,7 @@ package io.github.circles2d.world.model;
 /**
  * Friction, rolling resistance and turning of discs.
  *
- * <p>The tangent t is the normal turned to the left. A surface speed is an angular velocity times a radius, positive to the left. An
+ * <p>The tangent t is the normal rotated 90 degrees anticlockwise. A surface speed is an angular velocity times a radius, positive anticlockwise. An
  * inverse inertia is the square of the radius over the angular inertia: what a surface speed gains by an impulse along the surface. Of a
  * disc it is twice the inverse mass, of a ring the inverse mass, of a circle that friction does not turn 0.
  *
@@ -72,12 +72,12 @@ public final class Surface {
     }
 
     public static float afterAngularImpulse(float omega, float impulse, float r, float inverseInertia) {
-        return Motion.limitSpeed(omega + impulse / r * inverseInertia / r);
+        return Velocity.limitSpeed(omega + impulse / r * inverseInertia / r);
     }
 
     /** What a torque adds to a surface speed in a sub-step. */
     public static float torqueGain(float torque, float inverseInertia, float r, float h) {
-        return torque == 0f ? 0f : Motion.limitSpeed(torque / r * inverseInertia * h);
+        return torque == 0f ? 0f : Velocity.limitSpeed(torque / r * inverseInertia * h);
     }
 
     /** An angle after a step; turned: the sum of the surface speeds in its sub-steps. */
@@ -88,7 +88,7 @@ public final class Surface {
 
     /** After a step: before, after: surface speeds. A circle that nothing has turned keeps its angular velocity to the bit. */
     public static float angularVelocity(float omega, float before, float after, float r) {
-        return after == before ? omega : Motion.limitSpeed(after / r);
+        return after == before ? omega : Velocity.limitSpeed(after / r);
     }
 
     /** The angle in the unit of the state, of which a turn has 2^32, of an angle in radians. */

@@ -27,14 +27,21 @@ public final class TimeOfImpact {
         return CircleMath.max(c, 0f) / (b + (float) Math.sqrt(disc));
     }
 
-    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
-        return timeOfImpactBeyond(dx, dy, ux, uy, sum, Tuning.GRAZE * sum);
-    }
-
     /** Not of circles that only graze each other, which get no deeper than that. */
     public static float timeOfImpactBeyond(float dx, float dy, float ux, float uy, float sum, float graze) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - graze);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
+        return timeOfImpactBeyond(dx, dy, ux, uy, sum, Tuning.GRAZE * sum);
+    }
+
+    /** Whether a circle at rest ends deep in a static one, or behind it. */
+    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+        float x = dx - px;
+        float y = dy - py;
+        return x * px + y * py < 0f || !CircleMath.isLonger(x, y, sum - Tuning.RUN_OVER * r);
     }
 
     /**
@@ -61,12 +68,5 @@ public final class TimeOfImpact {
         }
         boolean meets = timeOfImpact(dx, dy, px, py, sum) < 1f;
         return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
-    }
-
-    /** Whether a circle at rest ends deep in a static one, or behind it. */
-    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
-        float x = dx - px;
-        float y = dy - py;
-        return x * px + y * py < 0f || !CircleMath.isLonger(x, y, sum - Tuning.RUN_OVER * r);
     }
 }

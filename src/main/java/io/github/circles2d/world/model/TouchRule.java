@@ -13,7 +13,7 @@ public final class TouchRule {
 
     private TouchRule() {}
 
-    public static float approach(float vn) {
+    public static float approachSpeed(float vn) {
         return Branchless.positive(-vn);
     }
 
@@ -26,7 +26,7 @@ public final class TouchRule {
     }
 
     /** Whether the place may be another after the step. */
-    public static boolean isFast(float approach, float dt, float radii) {
+    public static boolean isFastApproach(float approach, float dt, float radii) {
         return approach * dt > SLACK * radii;
     }
 
@@ -38,7 +38,16 @@ public final class TouchRule {
         return approach >= 0f || separation <= SLACK * radii;
     }
 
-    public static float point(float x, float displacement, float normal, float radius, float separation) {
+    /** The threshold is the square of the least speed, unless a hit speed is set: 0 or more. */
+    public static boolean isHitSpeed(float approach, float threshold, float hitSpeed) {
+        return hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold;
+    }
+
+    public static boolean isHit(float approach, float impulse, float threshold, float hitSpeed) {
+        return impulse > 0f && isHitSpeed(approach, threshold, hitSpeed);
+    }
+
+    public static float touchPoint(float x, float displacement, float normal, float radius, float separation) {
         return (x + displacement) + normal * (radius + 0.5f * separation);
     }
 

@@ -53,7 +53,7 @@ public final class WallMotion {
                 travel[wall] = 0f; // not -0, which would change the sign of a velocity of 0
             }
             advance[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
-            speed[wall] = Motion.limitSpeed(travel[wall] / dt);
+            speed[wall] = Velocity.limitSpeed(travel[wall] / dt);
             moves |= travel[wall] != 0f;
         }
     }

@@ -34,7 +34,7 @@ final class PieceShape {
 
     private double thickness;
 
-    // both ends, counterclockwise of an arc, relative to (x, y), and how far beyond them a ray still meets the piece
+    // both ends, anticlockwise of an arc, relative to (x, y), and how far beyond them a ray still meets the piece
     private double firstX;
     private double firstY;
     private double lastX;

@@ -1,12 +1,11 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.joints.DrawnJointEnds;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.WorldParts;
@@ -94,31 +93,24 @@ public final class JointReads {
     // --------------------------------------------------------------------------------------------
 
     public float anchorX(long handle) {
-        world.guard.enter();
-        try {
-            return anchor(handle, false);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
-        } finally {
-            world.guard.user = null;
-        }
+        return anchor(handle, false);
     }
 
     public float anchorY(long handle) {
+        return anchor(handle, true);
+    }
+
+    private float anchor(long handle, boolean y) {
         world.guard.enter();
         try {
-            return anchor(handle, true);
+            int joint = find(handle);
+            world.joints.requireAnchor(joint);
+            return y ? world.joints.anchors.y(joint, null) : world.joints.anchors.x(joint, null);
         } catch (RuntimeException | Error thrown) {
             throw world.guard.failed(thrown);
         } finally {
             world.guard.user = null;
         }
-    }
-
-    private float anchor(long handle, boolean y) {
-        int joint = find(handle);
-        world.joints.requireAnchor(joint);
-        return y ? world.joints.anchorY(joint) : world.joints.anchorX(joint);
     }
 
     /** How far its ends are apart now. */
@@ -136,23 +128,21 @@ public final class JointReads {
         }
     }
 
-    /** x and y of both ends of all joints, in the order of ids; returns how many there are. */
+    /** x and y of both ends of all joints, in the order of ids, now; returns how many there are. */
     public int readEnds(float[] to) {
+        return readEnds(null, to, null);
+    }
+
+    /** The same where circles and bodies of terrain are drawn; handles may be null. */
+    public int readEnds(DrawnPlaces drawn, float[] to, long[] handles) {
         world.guard.enter();
         try {
             world.pending.settleJoints();
             Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
-            if (!world.joints.isThere()) {
-                return 0;
+            if (handles != null) {
+                Readings.requireRoom("handles", handles, table.ids.size());
             }
-            JointEnds ends = world.joints.ends().look(world.last.circles());
-            int n = 0;
-            for (int joint = 0; joint < table.ids.end(); joint++) {
-                if (table.ids.lives(joint)) {
-                    copyEnds(ends, joint, to, ENDS * n++);
-                }
-            }
-            return n;
+            return world.joints.isThere() ? copyEnds(drawn, to, handles) : 0;
         } catch (RuntimeException | Error thrown) {
             throw world.guard.failed(thrown);
         } finally {
@@ -160,40 +150,24 @@ public final class JointReads {
         }
     }
 
-    private static void copyEnds(JointEnds ends, int joint, float[] to, int at) {
-        ends.of(joint);
-        to[at] = ends.x();
-        to[at + 1] = ends.y();
-        to[at + 2] = ends.x() + ends.dx();
-        to[at + 3] = ends.y() + ends.dy();
-    }
-
-    /** The same where circles and bodies of terrain are drawn; handles may be null. */
-    public int readEnds(DrawnPlaces drawn, float[] to, long[] handles) {
-        world.guard.enter();
-        try {
-            return copyEnds(drawn, to, handles);
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
-        } finally {
-            world.guard.user = null;
-        }
-    }
-
     private int copyEnds(DrawnPlaces drawn, float[] to, long[] handles) {
-        world.pending.settleJoints();
-        Readings.requireRoom("ends", to, (long) ENDS * table.ids.size());
-        if (handles != null) {
-            Readings.requireRoom("handles", handles, table.ids.size());
+        JointEnds ends = world.joints.ends();
+        if (drawn == null) {
+            ends.look(world.last.circles());
+        } else {
+            ends.look(drawn);
         }
-        DrawnJointEnds ends = world.joints.drawnEnds().look(drawn);
         int n = 0;
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint)) {
                 if (ends.hasNewCircle(joint)) {
-                    ends.look(world.last.circles());
+                    ends.takeNew(world.last.circles());
                 }
-                copyEnds(ends, joint, to, ENDS * n);
+                ends.of(joint);
+                to[ENDS * n] = ends.x();
+                to[ENDS * n + 1] = ends.y();
+                to[ENDS * n + 2] = ends.x() + ends.dx();
+                to[ENDS * n + 3] = ends.y() + ends.dy();
                 if (handles != null) {
                     handles[n] = table.ids.handle(joint);
                 }
@@ -298,24 +272,18 @@ public final class JointReads {
     }
 
     private float load(SavedJointStates states, int joint, int which, float dt) {
-        switch (which) {
-            case FORCE_X -> {
-                return JointLoads.forceX(states, joint, dt);
-            }
-            case FORCE_Y -> {
-                return JointLoads.forceY(states, joint, dt);
-            }
-            case TORQUE -> {
-                return JointLoads.torque(states, joint, dt);
-            }
+        return switch (which) {
+            case FORCE_X -> JointLoads.forceX(states, joint, dt);
+            case FORCE_Y -> JointLoads.forceY(states, joint, dt);
+            case TORQUE -> JointLoads.torque(states, joint, dt);
             default -> {
                 if (!JointForm.isAxial(table.form(joint))) {
-                    return JointLoads.force(states, joint, dt);
+                    yield JointLoads.force(states, joint, dt);
                 }
                 JointEnds ends = world.joints.ends().look(world.last.circles());
                 ends.of(joint);
-                return ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
+                yield ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
             }
-        }
+        };
     }
 }

@@ -1,11 +1,11 @@
 package io.github.circles2d.world.reads;
 
 import io.github.circles2d.world.circles.IdMask;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.WorldParts;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.util.Arrays;
 
 /** Reads how hard circles are pressed, from the impulses that the next step starts from. */

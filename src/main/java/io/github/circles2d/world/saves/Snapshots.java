@@ -1,11 +1,11 @@
 package io.github.circles2d.world.saves;
 
 import io.github.circles2d.world.changes.NextStep;
-import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.circles.SnapshotCodec;
-import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.WorldParts;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.snapshots.SnapshotCodec;
+import io.github.circles2d.world.snapshots.SnapshotRing;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 

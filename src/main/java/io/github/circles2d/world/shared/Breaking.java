@@ -1,8 +1,8 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.BrokenJoints;
-import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.joints.BrokenJoints;
 import io.github.circles2d.world.joints.JointLoads;
+import io.github.circles2d.world.joints.SavedJointStates;
 
 /** Takes joints away that have broken in the steps that have been made. All these steps are of one length if a joint may break. */
 public final class Breaking {

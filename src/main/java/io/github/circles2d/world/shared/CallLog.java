@@ -2,10 +2,10 @@ package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.log.LogWriter;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.snapshots.SnapshotCodec;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.snapshots.SavedState;
 
 /** The copies of the state that hold until it changes: the last bulk reading, and the saved state. Also its hash. */
 public final class Copies {

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.SavedJointStates;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.CircleRow;
 
 /** The last bulk read-back, which answers reads of single values until the state changes. */

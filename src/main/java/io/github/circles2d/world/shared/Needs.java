@@ -1,9 +1,9 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Features;
+import io.github.circles2d.world.snapshots.SavedState;
 
 /**
  * What the pipeline must be ready for. A world turns if circles in it may turn, grip or roll; it has terrain if there are pieces. Steps of

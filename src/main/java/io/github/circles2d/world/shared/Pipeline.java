@@ -1,14 +1,12 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.BrokenJoints;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
@@ -16,6 +14,8 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.queries.RemoteSearch;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
 import java.util.Map;
 

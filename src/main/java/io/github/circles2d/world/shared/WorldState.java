@@ -1,9 +1,9 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedJoints;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.joints.SavedJoints;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 
 /**
  * The state of a world, which its parts keep: saves it, hashes it, and puts another one in its place. The caller makes all changes that
@@ -75,7 +75,7 @@ public final class WorldState {
     public void makeRoom(SavedState saved) {
         world.handles.makeRoom(saved);
         world.terrain.makeRoom(saved.terrain);
-        world.joints.makeRoom(saved);
+        world.joints.makeRoom(saved.joints, saved.ids);
         world.needs.prepare(saved); // first, since the room depends on it
         world.pipeline.makeRoom(saved);
         world.events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
@@ -86,7 +86,7 @@ public final class WorldState {
         world.handles.load(saved);
         world.kinds.copy(saved.kinds);
         world.terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
-        world.joints.load(saved);
+        world.joints.load(saved.joints, saved.jointStates);
         world.pipeline.load(saved);
         world.settings.set(saved.parameters());
         world.needs.restored(saved);

@@ -2,8 +2,8 @@ package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.model.AnchorRow;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.Velocity;
 
 /** Where places of bodies are, and how they move: the anchors of joints, and what callers ask for. */
 public final class BodyAnchors {
@@ -90,8 +90,8 @@ public final class BodyAnchors {
             int at = AnchorRow.of(row, boundary, subSteps);
             rows[at + AnchorRow.DX] = (float) (bodies.travelX * share + (armX - startX));
             rows[at + AnchorRow.DY] = (float) (bodies.travelY * share + (armY - startY));
-            rows[at + AnchorRow.VX] = Motion.limitSpeed((float) (bodies.travelX / dt - omega * armY));
-            rows[at + AnchorRow.VY] = Motion.limitSpeed((float) (bodies.travelY / dt + omega * armX));
+            rows[at + AnchorRow.VX] = Velocity.limitSpeed((float) (bodies.travelX / dt - omega * armY));
+            rows[at + AnchorRow.VY] = Velocity.limitSpeed((float) (bodies.travelY / dt + omega * armX));
         }
     }
 }

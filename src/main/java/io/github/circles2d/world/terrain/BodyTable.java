@@ -2,13 +2,12 @@ package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
-import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.Velocity;
 import java.util.Arrays;
 
 /**
@@ -247,9 +246,9 @@ public final class BodyTable {
         int at = BodyRow.of(number, subSteps);
         motion[at + BodyRow.PIVOT_X] = (float) x[id];
         motion[at + BodyRow.PIVOT_Y] = (float) y[id];
-        motion[at + BodyRow.VX] = Motion.limitSpeed((float) (travelX / dt));
-        motion[at + BodyRow.VY] = Motion.limitSpeed((float) (travelY / dt));
-        motion[at + BodyRow.OMEGA] = Motion.limitSpeed((float) (turn * Rotation.RADIANS_PER_UNIT / dt));
+        motion[at + BodyRow.VX] = Velocity.limitSpeed((float) (travelX / dt));
+        motion[at + BodyRow.VY] = Velocity.limitSpeed((float) (travelY / dt));
+        motion[at + BodyRow.OMEGA] = Velocity.limitSpeed((float) (turn * Rotation.RADIANS_PER_UNIT / dt));
         for (int boundary = 0; boundary <= subSteps; boundary++) {
             int pose = at + BodyRow.pose(boundary);
             double share = (double) boundary / subSteps;

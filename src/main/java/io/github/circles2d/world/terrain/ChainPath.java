@@ -17,7 +17,7 @@ public final class ChainPath {
     /** By piece: x and y of the centre of an arc. */
     private float[] centres = new float[8];
 
-    /** By piece: how far an arc turns around its centre, in units of an angle, positive to the left; 0 of a line. */
+    /** By piece: how far an arc turns around its centre, in units of an angle, positive anticlockwise; 0 of a line. */
     private long[] turns = new long[4];
 
     public ChainPath(float x, float y) {

@@ -13,7 +13,11 @@ final class PieceRows {
     private static final double SPREAD_MARGIN = 1e-6;
 
     private final PieceTable pieces;
-    private final Tangent tangent = new Tangent();
+
+    /** The unit direction in which a piece leaves its start, or comes to its end, in the frame of its body. */
+    double tangentX;
+
+    double tangentY;
 
     // the pose
     private double pivotX;
@@ -60,8 +64,8 @@ final class PieceRows {
         float[] rows = pieces.rows;
         write(piece, rows, at);
         tangentOfNext(piece);
-        rows[at + PieceRow.NEXT_X] = (float) (cos * tangent.x - sin * tangent.y);
-        rows[at + PieceRow.NEXT_Y] = (float) (sin * tangent.x + cos * tangent.y);
+        rows[at + PieceRow.NEXT_X] = (float) (cos * tangentX - sin * tangentY);
+        rows[at + PieceRow.NEXT_Y] = (float) (sin * tangentX + cos * tangentY);
         // a point at a distance d from the pivot comes no farther than 2 d from where it was
         rows[at + PieceRow.MOST] = row == 0 ? 0f : (float) ((way + farthest(piece) * Math.min(turn, 2)) * MARGIN);
         pieces.traits[PieceRow.traits(piece) + PieceRow.MOTION] = row;
@@ -80,11 +84,33 @@ final class PieceRows {
     private void tangentOfNext(int piece) {
         int next = pieces.after[piece];
         if (next >= 0) {
-            tangent.atStart(pieces, next);
+            takeTangent(next, -1);
         } else {
-            tangent.x = 0;
-            tangent.y = 0;
+            tangentX = 0;
+            tangentY = 0;
         }
+    }
+
+    /** Works out the tangent of a piece at its start, -1, or at its end, 1. */
+    void takeTangent(int piece, int end) {
+        int at = PieceTable.FORM * piece;
+        float[] form = pieces.form;
+        if (!pieces.isArc(piece)) {
+            double dx = (double) form[at + PieceTable.X2] - form[at + PieceTable.X];
+            double dy = (double) form[at + PieceTable.Y2] - form[at + PieceTable.Y];
+            double length = Math.sqrt(dx * dx + dy * dy);
+            tangentX = dx / length;
+            tangentY = dy / length;
+            return;
+        }
+        // from the centre to that end, turned anticlockwise, or clockwise if the arc goes so
+        int way = pieces.isSolidOutside(piece) ? -1 : 1;
+        double cosHalf = Rotation.cos(pieces.half[piece]);
+        double sinHalf = way * end * Rotation.sin(pieces.half[piece]);
+        double middleX = form[at + PieceTable.MIDDLE_X];
+        double middleY = form[at + PieceTable.MIDDLE_Y];
+        tangentX = way * (-1 * (middleY * cosHalf + middleX * sinHalf));
+        tangentY = way * (middleX * cosHalf - middleY * sinHalf);
     }
 
     private double worldX(double x, double y) {

@@ -2,7 +2,6 @@ package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
-import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.PieceRow;
 import java.util.Arrays;
@@ -48,7 +47,6 @@ public final class PieceTable {
     public float[] rows = new float[0];
 
     private final BodyTable bodies;
-    private final Tangent tangent = new Tangent();
     private final PieceRows filler = new PieceRows(this);
     private int lastSerial;
 
@@ -234,12 +232,12 @@ public final class PieceTable {
     void join(int piece, int next) {
         after[piece] = next;
         before[next] = piece;
-        tangent.atEnd(this, piece);
-        double x = tangent.x;
-        double y = tangent.y;
-        tangent.atStart(this, next);
-        double cross = x * tangent.y - y * tangent.x;
-        double dot = x * tangent.x + y * tangent.y;
+        filler.takeTangent(piece, 1);
+        double x = filler.tangentX;
+        double y = filler.tangentY;
+        filler.takeTangent(next, -1);
+        double cross = x * filler.tangentY - y * filler.tangentX;
+        double dot = x * filler.tangentX + y * filler.tangentY;
         int joint = cross >= 0 || dot > 0 && cross > -STRAIGHT ? PieceRow.CONVEX : PieceRow.CONCAVE;
         setJoint(piece, PieceRow.END_LOG, joint);
         setJoint(next, PieceRow.START_LOG, joint);

@@ -1,8 +1,6 @@
 package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedTerrain;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.PieceRow;
@@ -69,7 +67,7 @@ public final class TerrainTables {
         return piece;
     }
 
-    /** Counterclockwise from an angle in radians; opening: in units, at most a turn. */
+    /** Anticlockwise from an angle in radians; opening: in units, at most a turn. */
     public int addArc(
             int body, int kind, float x, float y, float radius, float from, long opening, boolean solidOutside) {
         int half = (int) (opening >>> 1);

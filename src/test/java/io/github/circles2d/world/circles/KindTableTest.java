@@ -99,7 +99,7 @@ class KindTableTest {
         }
         assertThat(kinds.filters()).isFalse();
         assertThat(kinds.hash()).isZero();
-        assertThat(KindSection.isNeeded(kinds)).isFalse();
+        assertThat(kinds.used() + kinds.settings()).isZero();
     }
 
     private boolean anyNotSolid() {

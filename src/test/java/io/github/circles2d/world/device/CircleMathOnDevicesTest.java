@@ -14,12 +14,11 @@ import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TimeOfImpact;
+import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.Walls;
-import io.github.circles2d.world.model.Wrapping;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -44,8 +43,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class CircleMathOnDevicesTest {
     private static final List<Class<?>> FORMULAS = List.of(
             CircleMath.class,
-            Wrapping.class,
-            Motion.class,
+            Velocity.class,
             Paths.class,
             TimeOfImpact.class,
             Cells.class,
@@ -127,7 +125,14 @@ class CircleMathOnDevicesTest {
 
     /** The files of the formulas without the stages, whose kernels a driver would compile too, for ten seconds. */
     static KernelSource formulas() {
-        return WorldSource.tables().define("TURNING", 1).and("world/shared/Wall.cl", "world/shared/Surface.cl");
+        return WorldSource.tables()
+                .define("TURNING", 1)
+                .and(
+                        "world/shared/Cells.cl",
+                        "world/shared/Paths.cl",
+                        "world/shared/TimeOfImpact.cl",
+                        "world/shared/Wall.cl",
+                        "world/shared/Surface.cl");
     }
 
     private static void compare(Device device, int count) throws Throwable {

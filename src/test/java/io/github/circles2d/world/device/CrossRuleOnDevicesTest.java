@@ -59,7 +59,7 @@ class CrossRuleOnDevicesTest {
         long[] sums = {Long.MIN_VALUE, -1};
         long[] expected = expected(in, sums);
         KernelSource source =
-                WorldSource.tables().and("world/shared/Cross.cl").and(KernelSource.ofText("probe", PROBE));
+                WorldSource.tables().and("world/shared/CrossRule.cl").and(KernelSource.ofText("probe", PROBE));
         KernelSource defined = byHalves ? source.define("ATOMICS_BY_HALVES", 1) : source;
         try (Session session = Session.open(device);
                 DeviceBuffer inputs = session.allocate("inputs", 4L * in.length);
@@ -105,11 +105,11 @@ class CrossRuleOnDevicesTest {
             float x = in[INPUTS * i];
             float y = in[INPUTS * i + 1];
             float range = CrossRule.impulseRange(x, y, in[INPUTS * i + 2]);
-            int load = CrossRule.load(x, y);
+            int load = CrossRule.loadOfHeavy(x, y);
             long fixed = CrossRule.toFixed(in[INPUTS * i + 3], CrossRule.scaleOf(range));
             int o = RESULTS * i;
             out[o] = load;
-            out[o + 1] = Float.floatToRawIntBits(CrossRule.mass(x, y, CrossRule.share(load)));
+            out[o + 1] = Float.floatToRawIntBits(CrossRule.crossMass(x, y, CrossRule.crossShare(load)));
             out[o + 2] = Float.floatToRawIntBits(CrossRule.velocityRange(x, y));
             out[o + 3] = CrossRule.isFinerLight(x, y) ? 1 : 0;
             out[o + 4] = fixed;

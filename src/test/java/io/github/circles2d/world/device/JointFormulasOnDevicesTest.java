@@ -15,6 +15,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.Softness;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Velocity;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;
@@ -123,19 +124,19 @@ class JointFormulasOnDevicesTest {
         }
         int a = at + FLOATS;
         float[] results = {
-            JointMath.kept(p[0]),
-            JointMath.mass(p[1]),
-            JointMath.solve(p[0], p[1], p[2], p[3], soft.massScale, soft.biasRate, soft.impulseScale),
-            JointMath.relax(p[0], p[1], p[2]),
-            JointMath.spring(p[1], p[2], p[3], p[4], p[5], p[6], p[7]),
-            JointMath.solveLimit(p[0], p[1], p[2], p[3], p[4], soft, Math.abs(p[5])),
-            JointMath.relaxLimit(p[0], p[1], p[2], p[3], p[4]),
-            JointMath.shareWithin(p[0], p[1], p[2]),
+            JointMath.keptImpulse(p[0]),
+            JointMath.jointMass(p[1]),
+            JointMath.solvedImpulse(p[0], p[1], p[2], p[3], soft.massScale, soft.biasRate, soft.impulseScale),
+            JointMath.relaxedImpulse(p[0], p[1], p[2]),
+            JointMath.springImpulse(p[1], p[2], p[3], p[4], p[5], p[6], p[7]),
+            JointMath.solvedLimit(p[0], p[1], p[2], p[3], p[4], soft, Math.abs(p[5])),
+            JointMath.relaxedLimit(p[0], p[1], p[2], p[3], p[4]),
+            Velocity.shareWithin(p[0], p[1], p[2]),
             JointMath.turnedAway(in[a], in[a + 1], p[0], in[a + 2], in[a + 3], p[1]),
             0f,
-            JointMath.sin(in[a]),
-            JointMath.cos(in[a + 1]),
-            JointMath.hold(p[0], p[1], p[2], p[3], soft, Math.abs(p[4])),
+            JointMath.sinOfUnits(in[a]),
+            JointMath.cosOfUnits(in[a + 1]),
+            JointMath.heldImpulse(p[0], p[1], p[2], p[3], soft, Math.abs(p[4])),
             JointMath.greatestPush(p[0], p[1])
         };
         for (int k = 0; k < OUTPUT; k++) {
@@ -147,7 +148,7 @@ class JointFormulasOnDevicesTest {
     private static int[] run(Device device, int[] inputs, Softness soft, int count) {
         KernelSource source = WorldSource.tables()
                 .define("JOINTS", 1)
-                .and("world/shared/Joint.cl")
+                .and("world/shared/Velocity.cl", "world/shared/JointMath.cl")
                 .and(KernelSource.ofText("probe", PROBE));
         try (Session session = Session.open(device);
                 DeviceBuffer in = session.allocate("inputs", 4L * inputs.length);

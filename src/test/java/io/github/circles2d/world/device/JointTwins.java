@@ -2,9 +2,8 @@ package io.github.circles2d.world.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.world.circles.BrokenJoints;
-import io.github.circles2d.world.circles.SavedJointStates;
-import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.AnchorRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Features;
@@ -14,6 +13,7 @@ import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;

@@ -167,7 +167,7 @@ class PieceFormulasOnDevicesTest {
         KernelSource source = WorldSource.tables()
                 .define("TERRAIN", 1)
                 .define("PROBED_PIECES", PIECES)
-                .and("world/shared/Piece.cl")
+                .and("world/shared/Paths.cl", "world/shared/PieceSweep.cl")
                 .and(KernelSource.ofText("probe", PROBE));
         try (Session session = Session.open(device);
                 DeviceBuffer ofRows = session.allocate("rows", 4L * rows.length);

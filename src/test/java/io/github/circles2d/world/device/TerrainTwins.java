@@ -2,8 +2,6 @@ package io.github.circles2d.world.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Features;
@@ -13,6 +11,8 @@ import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;

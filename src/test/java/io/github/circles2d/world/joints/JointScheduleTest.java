@@ -19,7 +19,6 @@ class JointScheduleTest {
 
     private final JointTable table = new JointTable();
     private final JointSchedule schedule = new JointSchedule(table);
-    private final JointPartners partners = new JointPartners(table);
     private final JointStep step = new JointStep();
     private final SplittableRandom random = new SplittableRandom(11);
 
@@ -41,10 +40,10 @@ class JointScheduleTest {
 
     private void make() {
         schedule.makeRoom(step, CIRCLES);
-        partners.makeRoom(step, CIRCLES);
+
         table.springs.makeRoom(step);
         schedule.make(step, CIRCLES);
-        partners.make(step);
+        schedule.makePartners(step);
         table.springs.fill(step, 1 / 240f);
         table.publish(step);
     }
@@ -172,7 +171,7 @@ class JointScheduleTest {
         float[] expected = new float[JointSpring.STRIDE];
         for (int joint = 0; joint < table.ids.end(); joint++) {
             if (table.ids.lives(joint)) {
-                int row = table.rows.trait(joint, JointRow.SPRING);
+                int row = table.trait(joint, JointRow.SPRING);
                 assertThat(row > 0).isEqualTo((table.form(joint) & JointRow.ELASTIC) != 0);
                 if (row > 0) {
                     JointSpring.fill(expected, 0, table.frequency(joint), table.dampingRatio(joint), 1 / 240f);

@@ -2,13 +2,12 @@ package io.github.circles2d.world.jvm;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Wrapping;
+import io.github.circles2d.world.model.Velocity;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -37,8 +36,8 @@ final class AllPairs {
         StepConstants k = pipeline.constants;
         for (int i = 0; i < s.circles; i++) {
             float r = s.circle[4 * i + 2];
-            float px = Motion.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
-            float py = Motion.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
+            float px = Velocity.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
+            float py = Velocity.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
             if (isStatic(i)) {
                 px = CircleMath.within(s.circle[4 * i], px, k.bounds.minX(), k.bounds.maxX());
                 py = CircleMath.within(s.circle[4 * i + 1], py, k.bounds.minY(), k.bounds.maxY());
@@ -64,8 +63,8 @@ final class AllPairs {
     }
 
     private boolean near(int i, int j) {
-        float dx = Wrapping.shortWay(s.circle[4 * j] - s.circle[4 * i], periodX);
-        float dy = Wrapping.shortWay(s.circle[4 * j + 1] - s.circle[4 * i + 1], periodY);
+        float dx = CircleMath.shortWay(s.circle[4 * j] - s.circle[4 * i], periodX);
+        float dy = CircleMath.shortWay(s.circle[4 * j + 1] - s.circle[4 * i + 1], periodY);
         float limit = speculativeDistance[i] + speculativeDistance[j];
         return dx * dx + dy * dy < limit * limit && !(isStatic(i) && isStatic(j));
     }

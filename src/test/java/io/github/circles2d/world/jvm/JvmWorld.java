@@ -4,11 +4,11 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.snapshots.SavedState;
+import io.github.circles2d.world.snapshots.SnapshotCodec;
 import java.nio.ByteBuffer;
 
 /** A simulation of a scene on the JVM, for tests that look inside its pipeline. */

@@ -78,15 +78,15 @@ class CrossRuleTest {
     @Test
     void loadAndShare() {
         assertAll(
-                () -> assertEquals(8193, CrossRule.load(1f, 1f)),
-                () -> assertEquals(4097, CrossRule.load(3f, 1f)),
-                () -> assertEquals(1, CrossRule.load(3f, 0f)),
-                () -> assertEquals(1, CrossRule.load(1e9f, 1e-9f)),
-                () -> assertEquals(1f, CrossRule.share(1)),
-                () -> assertEquals(1f, CrossRule.share(16384)),
-                () -> assertEquals(16385f / 16384f, CrossRule.share(16385)),
-                () -> assertEquals(2.5f, CrossRule.share(40960)),
-                () -> assertEquals(1f / 5f, CrossRule.mass(2f, 1f, 3f)));
+                () -> assertEquals(8193, CrossRule.loadOfHeavy(1f, 1f)),
+                () -> assertEquals(4097, CrossRule.loadOfHeavy(3f, 1f)),
+                () -> assertEquals(1, CrossRule.loadOfHeavy(3f, 0f)),
+                () -> assertEquals(1, CrossRule.loadOfHeavy(1e9f, 1e-9f)),
+                () -> assertEquals(1f, CrossRule.crossShare(1)),
+                () -> assertEquals(1f, CrossRule.crossShare(16384)),
+                () -> assertEquals(16385f / 16384f, CrossRule.crossShare(16385)),
+                () -> assertEquals(2.5f, CrossRule.crossShare(40960)),
+                () -> assertEquals(1f / 5f, CrossRule.crossMass(2f, 1f, 3f)));
     }
 
     @Test

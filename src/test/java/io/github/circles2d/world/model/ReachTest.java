@@ -16,26 +16,28 @@ class ReachTest {
         SplittableRandom random = new SplittableRandom(1);
         for (int k = 0; k < 10_000; k++) {
             float r = GREATEST_RADIUS * (float) Math.pow(2, -19 * random.nextDouble());
-            float reach = Reach.of(r, r * Tuning.TRAVEL * (float) random.nextDouble(), false);
-            int reachClass = Reach.classOf(reach, top);
+            float reach = Reach.reachOf(r, r * Tuning.TRAVEL * (float) random.nextDouble(), false);
+            int reachClass = Reach.reachClassOf(reach, top);
             assertThat(reachClass).isBetween(0, 31);
             assertThat(reach)
-                    .isLessThan(Reach.top(reachClass, top))
-                    .isGreaterThanOrEqualTo(Reach.top(reachClass, top) / 2);
+                    .isLessThan(Reach.topReach(reachClass, top))
+                    .isGreaterThanOrEqualTo(Reach.topReach(reachClass, top) / 2);
         }
     }
 
     @Test
     void theGreatestReachIsOfClass0AndTheLeastOfTheLast() {
-        float greatest = Reach.of(GREATEST_RADIUS, Tuning.TRAVEL * GREATEST_RADIUS, false);
-        assertThat(Reach.classOf(greatest, top)).isZero();
-        assertThat(Reach.classOf(1e-30f, top)).isEqualTo(31);
+        float greatest = Reach.reachOf(GREATEST_RADIUS, Tuning.TRAVEL * GREATEST_RADIUS, false);
+        assertThat(Reach.reachClassOf(greatest, top)).isZero();
+        assertThat(Reach.reachClassOf(1e-30f, top)).isEqualTo(31);
     }
 
     @Test
     void aReachCoversThePathAndMore() {
-        assertThat(Reach.of(1f, 2f, false)).isGreaterThan(3f);
-        assertThat(Reach.of(1f, 2f, true)).isGreaterThan(1f + Tuning.MARGIN).isLessThan(1.1f);
+        assertThat(Reach.reachOf(1f, 2f, false)).isGreaterThan(3f);
+        assertThat(Reach.reachOf(1f, 2f, true))
+                .isGreaterThan(1f + Tuning.MARGIN)
+                .isLessThan(1.1f);
     }
 
     /** Of two circles whose reaches meet, the one of the lesser reach finds the other in few cells of its class. */
@@ -48,32 +50,32 @@ class ReachTest {
             float reach = (float) Math.pow(2, -10 * random.nextDouble());
             float others = reach * (1f + 9f * (float) random.nextDouble());
             float other = x + (reach + others) * (float) random.nextDouble(-1, 1);
-            int reachClass = Reach.classOf(others, top);
-            float inverseEdge = Reach.inverseEdge(reachClass, top);
-            float far = 1.001f * (reach + Reach.top(reachClass, top));
-            int from = Reach.cell(x - far, min, inverseEdge);
-            int to = Reach.cell(x + far, min, inverseEdge);
-            assertThat(Reach.cell(other, min, inverseEdge)).isBetween(from, to);
+            int reachClass = Reach.reachClassOf(others, top);
+            float inverseEdge = Reach.inverseReachEdge(reachClass, top);
+            float far = 1.001f * (reach + Reach.topReach(reachClass, top));
+            int from = Reach.reachCell(x - far, min, inverseEdge);
+            int to = Reach.reachCell(x + far, min, inverseEdge);
+            assertThat(Reach.reachCell(other, min, inverseEdge)).isBetween(from, to);
             assertThat(to - from).isLessThan(5);
         }
     }
 
     @Test
     void cellsFarAwayAreOne() {
-        float inverseEdge = Reach.inverseEdge(20, top);
-        assertThat(Reach.cell(1e9f, 0f, inverseEdge)).isEqualTo(Reach.cell(0.9e9f, 0f, inverseEdge));
-        assertThat(Reach.cell(-1e9f, 0f, inverseEdge)).isLessThan(0);
+        float inverseEdge = Reach.inverseReachEdge(20, top);
+        assertThat(Reach.reachCell(1e9f, 0f, inverseEdge)).isEqualTo(Reach.reachCell(0.9e9f, 0f, inverseEdge));
+        assertThat(Reach.reachCell(-1e9f, 0f, inverseEdge)).isLessThan(0);
     }
 
     /** Also those of a lattice, whose cells have many factors in common. */
     @Test
     void bucketsAreSharedByFew() {
-        int buckets = Reach.buckets(1 << 12);
+        int buckets = Reach.reachBuckets(1 << 12);
         assertThat(buckets).isEqualTo(1 << 13);
         for (int spacing : new int[] {1, 64, 1024}) {
             int[] circles = new int[buckets];
             for (int k = 0; k < 1 << 12; k++) {
-                circles[Reach.bucket(spacing * (k & 63), spacing * (k >> 6), 7, buckets)]++;
+                circles[Reach.reachBucket(spacing * (k & 63), spacing * (k >> 6), 7, buckets)]++;
             }
             assertThat(Arrays.stream(circles).max().orElseThrow()).isLessThan(12);
         }

@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.KindTable;
-import io.github.circles2d.world.circles.SavedPieceContacts;
-import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
@@ -17,6 +15,7 @@ import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Random;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;

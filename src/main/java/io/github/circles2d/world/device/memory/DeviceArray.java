@@ -10,7 +10,7 @@ import io.github.circles2d.world.model.PairTable;
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  *
- * <p>The arrays of worlds that turn come behind these, those of worlds with terrain behind them, and those of worlds with joints last. Kernels that
+ * <p>The arrays for circles that can rotate come behind these, those of worlds with terrain behind them, and those of worlds with joints last. Kernels that
  * are compiled for such worlds (TURNING, TERRAIN, JOINTS) have them; in other worlds they take no memory.
  */
 public enum DeviceArray {
@@ -118,7 +118,7 @@ public enum DeviceArray {
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
     TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl"),
 
-    // From here on up to SURFACES: of worlds that turn, behind the others of their blocks.
+    // From here on up to SURFACES: if circles can rotate, behind the others of their blocks.
     HOME_TURN("int2", "homeTurn", Index.HOME_SLOT, "angle, bits of the angular velocity"),
     HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "impulses of walls: friction x, y, rolling x, y"),
     HOME_OWN(
@@ -285,7 +285,7 @@ public enum DeviceArray {
         return index.kept;
     }
 
-    /** Whether only worlds that turn have it. */
+    /** Whether it is there only if circles can rotate. */
     boolean turns() {
         return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain() && !isOfJoints();
     }
@@ -312,7 +312,7 @@ public enum DeviceArray {
         return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
     }
 
-    /** Bytes of an element of each array that lies in the block before this one, in a world that turns or not. */
+    /** Bytes of an element of each array that lies in the block before this one, by whether circles can rotate. */
     long bytesBefore(boolean turning) {
         long sum = 0;
         for (DeviceArray array : values) {

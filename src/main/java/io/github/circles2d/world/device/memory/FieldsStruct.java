@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 
 /**
  * The struct of the fields of a circle that all steps read: an int for each, named by the row of {@link CircleField}. Those that steps of
- * worlds that turn read besides have no memory in others: they lie in {@link DeviceArray#HOME_OWN}.
+ * steps read if circles can rotate have no memory in other worlds: they lie in {@link DeviceArray#HOME_OWN}.
  */
 public final class FieldsStruct {
     static final String NAME = "CircleFields";
@@ -68,7 +68,7 @@ public final class FieldsStruct {
         }
     }
 
-    /** The fields that only worlds that turn have, by circle, for {@link DeviceArray#HOME_OWN}. */
+    /** The fields that are there only if circles can rotate, by circle, for {@link DeviceArray#HOME_OWN}. */
     public static void packTurning(CircleFields from, int[] ids, int circles, int[] to) {
         for (int k = 0; k < circles; k++) {
             for (int place = 0; place < TURNING.size(); place++) {

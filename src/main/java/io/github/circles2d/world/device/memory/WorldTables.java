@@ -2,7 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
-import io.github.circles2d.world.events.PieceCode;
+import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CrossRule;
@@ -18,6 +18,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Reach;
+import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
@@ -87,6 +88,7 @@ final class WorldTables {
                 .append(KernelConstants.of(Reach.class, "REACH_"))
                 .append(KernelConstants.of(CrossRule.class, "CROSS_"))
                 .append(KernelConstants.of(TouchRule.class, "TOUCH_"))
+                .append(KernelConstants.of(SensorRule.class, "SENSOR_"))
                 .append(KernelConstants.of(PairTable.class, "PAIR_"))
                 .append(KernelConstants.of(Surface.class, "SURFACE_"))
                 .append(KernelConstants.of(KindSurface.class, "SURFACE_"))
@@ -109,7 +111,7 @@ final class WorldTables {
         define(text, "SHEET_X_FACTOR", GridLevels.SHEET_X_FACTOR, "of a hash");
         define(text, "SHEET_Y_FACTOR", GridLevels.SHEET_Y_FACTOR, "of a hash");
         define(text, "FIRST_WALL", Limits.CIRCLES, "behind the ids of circles");
-        define(text, "FIRST_PIECE", PieceCode.of(0), "behind the walls");
+        define(text, "FIRST_PIECE", Partner.ofPiece(0), "behind the walls");
         define(text, "BLOCK_LOG", DeviceArrays.BLOCK_LOG, "of the cells of a block");
         define(text, "TERRAIN_AT", DeviceArray.TERRAIN_AT, "floats before terrain in the buffer of kindMotion");
         define(text, "TERRAIN_ROWS", TerrainRoom.ROWS, "int of terrain: floats before the rows of pieces");

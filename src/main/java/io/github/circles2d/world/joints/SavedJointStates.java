@@ -1,0 +1,49 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.model.JointState;
+import java.util.Arrays;
+
+/** What joints keep from step to step, by id. A row counts if its serial is that of the joint. */
+public final class SavedJointStates {
+    /** Greatest id, and 1. */
+    public int joints;
+
+    /** Of the joint that the row is of; its complement if it has broken. */
+    public int[] serial = new int[0];
+
+    /** {@link JointState} */
+    public float[] rows = new float[0];
+
+    /** Makes room for joints, and keeps none. */
+    public void begin(int count) {
+        joints = count;
+        if (serial.length < count) {
+            int[] newSerial = new int[count + (count >> 1)];
+            float[] newRows = new float[JointState.of(newSerial.length)];
+            serial = newSerial;
+            rows = newRows;
+        }
+    }
+
+    /** Makes room for joints, and keeps those that there are; others have the serial 0 and no impulses. */
+    public void extend(int count) {
+        if (serial.length < count) {
+            int[] newSerial = Arrays.copyOf(serial, count + (count >> 1));
+            float[] newRows = Arrays.copyOf(rows, JointState.of(newSerial.length));
+            serial = newSerial;
+            rows = newRows;
+        }
+        if (joints < count) {
+            for (int joint = joints; joint < count; joint++) {
+                clear(joint);
+            }
+            joints = count;
+        }
+    }
+
+    /** A joint has no impulses. */
+    public void clear(int joint) {
+        serial[joint] = 0;
+        Arrays.fill(rows, JointState.of(joint), JointState.of(joint + 1), 0f);
+    }
+}

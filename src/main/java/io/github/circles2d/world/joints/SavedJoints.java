@@ -1,0 +1,147 @@
+package io.github.circles2d.world.joints;
+
+import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.JointState;
+
+/**
+ * The joints of a saved state, by id: what they are. {@link SavedJointStates} has what they keep from step to step. Arrays are reused, and may be
+ * longer than their contents.
+ */
+public final class SavedJoints {
+    // values: those of JointRow, with the anchor in the frame of its body; and its spring
+    public static final int FREQUENCY = JointRow.STRIDE;
+    public static final int DAMPING_RATIO = JointRow.STRIDE + 1;
+
+    /** Floats of a joint. */
+    public static final int VALUES = JointRow.STRIDE + 2;
+
+    /** Ids in use so far. */
+    public int ids;
+
+    public int[] generation = new int[0];
+
+    /** By id: the form, {@link JointRow#NO_JOINT} of a free id. */
+    public int[] form = new int[0];
+
+    /** By id: the colour, or {@link JointTable#SPLIT}. */
+    public byte[] colour = new byte[0];
+
+    /** By id: the id of the circle. */
+    public int[] a = new int[0];
+
+    /** By id: the id of the other circle, or {@link JointRow#NONE}. */
+    public int[] b = new int[0];
+
+    /** By id: the body of terrain that has the anchor; 0 is the ground, and the world. */
+    public int[] body = new int[0];
+
+    /** By id: angles of A and B, in units. */
+    public int[] referenceA = new int[0];
+
+    public int[] referenceB = new int[0];
+
+    /** By id: {@link #VALUES} floats. */
+    public float[] values = new float[0];
+
+    public SavedJoints() {}
+
+    /** As it is at first. */
+    public void clear() {
+        ids = 0;
+    }
+
+    public boolean isAsAtFirst() {
+        return ids == 0;
+    }
+
+    public boolean lives(int joint) {
+        return form[joint] != JointRow.NO_JOINT;
+    }
+
+    /** Whether there are joints. */
+    public boolean hasJoints() {
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether any joint turns circles. */
+    public boolean turn() {
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint) && JointRules.turns(form[joint])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The part of the joints in the hash of the state. */
+    public long hash(SavedJointStates states) {
+        long sum = 0;
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint)) {
+                sum += hash(joint, states);
+            }
+        }
+        return sum;
+    }
+
+    /** The number of a joint, with what it keeps from step to step; rows of free ids do not count. */
+    private long hash(int joint, SavedJointStates states) {
+        long h = StateHash.absorb(StateHash.absorb(StateHash.joint(), joint), form[joint]);
+        h = StateHash.absorb(StateHash.absorb(StateHash.absorb(h, colour[joint]), a[joint]), b[joint]);
+        h = StateHash.absorb(StateHash.absorb(h, body[joint]), referenceA[joint]);
+        h = StateHash.absorb(h, referenceB[joint]);
+        for (int k = VALUES * joint; k < VALUES * (joint + 1); k++) {
+            h = StateHash.absorb(h, values[k]);
+        }
+        for (int k = JointState.of(joint); k < JointState.of(joint + 1); k++) {
+            h = StateHash.absorb(h, states.rows[k]);
+        }
+        return h;
+    }
+
+    /** Makes room, without the contents so far, and sets the number. */
+    public void setIds(int joints) {
+        if (values.length < VALUES * joints) {
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            int c = Math.max(joints, form.length + (form.length >> 1));
+            int[] newGeneration = new int[c];
+            int[] newForm = new int[c];
+            byte[] newColour = new byte[c];
+            int[] newA = new int[c];
+            int[] newB = new int[c];
+            int[] newBody = new int[c];
+            int[] newReferenceA = new int[c];
+            int[] newReferenceB = new int[c];
+            float[] newValues = new float[VALUES * c];
+            generation = newGeneration;
+            form = newForm;
+            colour = newColour;
+            a = newA;
+            b = newB;
+            body = newBody;
+            referenceA = newReferenceA;
+            referenceB = newReferenceB;
+            values = newValues;
+        }
+        ids = joints;
+    }
+
+    /** What a value is if it says nothing: what has no limit is infinite. */
+    public static float initial(int value) {
+        return switch (value) {
+            case JointRow.MAX_LENGTH,
+                    JointRow.MAX_FORCE,
+                    JointRow.MAX_TORQUE,
+                    JointRow.BREAK_FORCE,
+                    JointRow.BREAK_TORQUE -> Float.POSITIVE_INFINITY;
+            default -> 0f;
+        };
+    }
+}

@@ -1,0 +1,373 @@
+package io.github.circles2d.world.snapshots;
+
+import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.SavedJoints;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.JointMath;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.JointState;
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
+/**
+ * Joints in a snapshot: a section of {@link ParameterSections}, if there is or has been one.
+ *
+ * <pre>
+ * section    int ids of joints; for each: byte flags; if the flags say so: varint generation; of a joint: varint form, byte colour, varint id
+ *            of A; if the flags say so: varint id of B, varint body of the anchor, int reference angles of A and B; varint with a bit for
+ *            each value of {@link SavedJoints} that differs from the initial one, float each of these; if the flags say so: byte with a bit for each
+ *            number of {@link JointState} that is not 0, float each of these
+ * </pre>
+ */
+final class JointSection {
+    private static final int HEAD = Integer.BYTES;
+
+    // flags
+    private static final int LIVES = 1;
+    private static final int HAS_GENERATION = 2;
+    private static final int HAS_B = 4;
+    private static final int HAS_BODY = 8;
+    private static final int HAS_REFERENCES = 16;
+    private static final int HAS_STATE = 32;
+
+    /** Of a joint: flags, form, colour, A, values. */
+    private static final int LEAST = 5;
+
+    // of the square of the length of a direction, which few bits give where circles almost coincide
+    private static final float LEAST_DIRECTION = 0.25f;
+    private static final float GREATEST_DIRECTION = 2f;
+
+    private JointSection() {}
+
+    private static boolean isSame(float a, float b) {
+        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
+    }
+
+    // ---- writing
+    // -----------------------------------------------------------------------------------------------------
+
+    /** The length of the section behind its number. */
+    static long bytes(SavedState s) {
+        SavedJoints j = s.joints;
+        long sum = HEAD;
+        for (int joint = 0; joint < j.ids; joint++) {
+            int state = state(s, joint);
+            int flags = flags(s.joints, joint, state);
+            sum += 1 + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(j.generation[joint]));
+            if ((flags & LIVES) != 0) {
+                int values = values(j, joint);
+                sum += Varint.bytes(j.form[joint]) + 1 + Varint.bytes(j.a[joint]);
+                sum += (flags & HAS_B) == 0 ? 0 : Varint.bytes(j.b[joint]);
+                sum += (flags & HAS_BODY) == 0 ? 0 : Varint.bytes(j.body[joint]);
+                sum += (flags & HAS_REFERENCES) == 0 ? 0 : 2 * Integer.BYTES;
+                sum += Varint.bytes(values) + Float.BYTES * Integer.bitCount(values);
+                sum += (flags & HAS_STATE) == 0 ? 0 : 1 + Float.BYTES * Integer.bitCount(state);
+            }
+        }
+        return sum;
+    }
+
+    private static int flags(SavedJoints j, int joint, int state) {
+        int generation = j.generation[joint] == 0 ? 0 : HAS_GENERATION;
+        if (!j.lives(joint)) {
+            return generation;
+        }
+        return LIVES
+                | generation
+                | (j.b[joint] == JointRow.NONE ? 0 : HAS_B)
+                | (j.body[joint] == 0 ? 0 : HAS_BODY)
+                | ((j.referenceA[joint] | j.referenceB[joint]) == 0 ? 0 : HAS_REFERENCES)
+                | (state == 0 ? 0 : HAS_STATE);
+    }
+
+    /** A bit for each value that is not the initial one. */
+    private static int values(SavedJoints j, int joint) {
+        int bits = 0;
+        for (int k = 0; k < SavedJoints.VALUES; k++) {
+            bits |= isSame(j.values[SavedJoints.VALUES * joint + k], SavedJoints.initial(k)) ? 0 : 1 << k;
+        }
+        return bits;
+    }
+
+    /** A bit for each number that is not 0. */
+    private static int state(SavedState s, int joint) {
+        int bits = 0;
+        for (int k = 0; k < JointState.STRIDE; k++) {
+            bits |= isSame(s.jointStates.rows[JointState.of(joint) + k], 0f) ? 0 : 1 << k;
+        }
+        return bits;
+    }
+
+    /** Writes the section behind its number. */
+    static void write(SavedState s, ByteBuffer out) {
+        out.putInt(s.joints.ids);
+        for (int joint = 0; joint < s.joints.ids; joint++) {
+            int state = state(s, joint);
+            int flags = flags(s.joints, joint, state);
+            out.put((byte) flags);
+            if ((flags & HAS_GENERATION) != 0) {
+                Varint.put(out, s.joints.generation[joint]);
+            }
+            if ((flags & LIVES) != 0) {
+                writeJoint(s.joints, joint, flags, out);
+                writeState(s.jointStates, joint, state, out);
+            }
+        }
+    }
+
+    private static void writeJoint(SavedJoints j, int joint, int flags, ByteBuffer out) {
+        Varint.put(out, j.form[joint]);
+        out.put(j.colour[joint]);
+        Varint.put(out, j.a[joint]);
+        if ((flags & HAS_B) != 0) {
+            Varint.put(out, j.b[joint]);
+        }
+        if ((flags & HAS_BODY) != 0) {
+            Varint.put(out, j.body[joint]);
+        }
+        if ((flags & HAS_REFERENCES) != 0) {
+            out.putInt(j.referenceA[joint]).putInt(j.referenceB[joint]);
+        }
+        int values = values(j, joint);
+        Varint.put(out, values);
+        for (int k = 0; k < SavedJoints.VALUES; k++) {
+            if ((values & 1 << k) != 0) {
+                out.putFloat(j.values[SavedJoints.VALUES * joint + k]);
+            }
+        }
+    }
+
+    private static void writeState(SavedJointStates states, int joint, int state, ByteBuffer out) {
+        if (state != 0) {
+            out.put((byte) state);
+            for (int k = 0; k < JointState.STRIDE; k++) {
+                if ((state & 1 << k) != 0) {
+                    out.putFloat(states.rows[JointState.of(joint) + k]);
+                }
+            }
+        }
+    }
+
+    // ---- reading
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Reads the section behind its number, and checks all but the colours; circles and terrain have been read. */
+    static void read(ByteBuffer in, SavedState s) {
+        room(in, HEAD);
+        int ids = in.getInt();
+        if (!(ids > 0 && ids <= JointRules.JOINTS && ids <= in.remaining())) {
+            throw SnapshotCodec.refused("it cannot hold " + ids + " joints");
+        }
+        s.joints.setIds(ids);
+        s.jointStates.begin(ids);
+        for (int joint = 0; joint < ids; joint++) {
+            int flags = SnapshotCodec.getByte(in);
+            boolean lives = (flags & LIVES) != 0;
+            SnapshotCodec.require(
+                    flags < 2 * HAS_STATE && (lives || (flags & ~HAS_GENERATION) == 0), "a joint has no such flags");
+            s.joints.generation[joint] = SnapshotCodec.getGeneration(in, (flags & HAS_GENERATION) != 0);
+            s.joints.form[joint] = JointRow.NO_JOINT;
+            Arrays.fill(s.jointStates.rows, JointState.of(joint), JointState.of(joint + 1), 0f);
+            if (lives) {
+                readJoint(in, s, joint, flags);
+            }
+        }
+    }
+
+    private static void room(ByteBuffer in, int bytes) {
+        SnapshotCodec.require(in.remaining() >= bytes, "it ends early");
+    }
+
+    private static void readJoint(ByteBuffer in, SavedState s, int joint, int flags) {
+        SavedJoints j = s.joints;
+        int form = Varint.get(in);
+        boolean hasB = (flags & HAS_B) != 0;
+        boolean takesEnd =
+                hasB ? JointRules.takesCircles(form) : JointRules.takesAnchor(form) || JointRules.takesNothing(form);
+        SnapshotCodec.require(JointRules.isForm(form) && takesEnd, "a joint has a form that makes no sense");
+        boolean hasAnchor = !hasB && JointRules.takesAnchor(form);
+        j.form[joint] = form;
+        int colour = SnapshotCodec.getByte(in);
+        SnapshotCodec.require(colour <= JointTable.SPLIT, "a joint has no such colour");
+        j.colour[joint] = (byte) colour;
+        j.a[joint] = circle(in, s);
+        j.b[joint] = hasB ? circle(in, s) : JointRow.NONE;
+        SnapshotCodec.require(j.a[joint] != j.b[joint], "a joint holds a circle to itself");
+        j.body[joint] = (flags & HAS_BODY) != 0 ? body(in, s, hasAnchor) : 0;
+        j.referenceA[joint] = 0;
+        j.referenceB[joint] = 0;
+        if ((flags & HAS_REFERENCES) != 0) {
+            room(in, 2 * Integer.BYTES);
+            j.referenceA[joint] = in.getInt();
+            j.referenceB[joint] = in.getInt();
+            SnapshotCodec.require(
+                    turns(form)
+                            && (j.referenceA[joint] | j.referenceB[joint]) != 0
+                            && (hasB || j.referenceB[joint] == 0),
+                    "a joint has no such angles");
+        }
+        readValues(in, j, joint, hasAnchor, s.parameters().bounds());
+        if ((flags & HAS_STATE) != 0) {
+            readState(in, s, joint);
+        }
+    }
+
+    /** Whether a joint turns circles by their angles. */
+    private static boolean turns(int form) {
+        int angular = form & JointRow.ANGULAR;
+        return angular == JointRow.TURN_ANGLE || angular == JointRow.TURN_RIGID;
+    }
+
+    private static int circle(ByteBuffer in, SavedState s) {
+        int id = Varint.get(in);
+        SnapshotCodec.require(
+                id >= 0 && id < s.ids && Arrays.binarySearch(s.id, 0, s.circles, id) >= 0, "a joint lacks a circle");
+        return id;
+    }
+
+    /** The number of a body that moves the anchor; 0 has no flag. */
+    private static int body(ByteBuffer in, SavedState s, boolean hasAnchor) {
+        int body = Varint.get(in);
+        SnapshotCodec.require(
+                hasAnchor && body > 0 && body < s.terrain.bodyIds && s.terrain.bodyLives[body],
+                "a joint has no body of terrain");
+        return body;
+    }
+
+    private static void readValues(ByteBuffer in, SavedJoints j, int joint, boolean hasAnchor, Bounds bounds) {
+        int values = Varint.get(in);
+        int form = j.form[joint];
+        SnapshotCodec.require((values & ~valuesOf(form, hasAnchor)) == 0, "a joint has no such values");
+        room(in, Float.BYTES * Integer.bitCount(values));
+        for (int k = 0; k < SavedJoints.VALUES; k++) {
+            float value = SavedJoints.initial(k);
+            if ((values & 1 << k) != 0) {
+                value = in.getFloat();
+                SnapshotCodec.require(
+                        !isSame(value, SavedJoints.initial(k)) && (!isSame(value, -0f) || isDirection(k)),
+                        "it has an initial value of a joint");
+                check(k, value);
+            }
+            j.values[SavedJoints.VALUES * joint + k] = value;
+        }
+        int at = SavedJoints.VALUES * joint;
+        if (hasAnchor && j.body[joint] == 0) {
+            anchor(j.values[at + JointRow.ANCHOR_X], bounds.minX(), bounds.maxX(), bounds.periodX());
+            anchor(j.values[at + JointRow.ANCHOR_Y], bounds.minY(), bounds.maxY(), bounds.periodY());
+        }
+        checkLengths(form, j.values[at + JointRow.MIN_LENGTH], j.values[at + JointRow.MAX_LENGTH]);
+        boolean breaks = j.values[at + JointRow.BREAK_FORCE] != Float.POSITIVE_INFINITY
+                || j.values[at + JointRow.BREAK_TORQUE] != Float.POSITIVE_INFINITY;
+        SnapshotCodec.require(breaks == ((form & JointRow.BREAKABLE) != 0), "a joint breaks by no force");
+        if ((form & JointRow.ACROSS) != 0) {
+            float x = j.values[at + JointRow.DIRECTION_X];
+            float y = j.values[at + JointRow.DIRECTION_Y];
+            float square = x * x + y * y;
+            SnapshotCodec.require(
+                    square >= LEAST_DIRECTION && square <= GREATEST_DIRECTION, "the direction of a joint is none");
+        }
+    }
+
+    private static void checkLengths(int form, float least, float greatest) {
+        SnapshotCodec.require(
+                least > 0f == ((form & JointRow.LOWER) != 0)
+                        && greatest < Float.POSITIVE_INFINITY == ((form & JointRow.UPPER) != 0)
+                        && least <= greatest,
+                "the lengths of a joint are out of order");
+    }
+
+    private static boolean isDirection(int k) {
+        return k == JointRow.DIRECTION_X || k == JointRow.DIRECTION_Y;
+    }
+
+    /** A bit for each value that a form has. */
+    private static int valuesOf(int form, boolean hasAnchor) {
+        int linear = form & JointRow.LINEAR;
+        int angular = form & JointRow.ANGULAR;
+        boolean axial = linear == JointRow.AXIAL;
+        return (hasAnchor ? 1 << JointRow.ANCHOR_X | 1 << JointRow.ANCHOR_Y : 0)
+                | (axial && (form & (JointRow.RIGID | JointRow.ELASTIC)) != 0 ? 1 << JointRow.LENGTH : 0)
+                | ((form & JointRow.LOWER) != 0 ? 1 << JointRow.MIN_LENGTH : 0)
+                | ((form & JointRow.UPPER) != 0 ? 1 << JointRow.MAX_LENGTH : 0)
+                | (linear != 0 && !axial ? 1 << JointRow.MAX_FORCE : 0)
+                | (angular != 0 ? 1 << JointRow.MAX_TORQUE : 0)
+                | (angular == JointRow.TURN_SPEED ? 1 << JointRow.SPEED : 0)
+                | ((form & JointRow.BREAKABLE) != 0 ? 1 << JointRow.BREAK_FORCE | 1 << JointRow.BREAK_TORQUE : 0)
+                | ((form & JointRow.ACROSS) != 0 ? 1 << JointRow.DIRECTION_X | 1 << JointRow.DIRECTION_Y : 0)
+                | ((form & JointRow.ELASTIC) != 0 ? 1 << SavedJoints.FREQUENCY | 1 << SavedJoints.DAMPING_RATIO : 0);
+    }
+
+    private static void check(int k, float value) {
+        switch (k) {
+            case JointRow.ANCHOR_X, JointRow.ANCHOR_Y ->
+                Limits.within("an anchor", value, -Limits.COORDINATE, Limits.COORDINATE);
+            case JointRow.LENGTH, JointRow.MIN_LENGTH -> Limits.within("a length", value, 0f, JointRules.LENGTH);
+            case JointRow.SPEED ->
+                Limits.within("the speed of a joint", value, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
+            case JointRow.DIRECTION_X, JointRow.DIRECTION_Y -> Limits.within("a direction", value, -2f, 2f);
+            case SavedJoints.FREQUENCY -> Limits.within("the frequency", value, 0f, JointRules.FREQUENCY);
+            case SavedJoints.DAMPING_RATIO -> Limits.within("the damping ratio", value, 0f, JointRules.DAMPING_RATIO);
+            default -> Limits.within("a value of a joint", value, 0f, Float.POSITIVE_INFINITY);
+        }
+    }
+
+    /** An anchor of the world is inside an axis that wraps. */
+    private static void anchor(float at, float min, float max, float period) {
+        SnapshotCodec.require(
+                period == Float.POSITIVE_INFINITY || at >= min && at <= max, "an anchor of a joint is out of range");
+    }
+
+    private static void readState(ByteBuffer in, SavedState s, int joint) {
+        int state = SnapshotCodec.getByte(in);
+        SnapshotCodec.require(
+                state != 0 && (state & ~impulses(s.joints.form[joint])) == 0, "a joint has no such impulses");
+        room(in, Float.BYTES * Integer.bitCount(state));
+        for (int k = 0; k < JointState.STRIDE; k++) {
+            if ((state & 1 << k) != 0) {
+                float value = in.getFloat();
+                float most = k < JointState.SUM_X ? JointMath.GREATEST_IMPULSE : Limits.CACHED_IMPULSE;
+                float least = k == JointState.LOWER || k == JointState.UPPER ? 0f : -most;
+                SnapshotCodec.require(!isSame(value, 0f), "it has a 0 of an impulse of a joint");
+                s.jointStates.rows[JointState.of(joint) + k] =
+                        Limits.within("an impulse of a joint", value, least, most);
+            }
+        }
+    }
+
+    /** A bit for each number of its state that a form has. */
+    private static int impulses(int form) {
+        int linear = form & JointRow.LINEAR;
+        boolean point = linear == JointRow.POINT || linear == JointRow.DRAG;
+        boolean angular = (form & JointRow.ANGULAR) != 0;
+        boolean along = point || (form & (JointRow.RIGID | JointRow.ELASTIC)) != 0;
+        boolean across = point || (form & JointRow.ACROSS) != 0;
+        return (along ? 1 << JointState.AXIAL : 0)
+                | (across ? 1 << JointState.ACROSS : 0)
+                | ((form & JointRow.LOWER) != 0 ? 1 << JointState.LOWER : 0)
+                | ((form & JointRow.UPPER) != 0 ? 1 << JointState.UPPER : 0)
+                | (angular ? 1 << JointState.ANGULAR | 1 << JointState.SUM_ANGULAR : 0)
+                | (linear != 0 ? 1 << JointState.SUM_X | 1 << JointState.SUM_Y : 0);
+    }
+
+    /** No two joints of a circle have one colour, unless they are split. */
+    static void checkColours(SavedState s) {
+        SavedJoints j = s.joints;
+        int[] taken = new int[j.ids > 0 ? s.ids : 0];
+        for (int joint = 0; joint < j.ids; joint++) {
+            if (j.lives(joint) && j.colour[joint] != JointTable.SPLIT) {
+                take(taken, j.a[joint], j.colour[joint]);
+                if (j.b[joint] != JointRow.NONE) {
+                    take(taken, j.b[joint], j.colour[joint]);
+                }
+            }
+        }
+    }
+
+    private static void take(int[] taken, int circle, int colour) {
+        SnapshotCodec.require((taken[circle] & 1 << colour) == 0, "two joints of a circle have one colour");
+        taken[circle] |= 1 << colour;
+    }
+}

@@ -1,0 +1,249 @@
+package io.github.circles2d.world.snapshots;
+
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
+/**
+ * What circles turn by in a snapshot: two sections of {@link ParameterSections}, if there is something. A state in which nothing has turned
+ * has none, whether or not a pipeline is ready for it. Zeros are left out, by their bits.
+ *
+ * <pre>
+ * section    of circles: int number of circles that have something; for each, ascending: varint of the id minus the one before (-1 at
+ *            first), byte flags; for each flag from bit 0 on: int angle, float angular velocity, four floats of walls by {@link CircleRow}
+ *            of impulses: int number of impulses that have something; for each, ascending: varint of four times the number of the impulse
+ *            minus the one before (-1 at first), plus flags; for each flag: float friction, float rolling impulse
+ * </pre>
+ */
+final class TurnSections {
+    private static final int HEAD = Integer.BYTES;
+
+    private static final int HAS_ANGLE = 1;
+    private static final int HAS_VELOCITY = 2;
+    private static final int WALL_SHIFT = 2;
+    private static final int CIRCLE_FLAGS = (1 << WALL_SHIFT + CircleRow.STRIDE) - 1;
+    private static final int LEAST_CIRCLE = 2 + Float.BYTES;
+
+    private static final int HAS_FRICTION = 1;
+    private static final int HAS_ROLLING = 2;
+    private static final int GRIP_BITS = 2;
+    private static final int GRIP_FLAGS = (1 << GRIP_BITS) - 1;
+    private static final int LEAST_GRIP = 1 + Float.BYTES;
+
+    private TurnSections() {}
+
+    // ---- writing
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Circles that have something. */
+    static int circles(SavedState s) {
+        int count = 0;
+        for (int k = 0; s.turns && k < s.circles; k++) {
+            count += flagsOfCircle(s, k) == 0 ? 0 : 1;
+        }
+        return count;
+    }
+
+    /** Impulses that have something. */
+    static int impulses(SavedState s) {
+        int count = 0;
+        for (int k = 0; s.turns && k < s.impulses; k++) {
+            count += flagsOfImpulse(s, k) == 0 ? 0 : 1;
+        }
+        return count;
+    }
+
+    private static int flagsOfCircle(SavedState s, int k) {
+        int flags = (s.angle[k] == 0 ? 0 : HAS_ANGLE) | (isZero(s.angularVelocity[k]) ? 0 : HAS_VELOCITY);
+        for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
+            flags |= isZero(s.wallGrip[CircleRow.of(k) + wall]) ? 0 : 1 << WALL_SHIFT + wall;
+        }
+        return flags;
+    }
+
+    private static int flagsOfImpulse(SavedState s, int k) {
+        return (isZero(s.friction[k]) ? 0 : HAS_FRICTION) | (isZero(s.rolling[k]) ? 0 : HAS_ROLLING);
+    }
+
+    private static boolean isZero(float value) {
+        return Float.floatToRawIntBits(value) == 0;
+    }
+
+    /** The length of both sections behind their numbers; 0 of one that is not there. */
+    static long bytes(SavedState s) {
+        long sum = 0;
+        int previous = -1;
+        for (int k = 0; s.turns && k < s.circles; k++) {
+            int flags = flagsOfCircle(s, k);
+            if (flags != 0) {
+                sum += (sum == 0 ? HEAD : 0) + Varint.bytes(s.id[k] - previous) + 1 + values(flags);
+                previous = s.id[k];
+            }
+        }
+        long ofCircles = sum;
+        previous = -1;
+        for (int k = 0; s.turns && k < s.impulses; k++) {
+            int flags = flagsOfImpulse(s, k);
+            if (flags != 0) {
+                sum += (sum == ofCircles ? HEAD : 0) + Varint.bytes(key(k - previous, flags)) + values(flags);
+                previous = k;
+            }
+        }
+        return sum;
+    }
+
+    private static int values(int flags) {
+        return Float.BYTES * Integer.bitCount(flags);
+    }
+
+    private static int key(int more, int flags) {
+        return more << GRIP_BITS | flags;
+    }
+
+    /** Writes the section of circles behind its number. */
+    static void writeCircles(SavedState s, int count, ByteBuffer out) {
+        out.putInt(count);
+        int previous = -1;
+        for (int k = 0; k < s.circles; k++) {
+            int flags = flagsOfCircle(s, k);
+            if (flags != 0) {
+                Varint.put(out, s.id[k] - previous);
+                previous = s.id[k];
+                out.put((byte) flags);
+                if ((flags & HAS_ANGLE) != 0) {
+                    out.putInt(s.angle[k]);
+                }
+                if ((flags & HAS_VELOCITY) != 0) {
+                    out.putFloat(s.angularVelocity[k]);
+                }
+                for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
+                    if ((flags >> WALL_SHIFT + wall & 1) != 0) {
+                        out.putFloat(s.wallGrip[CircleRow.of(k) + wall]);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Writes the section of impulses behind its number. */
+    static void writeImpulses(SavedState s, int count, ByteBuffer out) {
+        out.putInt(count);
+        int previous = -1;
+        for (int k = 0; k < s.impulses; k++) {
+            int flags = flagsOfImpulse(s, k);
+            if (flags != 0) {
+                Varint.put(out, key(k - previous, flags));
+                previous = k;
+                if ((flags & HAS_FRICTION) != 0) {
+                    out.putFloat(s.friction[k]);
+                }
+                if ((flags & HAS_ROLLING) != 0) {
+                    out.putFloat(s.rolling[k]);
+                }
+            }
+        }
+    }
+
+    // ---- reading
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Nothing turns, until a section says so. */
+    static void clear(SavedState s) {
+        s.setTurns(false);
+    }
+
+    private static void begin(SavedState s) {
+        if (!s.turns) {
+            s.setTurns(true);
+            s.ensureImpulses(s.impulses);
+            Arrays.fill(s.angle, 0, s.circles, 0);
+            Arrays.fill(s.angularVelocity, 0, s.circles, 0f);
+            Arrays.fill(s.wallGrip, 0, CircleRow.of(s.circles), 0f);
+            Arrays.fill(s.friction, 0, s.impulses, 0f);
+            Arrays.fill(s.rolling, 0, s.impulses, 0f);
+        }
+    }
+
+    /** Reads the section of circles behind its number, and checks it; circles and impulses have been read. */
+    static void readCircles(ByteBuffer in, SavedState s) {
+        int count = count(in, s.circles, LEAST_CIRCLE);
+        begin(s);
+        long id = -1;
+        int circle = 0;
+        for (int k = 0; k < count; k++) {
+            long more = Integer.toUnsignedLong(Varint.get(in));
+            id += more;
+            while (circle < s.circles && s.id[circle] < id) {
+                circle++;
+            }
+            SnapshotCodec.require(more > 0 && circle < s.circles && s.id[circle] == id, "what turns has no circle");
+            int flags = SnapshotCodec.getByte(in);
+            SnapshotCodec.require(flags != 0 && flags <= CIRCLE_FLAGS, "a circle that turns has no such flags");
+            SnapshotCodec.require(in.remaining() >= values(flags), "it ends early");
+            if ((flags & HAS_ANGLE) != 0) {
+                s.angle[circle] = in.getInt();
+                SnapshotCodec.require(s.angle[circle] != 0, "it has an angle of 0");
+            }
+            if ((flags & HAS_VELOCITY) != 0) {
+                s.angularVelocity[circle] = value(in, "an angular velocity", Limits.ANGULAR_VELOCITY);
+            }
+            for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
+                if ((flags >> WALL_SHIFT + wall & 1) != 0) {
+                    s.wallGrip[CircleRow.of(circle) + wall] = value(in, "a wall's grip", Limits.WALL_IMPULSE);
+                }
+            }
+        }
+    }
+
+    /** Reads the section of impulses behind its number, and checks it likewise. */
+    static void readImpulses(ByteBuffer in, SavedState s) {
+        int count = count(in, s.impulses, LEAST_GRIP);
+        begin(s);
+        long impulse = -1;
+        for (int k = 0; k < count; k++) {
+            long key = Integer.toUnsignedLong(Varint.get(in));
+            long more = key >> GRIP_BITS;
+            int flags = (int) key & GRIP_FLAGS;
+            impulse += more;
+            SnapshotCodec.require(more > 0 && impulse < s.impulses && flags != 0, "a grip has no impulse");
+            SnapshotCodec.require(in.remaining() >= values(flags), "it ends early");
+            if ((flags & HAS_FRICTION) != 0) {
+                s.friction[(int) impulse] = value(in, "friction", Limits.CACHED_IMPULSE);
+            }
+            if ((flags & HAS_ROLLING) != 0) {
+                s.rolling[(int) impulse] = value(in, "a rolling impulse", Float.MAX_VALUE);
+            }
+        }
+    }
+
+    private static int count(ByteBuffer in, int most, int least) {
+        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
+        int count = in.getInt();
+        if (!(count > 0 && count <= most && (long) count * least <= in.remaining())) {
+            throw SnapshotCodec.refused("it cannot hold " + count + " values of what turns");
+        }
+        return count;
+    }
+
+    private static float value(ByteBuffer in, String what, float most) {
+        float value = in.getFloat();
+        SnapshotCodec.require(!isZero(value), "it has a 0 of what turns");
+        return Limits.within(what, value, -most, most);
+    }
+
+    /** Its range depends on the radii of its circles. All impulses belong to two circles that are there. */
+    static void checkRollingImpulses(SavedState s) {
+        for (int k = 0; s.turns && k < s.impulses; k++) {
+            if (!isZero(s.rolling[k])) {
+                float r = Math.min(radius(s, s.lo[k]), radius(s, s.hi[k]));
+                Limits.within(
+                        "a rolling impulse by radius", s.rolling[k] / r, -Limits.CACHED_ROLLING, Limits.CACHED_ROLLING);
+            }
+        }
+    }
+
+    private static float radius(SavedState s, int id) {
+        return s.circle[CircleRow.of(Arrays.binarySearch(s.id, 0, s.circles, id)) + CircleRow.RADIUS];
+    }
+}

@@ -1,0 +1,135 @@
+package io.github.circles2d.world.terrain;
+
+import io.github.circles2d.world.model.PieceRow;
+
+/**
+ * The terrain of a saved state, by the ids of pieces and bodies. Body 0 is the ground, which is always there and never moves. Arrays are reused,
+ * and may be longer than their contents.
+ */
+public final class SavedTerrain {
+    /** Floats of the form of a piece: of a line x, y of its ends and the thickness; of an arc x, y, the direction of its middle, the radius. */
+    public static final int FORM = 5;
+
+    /** Ids of pieces in use so far. */
+    public int pieceIds;
+
+    public int[] pieceGeneration = new int[0];
+
+    /** By piece: its form and {@link PieceRow#SOLID_OUTSIDE}, without joints; {@link PieceRow#NO_PIECE} of a free id. */
+    public byte[] shape = new byte[0];
+
+    /** By piece: the number of its kind. */
+    public byte[] kind = new byte[0];
+
+    public int[] body = new int[0];
+
+    /** By piece: the one that follows it in its chain, or -1. */
+    public int[] after = new int[0];
+
+    /** By piece: {@link #FORM} floats. */
+    public float[] form = new float[0];
+
+    /** By piece: half the opening of an arc, in units of an angle without sign; else 0. */
+    public int[] half = new int[0];
+
+    /** Ids of bodies in use so far, at least 1. */
+    public int bodyIds = 1;
+
+    public int[] bodyGeneration = new int[1];
+    public boolean[] bodyLives = new boolean[1];
+    public double[] x = new double[1];
+    public double[] y = new double[1];
+
+    /** In units of an angle. */
+    public int[] angle = new int[1];
+
+    public float[] vx = new float[1];
+    public float[] vy = new float[1];
+    public float[] omega = new float[1];
+
+    /** By body: whether it travels to its target in the next step. */
+    public boolean[] travels = new boolean[1];
+
+    public float[] targetX = new float[1];
+    public float[] targetY = new float[1];
+    public int[] targetAngle = new int[1];
+
+    public SavedTerrain() {}
+
+    /** As it is at first. */
+    public void clear() {
+        pieceIds = 0;
+        bodyIds = 1;
+        bodyLives[0] = true;
+    }
+
+    public boolean isAsAtFirst() {
+        return pieceIds == 0 && bodyIds == 1;
+    }
+
+    public boolean lives(int piece) {
+        return shape[piece] != PieceRow.NO_PIECE;
+    }
+
+    /** Whether there are pieces. */
+    public boolean hasPieces() {
+        for (int piece = 0; piece < pieceIds; piece++) {
+            if (lives(piece)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Makes room, without the contents so far, and sets the numbers. */
+    public void setIds(int pieces, int bodies) {
+        if (half.length < pieces) {
+            // All arrays are made before one is assigned: a growth that fails changes nothing.
+            int c = Math.max(pieces, half.length + (half.length >> 1));
+            int[] newPieceGeneration = new int[c];
+            byte[] newShape = new byte[c];
+            byte[] newKind = new byte[c];
+            int[] newBody = new int[c];
+            int[] newAfter = new int[c];
+            float[] newForm = new float[FORM * c];
+            int[] newHalf = new int[c];
+            pieceGeneration = newPieceGeneration;
+            shape = newShape;
+            kind = newKind;
+            body = newBody;
+            after = newAfter;
+            form = newForm;
+            half = newHalf;
+        }
+        if (targetAngle.length < bodies) {
+            int c = Math.max(bodies, targetAngle.length + (targetAngle.length >> 1));
+            int[] newBodyGeneration = new int[c];
+            boolean[] newBodyLives = new boolean[c];
+            double[] newX = new double[c];
+            double[] newY = new double[c];
+            int[] newAngle = new int[c];
+            float[] newVx = new float[c];
+            float[] newVy = new float[c];
+            float[] newOmega = new float[c];
+            boolean[] newTravels = new boolean[c];
+            float[] newTargetX = new float[c];
+            float[] newTargetY = new float[c];
+            int[] newTargetAngle = new int[c];
+            bodyGeneration = newBodyGeneration;
+            bodyLives = newBodyLives;
+            x = newX;
+            y = newY;
+            angle = newAngle;
+            vx = newVx;
+            vy = newVy;
+            omega = newOmega;
+            travels = newTravels;
+            targetX = newTargetX;
+            targetY = newTargetY;
+            targetAngle = newTargetAngle;
+        }
+        pieceIds = pieces;
+        bodyIds = bodies;
+        bodyLives[0] = true;
+    }
+}
