@@ -22,7 +22,7 @@ public final class Clearing implements Calls.Effects {
     }
 
     @Override
-    public void prepare(Call call, int[] words) {
+    public long make(Call call, int[] words) {
         world.pending.settleJoints();
         world.joints.departures().ensure(world.joints.table.ids.size());
         if (world.events.isOn()) {
@@ -32,10 +32,7 @@ public final class Clearing implements Calls.Effects {
             world.state.makeRoomToRemoveCircles();
         }
         world.copies.forget();
-    }
-
-    @Override
-    public long apply(Call call, int[] words) {
+        world.calls.begin(call, words);
         world.joints.departures().removeOfCircles();
         if (world.events.isOn()) {
             world.pending.recordRemovals();

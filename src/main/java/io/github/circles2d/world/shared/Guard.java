@@ -70,6 +70,11 @@ public final class Guard {
         }
     }
 
+    /** Ends a call. */
+    public void leave() {
+        user = null;
+    }
+
     /** From now on no call that needs the state is made. */
     public void close() {
         takeTurn();

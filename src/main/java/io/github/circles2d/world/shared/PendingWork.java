@@ -5,17 +5,19 @@ import io.github.circles2d.world.circles.Commands;
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
 public final class PendingWork {
     private final WorldParts world;
+    private final Commands commands;
 
     PendingWork(WorldParts world) {
         this.world = world;
+        commands = world.commands;
     }
 
     /** Makes room for changes to come, so that none fails half-way. */
     public void expect(int more) {
-        if (world.commands.count() >= Commands.MANY) {
+        if (commands.count() >= Commands.MANY) {
             apply();
         }
-        world.commands.ensure(more);
+        commands.ensure(more);
     }
 
     /** Hands the changes that wait to the pipeline. */
