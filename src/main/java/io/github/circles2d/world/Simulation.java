@@ -130,7 +130,7 @@ public final class Simulation implements AutoCloseable {
             world.guard.changing |= made > 0; // some of the steps have been made, and others never will
             throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -246,10 +246,8 @@ public final class Simulation implements AutoCloseable {
         world.guard.enter();
         try {
             world.pending.finish();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -257,10 +255,8 @@ public final class Simulation implements AutoCloseable {
         world.guard.enter();
         try {
             return world.copies.hash();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -277,10 +273,8 @@ public final class Simulation implements AutoCloseable {
                     world.pipeline.bytesHeld() + world.events.bytes() + world.terrain.bytes() + world.joints.bytes(),
                     Collections.unmodifiableMap(world.pipeline.stageMillis()),
                     world.pipeline.device());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

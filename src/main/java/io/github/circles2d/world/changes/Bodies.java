@@ -100,10 +100,8 @@ public final class Bodies implements Calls.Effects {
         world.guard.enter();
         try {
             poses.keep(table);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -60,10 +60,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints();
             return table.ids.handleOrNone(id);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -101,10 +99,8 @@ public final class JointCalls implements Calls.Effects {
             long joint = apply(call, words, form);
             world.calls.end();
             return joint;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -172,10 +168,8 @@ public final class JointCalls implements Calls.Effects {
             addFound(n, form, to);
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -285,10 +279,8 @@ public final class JointCalls implements Calls.Effects {
                 table.remove(found[k]);
             }
             world.guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -369,10 +361,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
             world.joints.departures().report(on);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -388,10 +378,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints();
             world.joints.departures().gone().moveTo(to);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 }

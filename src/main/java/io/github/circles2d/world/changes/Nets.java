@@ -48,10 +48,8 @@ public final class Nets {
             }
             addJoints(net, circlesTo, jointsTo, before);
             world.guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -87,10 +87,8 @@ public final class Pieces implements Calls.Effects {
             }
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -164,10 +162,8 @@ public final class Pieces implements Calls.Effects {
             world.terrain.addChain(of, kind, chain, n, closed, handles);
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -353,10 +349,8 @@ public final class Pieces implements Calls.Effects {
             int n = checkRead(to, handles);
             read.read(to, handles);
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -369,10 +363,8 @@ public final class Pieces implements Calls.Effects {
             between.keepBetween(before, after, alpha, world.terrain.bodies, world.terrain.bounds());
             read.read(between, to, handles);
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

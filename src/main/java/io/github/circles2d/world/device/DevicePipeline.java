@@ -35,6 +35,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 
 /**
  * The World engine on an OpenCL device. {@link StepQueue} enqueues steps and does not wait for them; the next call that needs their
@@ -42,6 +43,7 @@ import java.util.TreeMap;
  */
 public final class DevicePipeline implements Pipeline {
     private final Session session;
+    private Consumer<Throwable> losses = cause -> {};
     private final DeviceArrays arrays;
     private StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
@@ -133,9 +135,20 @@ public final class DevicePipeline implements Pipeline {
 
     /**
      * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; and for features,
-     * if there is memory for them.
+     * if there is memory for them. If they cannot be built, the state is lost: some parts use them already.
      */
     private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
+        try {
+            use(anySettings, edges, ofReports);
+        } catch (OpenClException e) {
+            if (!(e instanceof DeviceMemoryException)) {
+                losses.accept(e);
+            }
+            throw e;
+        }
+    }
+
+    private void use(boolean anySettings, boolean edges, ReportReader ofReports) {
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
         Features features = features(edges);
@@ -560,8 +573,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public boolean isLostBy(Throwable cause) {
-        return cause instanceof OpenClException && !(cause instanceof DeviceMemoryException);
+    public void watch(Consumer<Throwable> whom) {
+        losses = whom;
+        session.watch(whom);
     }
 
     @Override

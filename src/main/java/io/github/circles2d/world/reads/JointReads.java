@@ -39,10 +39,8 @@ public final class JointReads {
         try {
             world.pending.settleJoints();
             return table.ids.find(handle) >= 0;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -52,10 +50,8 @@ public final class JointReads {
         try {
             world.pending.settleJoints();
             return table.ids.size();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -66,10 +62,8 @@ public final class JointReads {
             int joint = find(handle);
             int circle = other ? table.b(joint) : table.a(joint);
             return circle == JointRow.NONE ? 0 : world.handles.handle(circle);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -83,10 +77,8 @@ public final class JointReads {
         world.guard.enter();
         try {
             return table.formOf(find(handle));
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -97,10 +89,8 @@ public final class JointReads {
         world.guard.enter();
         try {
             return anchor(handle, false);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -108,10 +98,8 @@ public final class JointReads {
         world.guard.enter();
         try {
             return anchor(handle, true);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -129,10 +117,8 @@ public final class JointReads {
             JointEnds ends = world.joints.ends().look(world.last.circles());
             ends.of(joint);
             return ends.length();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -153,10 +139,8 @@ public final class JointReads {
                 }
             }
             return n;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -173,10 +157,8 @@ public final class JointReads {
         world.guard.enter();
         try {
             return copyEnds(drawn, to, handles);
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -225,10 +207,8 @@ public final class JointReads {
                 }
             }
             return nearest < 0 ? 0 : table.ids.handle(nearest);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -252,10 +232,8 @@ public final class JointReads {
                 into[k] = table.ids.handle(found[k]);
             }
             return count;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -290,10 +268,8 @@ public final class JointReads {
                 return 0; // it is new
             }
             return load(states, joint, which, world.settings.lastStep());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

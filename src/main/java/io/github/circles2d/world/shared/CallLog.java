@@ -163,7 +163,7 @@ public final class CallLog {
             long now = world.copies.hash();
             write(Call.HASH, (int) now, (int) (now >> Integer.SIZE), 0, 0);
         } catch (RuntimeException | Error e) {
-            if (world.guard.changing || world.pipeline.isLostBy(e)) {
+            if (!world.guard.holds()) {
                 throw e;
             }
             log.fail(e);

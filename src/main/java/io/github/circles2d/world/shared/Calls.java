@@ -47,11 +47,6 @@ public final class Calls {
         return make(call, floatToRawIntBits(a), floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
     }
 
-    /** The same with more words. */
-    public long make(Call call, int a, int b, int c, int d, int e, int f, int g) {
-        return make(call, 0, a, b, c, d, e, f, g, 0);
-    }
-
     /** Makes a call about what has a handle, by the words that follow. */
     public long change(Call call, long handle, int b, int c, int d) {
         return make(call, handle, 0, b, c, d, 0, 0, 0, 0);
@@ -79,10 +74,8 @@ public final class Calls {
             words[6] = g;
             words[7] = h;
             return execute(call, words);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -92,18 +85,20 @@ public final class Calls {
         try {
             requireId(call.named, ofLog[0]);
             execute(call, ofLog);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
     private long execute(Call call, int[] w) {
         call.check(w, world.settings);
-        long handle = effects[call.ordinal()].make(call, w);
-        end();
-        return handle;
+        try {
+            long handle = effects[call.ordinal()].make(call, w);
+            end();
+            return handle;
+        } catch (RuntimeException | Error e) {
+            throw world.guard.failed(e);
+        }
     }
 
     /**

@@ -28,11 +28,15 @@ public final class PendingWork {
             finish();
             makeRoom(changes);
             world.guard.changing = true;
-            if (changes) {
-                applyCommands();
-            }
-            if (learns) {
-                world.events.learnPieces();
+            try {
+                if (changes) {
+                    applyCommands();
+                }
+                if (learns) {
+                    world.events.learnPieces();
+                }
+            } catch (RuntimeException | Error e) {
+                throw world.guard.failed(e);
             }
             world.guard.changing = false;
         }
@@ -82,7 +86,11 @@ public final class PendingWork {
     /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
         world.guard.changing = true;
-        world.pipeline.finish();
+        try {
+            world.pipeline.finish();
+        } catch (RuntimeException | Error e) {
+            throw world.guard.failed(e);
+        }
         world.guard.changing = false;
         world.breaking.take();
     }
@@ -104,25 +112,5 @@ public final class PendingWork {
         if (world.breaking.mayHappen()) {
             finish();
         }
-    }
-
-    /** Waits for the events of all steps so far. */
-    public void finishEvents() {
-        world.guard.changing = true;
-        world.pipeline.finishEvents();
-        world.guard.changing = false;
-    }
-
-    /** Asks for the events of all steps so far. */
-    public void requestEvents() {
-        world.guard.changing = true;
-        world.pipeline.requestEvents();
-        world.guard.changing = false;
-    }
-
-    public void finishRequestedEvents() {
-        world.guard.changing = true;
-        world.pipeline.finishRequestedEvents();
-        world.guard.changing = false;
     }
 }
