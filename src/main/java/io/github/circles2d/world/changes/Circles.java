@@ -37,11 +37,16 @@ public final class Circles implements Calls.Effects {
                 Call.IMPULSE,
                 Call.ANGLE,
                 Call.ANGULAR_VELOCITY,
-                Call.ANGULAR_IMPULSE);
+                Call.ANGULAR_IMPULSE,
+                Call.CLEAR);
     }
 
     @Override
     public long make(Call call, int[] w) {
+        if (call == Call.CLEAR) {
+            removeAll();
+            return 0;
+        }
         changes.begin(1);
         switch (call) {
             case REMOVE -> changes.setChecked(Commands.REMOVE, w[0], 0, 0);
@@ -68,6 +73,37 @@ public final class Circles implements Calls.Effects {
         } finally {
             world.guard.leave();
         }
+    }
+
+    /** Removes all circles, and with them all joints. */
+    public void clear() {
+        world.calls.make(Call.CLEAR, 0, 0, 0, 0);
+    }
+
+    /**
+     * The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for each removes them as any
+     * other call does, so that their ends are reported.
+     */
+    private void removeAll() {
+        world.pending.settleJoints();
+        world.joints.departures().ensure(world.joints.table.ids.size());
+        if (world.events.isOn()) {
+            world.pending.expect(world.handles.size());
+        } else {
+            world.pending.finish();
+            world.state.makeRoomToRemoveCircles();
+        }
+        world.copies.forget();
+        world.calls.begin(Call.CLEAR, 0, 0, 0, 0);
+        world.joints.departures().removeOfCircles();
+        if (world.events.isOn()) {
+            world.pending.recordRemovals();
+            world.handles.removeAll();
+        } else {
+            world.pending.drop(); // changes that wait are of circles that go, or that the pipeline never learns of
+            world.state.removeCircles();
+        }
+        world.state.forgetFigures();
     }
 
     /** Changes a circle by an operation of {@link Commands} of floats. b has no meaning if the operation has one value. */

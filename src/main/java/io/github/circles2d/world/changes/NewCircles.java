@@ -36,11 +36,6 @@ public final class NewCircles implements Calls.Effects {
         return addOne(real(w[0]), real(w[1]), real(w[2]), real(w[3]), real(w[4]), real(w[5]), w[6]);
     }
 
-    /** Adds a circle of kind 0 and returns its handle. */
-    public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return add(x, y, radius, mass, vx, vy, 0);
-    }
-
     /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         world.guard.enter();

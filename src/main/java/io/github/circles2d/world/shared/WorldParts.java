@@ -32,7 +32,6 @@ public final class WorldParts {
     public final LastReading last = new LastReading(this);
     public final WorldState state = new WorldState(this);
     public final Copies copies = new Copies(this);
-    final Breaking breaking = new Breaking(this);
 
     /** Those of a world without circles. The parameters have been checked. */
     public WorldParts(Pipeline pipeline, WorldParameters start) {
