@@ -130,7 +130,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass) {
-        return add(x, y, radius, mass, 0, 0);
+        return simulation.newCircles.add(x, y, radius, mass, 0, 0, 0);
     }
 
     /**
@@ -147,7 +147,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return simulation.newCircles.add(x, y, radius, mass, vx, vy);
+        return simulation.newCircles.add(x, y, radius, mass, vx, vy, 0);
     }
 
     /**
@@ -239,7 +239,7 @@ public final class World implements AutoCloseable {
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
-        simulation.clearing.clear();
+        simulation.circles.clear();
     }
 
     /**

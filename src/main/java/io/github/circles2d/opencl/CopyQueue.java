@@ -42,7 +42,7 @@ public final class CopyQueue {
                 given.release();
             }
         } catch (CLException e) {
-            throw ErrorCodes.failed("copy beside the kernels", session.device(), e);
+            throw session.failed("copy beside the kernels", e);
         }
     }
 
@@ -56,7 +56,7 @@ public final class CopyQueue {
         try {
             queue.finish();
         } catch (CLException e) {
-            throw ErrorCodes.failed("finish copying", session.device(), e);
+            throw session.failed("finish copying", e);
         }
     }
 }

@@ -173,7 +173,7 @@ public final class DeviceBuffer implements AutoCloseable {
         try {
             buffer.write(session.queue(), offset, length, source.at(sourceOffset), true);
         } catch (CLException e) {
-            throw ErrorCodes.failed("write " + length + " bytes to buffer '" + name + "'", session.device(), e);
+            throw session.failed("write " + length + " bytes to buffer '" + name + "'", e);
         }
     }
 
@@ -220,7 +220,7 @@ public final class DeviceBuffer implements AutoCloseable {
         try {
             buffer.read(queue, offset, length, target.at(targetOffset), blocking, events);
         } catch (CLException e) {
-            throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
+            throw session.failed("read " + length + " bytes of buffer '" + name + "'", e);
         }
     }
 
@@ -240,7 +240,7 @@ public final class DeviceBuffer implements AutoCloseable {
                 Pointer<Byte> memory = Pointer.pointerToBytes(target.slice());
                 buffer.read(session.queue(), 0, length, memory, true, WITHOUT_EVENT);
             } catch (CLException e) {
-                throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
+                throw session.failed("read " + length + " bytes of buffer '" + name + "'", e);
             } finally {
                 Reference.reachabilityFence(target);
             }
@@ -259,7 +259,7 @@ public final class DeviceBuffer implements AutoCloseable {
                 Pointer<Byte> memory = Pointer.pointerToBytes(source.slice());
                 buffer.write(session.queue(), 0, length, memory, true);
             } catch (CLException e) {
-                throw ErrorCodes.failed("write " + length + " bytes to buffer '" + name + "'", session.device(), e);
+                throw session.failed("write " + length + " bytes to buffer '" + name + "'", e);
             } finally {
                 Reference.reachabilityFence(source);
             }
@@ -313,7 +313,7 @@ public final class DeviceBuffer implements AutoCloseable {
         try {
             buffer.copyBytesTo(session.queue(), target.buffer(), offset, targetOffset, length, WITHOUT_EVENT);
         } catch (CLException e) {
-            throw ErrorCodes.failed("copy " + length + " bytes of buffer '" + name + "'", session.device(), e);
+            throw session.failed("copy " + length + " bytes of buffer '" + name + "'", e);
         }
     }
 
@@ -335,7 +335,7 @@ public final class DeviceBuffer implements AutoCloseable {
             CLBuffer<Byte> part = buffer.createSubBuffer(CLMem.Usage.InputOutput, offset, length);
             return new DeviceBuffer(session, sliceName, length, part, 0);
         } catch (CLException e) {
-            throw ErrorCodes.failed("take " + length + " bytes of buffer '" + name + "'", session.device(), e);
+            throw session.failed("take " + length + " bytes of buffer '" + name + "'", e);
         }
     }
 

@@ -58,7 +58,7 @@ public final class HostBuffer implements AutoCloseable {
             });
             session.own(handle);
         } catch (CLException e) {
-            throw ErrorCodes.failed("register " + size + " bytes of transfer memory", session.device(), e);
+            throw session.failed("register " + size + " bytes of transfer memory", e);
         }
         start = pointer;
         memory.limit(size);

@@ -239,7 +239,7 @@ public final class Kernel implements AutoCloseable {
                 profile.add(name, event);
             }
         } catch (CLException e) {
-            throw ErrorCodes.failed("run kernel " + name + " on " + workItems + " work-items", session.device(), e);
+            throw session.failed("run kernel " + name + " on " + workItems + " work-items", e);
         }
     }
 
@@ -264,6 +264,6 @@ public final class Kernel implements AutoCloseable {
     }
 
     private OpenClException failedArgument(int index, CLException cause) {
-        return ErrorCodes.failed("set argument " + index + " of kernel " + name, session.device(), cause);
+        return session.failed("set argument " + index + " of kernel " + name, cause);
     }
 }

@@ -10,6 +10,7 @@ import com.nativelibs4java.opencl.CLQueue;
 import java.lang.ref.Cleaner;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * One context and one in-order queue on one device, and everything made from them; further queues for copies alone.
@@ -30,6 +31,7 @@ public final class Session implements AutoCloseable {
     private final HandleRegistry registry;
     private final Cleaner.Cleanable cleanable;
     private final Profile profile;
+    private Consumer<Throwable> watcher = failure -> {};
     private HostBuffer staging;
     private long allocatedBytes;
     private volatile boolean closed;
@@ -155,7 +157,7 @@ public final class Session implements AutoCloseable {
             return new DeviceBuffer(this, name, bytes, buffer);
         } catch (CLException | OutOfMemoryError e) {
             RuntimeException cause = e instanceof CLException ? (CLException) e : new IllegalStateException(e);
-            throw ErrorCodes.failed("allocate " + bytes + " bytes for buffer '" + name + "'", device, cause);
+            throw failed("allocate " + bytes + " bytes for buffer '" + name + "'", cause);
         }
     }
 
@@ -217,7 +219,7 @@ public final class Session implements AutoCloseable {
             registry.add(further);
             return new CopyQueue(this, further);
         } catch (CLException e) {
-            throw ErrorCodes.failed("open a queue for copies", device, e);
+            throw failed("open a queue for copies", e);
         }
     }
 
@@ -231,7 +233,7 @@ public final class Session implements AutoCloseable {
         try {
             queue.finish();
         } catch (CLException e) {
-            throw ErrorCodes.failed("finish what was enqueued", device, e);
+            throw failed("finish what was enqueued", e);
         }
     }
 
@@ -250,6 +252,25 @@ public final class Session implements AutoCloseable {
     public Map<String, Long> profileNanos() {
         finish();
         return profile == null ? Map.of() : profile.nanosByKernel();
+    }
+
+    /**
+     * Names whom it tells of commands that the device refuses or fails, after which its memory may have anything in it. A build is no command, and
+     * a refused allocation changes no memory.
+     *
+     * @param watcher gets what is about to be thrown
+     */
+    public void watch(Consumer<Throwable> watcher) {
+        this.watcher = watcher;
+    }
+
+    /** Tells of a command that has failed, and returns what to throw; {@code what} completes "could not ...". */
+    OpenClException failed(String what, RuntimeException cause) {
+        OpenClException failure = ErrorCodes.failed(what, device, cause);
+        if (!(failure instanceof DeviceMemoryException)) {
+            watcher.accept(failure);
+        }
+        return failure;
     }
 
     @Override

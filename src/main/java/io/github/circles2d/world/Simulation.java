@@ -3,7 +3,6 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.changes.Bodies;
 import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.changes.Circles;
-import io.github.circles2d.world.changes.Clearing;
 import io.github.circles2d.world.changes.FieldCalls;
 import io.github.circles2d.world.changes.Forces;
 import io.github.circles2d.world.changes.Growth;
@@ -54,7 +53,6 @@ public final class Simulation implements AutoCloseable {
     public final Kinds kinds;
     public final Forces forces;
     public final Growth growth;
-    public final Clearing clearing;
     public final Surroundings surroundings;
     public final Pieces pieces;
     public final Bodies bodies;
@@ -89,7 +87,6 @@ public final class Simulation implements AutoCloseable {
         TerrainView view = new TerrainView(world);
         bulk = new BulkChanges(world, changes, view);
         fields = new FieldCalls(world, kinds);
-        clearing = new Clearing(world);
         surroundings = new Surroundings(world, nextStep);
         pieces = new Pieces(world);
         bodies = new Bodies(world);
@@ -130,7 +127,7 @@ public final class Simulation implements AutoCloseable {
             world.guard.changing |= made > 0; // some of the steps have been made, and others never will
             throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -186,7 +183,7 @@ public final class Simulation implements AutoCloseable {
             world.pipeline.prepareSteps(world.input.reports);
         }
         world.guard.changing = true;
-        world.state.figures().stepped(hasCircles);
+        world.state.stepped(hasCircles);
         if (hasCircles) {
             world.copies.forget();
             prepareInput(timeStep);
@@ -246,10 +243,8 @@ public final class Simulation implements AutoCloseable {
         world.guard.enter();
         try {
             world.pending.finish();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -257,10 +252,8 @@ public final class Simulation implements AutoCloseable {
         world.guard.enter();
         try {
             return world.copies.hash();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -268,7 +261,7 @@ public final class Simulation implements AutoCloseable {
         world.guard.enter();
         try {
             world.pending.finish();
-            boolean hold = world.state.figures().hold();
+            boolean hold = world.state.figuresHold();
             return new Figures(
                     world.handles.size(),
                     hold ? world.pipeline.candidatePairs() : 0,
@@ -277,10 +270,8 @@ public final class Simulation implements AutoCloseable {
                     world.pipeline.bytesHeld() + world.events.bytes() + world.terrain.bytes() + world.joints.bytes(),
                     Collections.unmodifiableMap(world.pipeline.stageMillis()),
                     world.pipeline.device());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -2,11 +2,14 @@ package io.github.circles2d.opencl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -296,6 +299,21 @@ class SessionTest {
             assertThatThrownBy(() -> session.build(SCALE).kernel("absent"))
                     .isInstanceOf(OpenClException.class)
                     .hasMessageContaining("absent");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void whoeverWatchesIsToldOfACommandThatFailsAndNotOfABuild(Device device) {
+        List<Throwable> told = new ArrayList<>();
+        try (Session session = Session.open(device)) {
+            session.watch(told::add);
+            assertThatThrownBy(() -> session.build(SCALE).kernel("absent")).isInstanceOf(OpenClException.class);
+            assertThat(told).isEmpty();
+            Kernel withoutArguments = session.build(SCALE).kernel("scale");
+            Throwable thrown = catchThrowable(() -> withoutArguments.run(1));
+            assertThat(thrown).isInstanceOf(OpenClException.class);
+            assertThat(told).containsExactly(thrown);
         }
     }
 

@@ -23,7 +23,7 @@ public final class SimulationScenes {
         Simulation simulation = new Simulation(pipeline, parameters);
         SceneLoader.circles(
                 scene,
-                simulation.newCircles::add,
+                (x, y, radius, mass, vx, vy) -> simulation.newCircles.add(x, y, radius, mass, vx, vy, 0),
                 (handle, restitution) -> simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0));
         return simulation;
     }

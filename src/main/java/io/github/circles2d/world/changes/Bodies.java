@@ -67,7 +67,7 @@ public final class Bodies implements Calls.Effects {
     }
 
     @Override
-    public void prepare(Call call, int[] words) {
+    public long make(Call call, int[] w) {
         if (call == Call.BODY) {
             if (table.ids.size() >= TerrainLimits.BODIES) {
                 throw new IllegalArgumentException(
@@ -78,10 +78,7 @@ public final class Bodies implements Calls.Effects {
             world.pending.settleJoints();
             world.joints.departures().ensure(world.joints.table.places.count());
         }
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
+        world.calls.begin(call, w);
         switch (call) {
             case BODY -> {
                 return table.ids.handle(world.terrain.addBody(real(w[0]), real(w[1]), Surface.units(real(w[2]))));
@@ -103,10 +100,8 @@ public final class Bodies implements Calls.Effects {
         world.guard.enter();
         try {
             poses.keep(table);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -6,135 +6,99 @@ import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.search.CategoryFilter;
 import io.github.circles2d.world.search.TerrainView;
-import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
-import java.util.function.ToIntFunction;
 
 /** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
 public final class BulkChanges {
-    /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
-    private interface Preparation<A> {
-        /** False if the circle is gone by an earlier handle of the call. Reads element i once: another thread may write to the array. */
-        boolean prepare(int id, A values, int i);
-    }
-
-    private interface PreparationOfTwo {
-        void prepare(int id, float x, float y);
-    }
-
-    /** A call with many handles, and elements for each; the name of its values is null if it has none. */
-    private record ManyChanges<A>(
-            String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
-
     private final WorldParts world;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
     private final CategoryFilter filter;
     private final TerrainView view;
 
-    private final ManyChanges<Void> removal;
-    private final ManyChanges<float[]> positions;
-    private final ManyChanges<float[]> velocities;
-    private final ManyChanges<float[]> impulses;
-    private final ManyChanges<float[]> forces;
-    private final ManyChanges<float[]> angularVelocities;
-    private final ManyChanges<int[]> kinds;
-
     public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView view) {
         this.world = world;
         this.changes = changes;
         this.view = view;
-        removal = new ManyChanges<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
-        positions = ofTwo("positions", Commands.POSITION, changes::move);
-        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Call.VELOCITY, id, x, y));
-        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Call.IMPULSE, id, x, y));
-        forces = ofTwo("forces", Commands.FIELD, changes::setForce);
-        angularVelocities = new ManyChanges<>(
-                "angularVelocities", 1, values -> values.length, Commands.ANGULAR_VELOCITY, (id, values, i) -> {
-                    changes.setAngularVelocity(id, values[i]);
-                    return true;
-                });
-        kinds = new ManyChanges<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
-            changes.setKind(id, values[i]);
-            return true;
-        });
         filter = new CategoryFilter(world, 0);
-    }
-
-    private static ManyChanges<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
-        return new ManyChanges<>(values, 2, array -> array.length, operation, (id, array, i) -> {
-            preparation.prepare(id, array[2 * i], array[2 * i + 1]);
-            return true;
-        });
     }
 
     /** Removes circles. Returns the number of handles that were left out, as all calls here do. */
     public int remove(long[] circles, int count, boolean skipStale) {
-        return change(removal, circles, count, null, skipStale);
+        return change(Commands.REMOVE, null, 0, circles, count, null, null, skipStale);
     }
 
     /** Puts circles somewhere else. Static ones travel there in the next step. */
     public int setPositions(long[] circles, int count, float[] values, boolean skipStale) {
-        return change(positions, circles, count, values, skipStale);
+        return change(Commands.POSITION, "positions", 2, circles, count, values, null, skipStale);
     }
 
     public int setVelocities(long[] circles, int count, float[] values, boolean skipStale) {
-        return change(velocities, circles, count, values, skipStale);
+        return change(Commands.VELOCITY, "velocities", 2, circles, count, values, null, skipStale);
     }
 
     public int applyImpulses(long[] circles, int count, float[] values, boolean skipStale) {
-        return change(impulses, circles, count, values, skipStale);
+        return change(Commands.IMPULSE, "impulses", 2, circles, count, values, null, skipStale);
     }
 
     public int setForces(long[] circles, int count, float[] values, boolean skipStale) {
-        return change(forces, circles, count, values, skipStale);
+        return change(Commands.FIELD, "forces", 2, circles, count, values, null, skipStale);
     }
 
     public int setAngularVelocities(long[] circles, int count, float[] values, boolean skipStale) {
-        return change(angularVelocities, circles, count, values, skipStale);
+        return change(Commands.ANGULAR_VELOCITY, "angularVelocities", 1, circles, count, values, null, skipStale);
     }
 
-    public int setKinds(long[] circles, int count, int[] values, boolean skipStale) {
-        return change(kinds, circles, count, values, skipStale);
+    public int setKinds(long[] circles, int count, int[] kinds, boolean skipStale) {
+        return change(Commands.FIELD, "kinds", 1, circles, count, null, kinds, skipStale);
     }
 
-    /** In the order of the handles. Refuses stale handles, or leaves them out, and returns how many. */
-    private <A> int change(ManyChanges<A> call, long[] circles, int count, A values, boolean skipStale) {
+    /**
+     * Makes changes by one operation, in the order of the handles. There are so many values for each, of the name: floats, or kinds if they are not
+     * null. Refuses stale handles, or leaves them out, and returns how many.
+     */
+    private int change(
+            int operation,
+            String name,
+            int each,
+            long[] circles,
+            int count,
+            float[] values,
+            int[] kinds,
+            boolean skipStale) {
         world.guard.enter();
         try {
-            checkLengths(call, circles, count, values);
+            checkCount(circles, count);
+            if (each > 0) {
+                checkLength(name, each, kinds != null ? kinds.length : Limits.notNull(name, values).length, count);
+            }
             changes.begin(count);
             int left = 0;
             for (int i = 0; i < count; i++) {
                 int id = find(circles, i, skipStale);
-                if (id < 0 || !prepare(call, id, values, i, skipStale)) {
+                if (id < 0 || !prepare(operation, id, values, kinds, i, skipStale)) {
                     left++;
                 }
             }
-            changes.makeRoom(call.operation);
-            changes.writeToLog();
-            changes.make(call.operation);
+            changes.make(operation);
             return left;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
-    private static <A> void checkLengths(ManyChanges<A> call, long[] circles, int count, A values) {
+    private static void checkCount(long[] circles, int count) {
         Limits.notNull("handles", circles);
         if (count < 0 || count > circles.length) {
             throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
                     + ", the number of elements of handles");
         }
-        if (call.each > 0) {
-            Limits.notNull(call.values, values);
-            int length = call.length.applyAsInt(values);
-            if (length < (long) call.each * count) {
-                throw new IllegalArgumentException(call.values + " has " + length + " elements, but must have "
-                        + (long) call.each * count + ": " + call.each + " for each of " + count + " handles");
-            }
+    }
+
+    private static void checkLength(String name, int each, int length, int count) {
+        if (length < (long) each * count) {
+            throw new IllegalArgumentException(name + " has " + length + " elements, but must have "
+                    + (long) each * count + ": " + each + " for each of " + count + " handles");
         }
     }
 
@@ -148,10 +112,11 @@ public final class BulkChanges {
         return id;
     }
 
-    private <A> boolean prepare(ManyChanges<A> call, int id, A values, int i, boolean skipStale) {
+    /** Prepares change i. Returns false if its circle is gone by an earlier handle of the call, and left out. */
+    private boolean prepare(int operation, int id, float[] values, int[] kinds, int i, boolean skipStale) {
         boolean isThere;
         try {
-            isThere = call.preparation.prepare(id, values, i);
+            isThere = prepare(operation, id, values, kinds, i);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
@@ -162,15 +127,34 @@ public final class BulkChanges {
         return isThere;
     }
 
+    /** Reads each element once: another thread may write to the array. */
+    private boolean prepare(int operation, int id, float[] values, int[] kinds, int i) {
+        switch (operation) {
+            case Commands.REMOVE -> {
+                return changes.remove(id);
+            }
+            case Commands.POSITION -> changes.move(id, values[2 * i], values[2 * i + 1]);
+            case Commands.VELOCITY -> changes.setVelocity(id, values[2 * i], values[2 * i + 1]);
+            case Commands.IMPULSE -> changes.push(id, values[2 * i], values[2 * i + 1]);
+            case Commands.ANGULAR_VELOCITY -> changes.setAngularVelocity(id, values[i]);
+            default -> {
+                if (kinds == null) {
+                    changes.setForce(id, values[2 * i], values[2 * i + 1]);
+                } else {
+                    changes.setKind(id, kinds[i]);
+                }
+            }
+        }
+        return true;
+    }
+
     /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         world.guard.enter();
         try {
             return explode(masked, mask, false, x, y, radius, impulse, falloff);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -179,10 +163,8 @@ public final class BulkChanges {
         world.guard.enter();
         try {
             return explode(masked, mask, true, x, y, radius, impulse, falloff);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -204,7 +186,6 @@ public final class BulkChanges {
                 s += CircleRow.STRIDE;
             }
         }
-        changes.writeToLog();
         changes.make(Commands.IMPULSE);
         return pushed;
     }

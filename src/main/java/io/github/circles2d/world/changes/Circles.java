@@ -1,6 +1,7 @@
 package io.github.circles2d.world.changes;
 
 import static io.github.circles2d.world.shared.Call.real;
+import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
@@ -12,9 +13,8 @@ import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
- * The calls on circles that are there: they go and change. A change waits as a record in {@link Commands} until the next step or read. What
- * only calls change is in {@link HandleTable} at once; {@link FieldCalls} has the calls on single fields of that. A call checks its
- * arguments and makes room before it changes the state.
+ * The calls on single circles that are there: they go and change. A change waits as a record in {@link Commands} until the next step or read.
+ * What only calls change is in {@link HandleTable} at once; {@link FieldCalls} has the calls on single fields of that.
  */
 public final class Circles implements Calls.Effects {
     private final WorldParts world;
@@ -38,13 +38,189 @@ public final class Circles implements Calls.Effects {
                 Call.ANGLE,
                 Call.ANGULAR_VELOCITY,
                 Call.ANGULAR_IMPULSE,
-                Call.CIRCLE_KIND,
-                Call.STEADY_FORCE);
+                Call.CLEAR);
+    }
+
+    @Override
+    public long make(Call call, int[] w) {
+        if (call == Call.CLEAR) {
+            removeAll();
+            return 0;
+        }
+        changes.begin(1);
+        switch (call) {
+            case REMOVE -> changes.setChecked(Commands.REMOVE, w[0], 0, 0);
+            case MOVE -> changes.move(w[0], real(w[1]), real(w[2]));
+            case ANGLE -> changes.setAngle(w[0], w[1]);
+            case ANGULAR_VELOCITY -> changes.setAngularVelocity(w[0], real(w[1]));
+            case ANGULAR_IMPULSE -> changes.pushAround(w[0], real(w[1]));
+            default -> {
+                set(call.number, w[0], real(w[1]), real(w[2]));
+                return 0;
+            }
+        }
+        changes.make(call == Call.MOVE ? Commands.POSITION : call.number);
+        return 0;
     }
 
     /** Removes a circle. */
     public void remove(long circle) {
-        world.calls.change(Call.REMOVE, circle, 0, 0, 0);
+        world.guard.enter();
+        try {
+            changes.begin(1);
+            changes.setChecked(Commands.REMOVE, world.circle(circle), 0, 0);
+            changes.make(Commands.REMOVE);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Removes all circles, and with them all joints. */
+    public void clear() {
+        world.calls.make(Call.CLEAR, 0, 0, 0, 0);
+    }
+
+    /**
+     * The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for each removes them as any
+     * other call does, so that their ends are reported.
+     */
+    private void removeAll() {
+        world.pending.settleJoints();
+        world.joints.departures().ensure(world.joints.table.ids.size());
+        if (world.events.isOn()) {
+            world.pending.expect(world.handles.size());
+        } else {
+            world.pending.finish();
+            world.state.makeRoomToRemoveCircles();
+        }
+        world.copies.forget();
+        world.calls.begin(Call.CLEAR, 0, 0, 0, 0);
+        world.joints.departures().removeOfCircles();
+        if (world.events.isOn()) {
+            world.pending.recordRemovals();
+            world.handles.removeAll();
+        } else {
+            world.pending.drop(); // changes that wait are of circles that go, or that the pipeline never learns of
+            world.state.removeCircles();
+        }
+        world.state.forgetFigures();
+    }
+
+    /** Changes a circle by an operation of {@link Commands} of floats. b has no meaning if the operation has one value. */
+    public void set(int operation, long circle, float a, float b) {
+        world.guard.enter();
+        try {
+            set(operation, world.circle(circle), a, b);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    private void set(int operation, int id, float a, float b) {
+        Bounds bounds = world.settings.bounds();
+        switch (operation) {
+            case Commands.POSITION -> Limits.position(a, b, bounds);
+            case Commands.VELOCITY -> Limits.velocity(a, b);
+            case Commands.RADIUS -> Limits.radius(a, bounds);
+            case Commands.MASS -> Limits.mass(a);
+            case Commands.RESTITUTION -> Limits.restitution(a);
+            default -> Limits.impulse(a, b);
+        }
+        world.pending.expect(2);
+        world.copies.forgetBy(operation);
+        world.calls.begin(Call.of(operation), id, floatToRawIntBits(a), floatToRawIntBits(b), 0);
+        if (operation == Commands.MASS) {
+            setMass(id, a);
+        }
+        boolean places = operation == Commands.POSITION;
+        world.commands.set(operation, id, places ? bounds.placeX(a) : a, places ? bounds.placeY(b) : b);
+        if (places) {
+            nextStep.travels.forget(id);
+        } else if (operation == Commands.RADIUS) {
+            world.handles.setRadius(id, a);
+            nextStep.growth.forget(id);
+        } else if (operation == Commands.RESTITUTION) {
+            world.handles.setRestitution(id, a);
+        }
+        world.calls.end();
+    }
+
+    private void setMass(int id, float mass) {
+        if (mass != Float.POSITIVE_INFINITY && nextStep.travels.travels(id)) {
+            nextStep.travels.end(id);
+        }
+        world.handles.setMass(id, mass);
+    }
+
+    /** Puts a circle somewhere else. A static one is to travel there in the next step. */
+    public void move(long circle, float x, float y) {
+        world.guard.enter();
+        try {
+            changes.begin(1);
+            changes.move(world.circle(circle), x, y);
+            changes.make(Commands.POSITION);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Turns a circle to an angle in radians. */
+    public void setAngle(long circle, float angle) {
+        Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
+        world.guard.enter();
+        try {
+            changes.begin(1);
+            changes.setAngle(world.circle(circle), Surface.units(angle));
+            changes.make(Commands.ANGLE);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    public void setAngularVelocity(long circle, float velocity) {
+        world.guard.enter();
+        try {
+            changes.begin(1);
+            changes.setAngularVelocity(world.circle(circle), velocity);
+            changes.make(Commands.ANGULAR_VELOCITY);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    public void applyAngularImpulse(long circle, float impulse) {
+        world.guard.enter();
+        try {
+            changes.begin(1);
+            changes.pushAround(world.circle(circle), impulse);
+            changes.make(Commands.ANGULAR_IMPULSE);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Gives a circle another kind, and the restitution of the kind if it has one. */
+    public void setKind(long circle, int kind) {
+        world.guard.enter();
+        try {
+            changes.begin(2);
+            changes.setKind(world.circle(circle), kind);
+            changes.make(Commands.FIELD);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Sets the force on a circle. */
+    public void setForce(long circle, float x, float y) {
+        world.guard.enter();
+        try {
+            changes.begin(2);
+            changes.setForce(world.circle(circle), x, y);
+            changes.make(Commands.FIELD);
+        } finally {
+            world.guard.leave();
+        }
     }
 
     /** Whether a handle is that of a circle. */
@@ -61,113 +237,18 @@ public final class Circles implements Calls.Effects {
 
     /** The handle of the circle that has an id; 0 if there is none. */
     public long handle(int id) {
-        world.guard.enter();
-        try {
-            if (id < 0 || id >= world.handles.end()) {
-                throw new IllegalArgumentException(
-                        "the id is " + id + ", but must be at least 0 and less than " + world.handles.end());
-            }
-            return world.handles.lives(id) ? world.handles.handle(id) : 0;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
-        } finally {
-            world.guard.user = null;
+        world.guard.check();
+        if (id < 0 || id >= world.handles.end()) {
+            throw new IllegalArgumentException(
+                    "the id is " + id + ", but must be at least 0 and less than " + world.handles.end());
         }
+        return world.handles.lives(id) ? world.handles.handle(id) : 0;
     }
 
     /** The number of circles. */
     public int size() {
         world.guard.check();
         return world.handles.size();
-    }
-
-    /** Changes a circle by an operation of {@link Commands} of one or two values. */
-    public void set(int operation, long circle, float a, float b) {
-        world.calls.changeByFloats(Call.of(operation), circle, a, b, 0);
-    }
-
-    /** Puts a circle somewhere else. A static one is to travel there in the next step. */
-    public void move(long circle, float x, float y) {
-        world.calls.changeByFloats(Call.MOVE, circle, x, y, 0);
-    }
-
-    /** Turns a circle to an angle in radians. */
-    public void setAngle(long circle, float angle) {
-        Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
-        world.calls.change(Call.ANGLE, circle, Surface.units(angle), 0, 0);
-    }
-
-    public void setAngularVelocity(long circle, float velocity) {
-        world.calls.changeByFloats(Call.ANGULAR_VELOCITY, circle, velocity, 0, 0);
-    }
-
-    public void applyAngularImpulse(long circle, float impulse) {
-        world.calls.changeByFloats(Call.ANGULAR_IMPULSE, circle, impulse, 0, 0);
-    }
-
-    /** Gives a circle another kind, and the restitution of the kind if it has one. */
-    public void setKind(long circle, int kind) {
-        world.calls.change(Call.CIRCLE_KIND, circle, kind, 0, 0);
-    }
-
-    /** Sets the force on a circle. */
-    public void setForce(long circle, float x, float y) {
-        world.calls.changeByFloats(Call.STEADY_FORCE, circle, x, y, 0);
-    }
-
-    @Override
-    public void prepare(Call call, int[] w) {
-        changes.begin(2);
-        switch (call) {
-            case REMOVE -> changes.setChecked(Commands.REMOVE, w[0], 0, 0);
-            case MOVE -> changes.move(w[0], real(w[1]), real(w[2]));
-            case ANGLE -> changes.setAngle(w[0], w[1]);
-            case ANGULAR_VELOCITY -> changes.setAngularVelocity(w[0], real(w[1]));
-            case ANGULAR_IMPULSE -> changes.pushAround(w[0], real(w[1]));
-            case CIRCLE_KIND -> changes.setKind(w[0], w[1]);
-            case STEADY_FORCE -> changes.setForce(w[0], real(w[1]), real(w[2]));
-            default -> world.copies.forgetBy(call.number);
-        }
-        changes.makeRoom(operation(call));
-    }
-
-    /** By which {@link PreparedChanges} makes a call. */
-    private static int operation(Call call) {
-        return switch (call) {
-            case MOVE -> Commands.POSITION;
-            case CIRCLE_KIND, STEADY_FORCE -> Commands.FIELD;
-            default -> call.number;
-        };
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
-        switch (call) {
-            case POSITION, VELOCITY, RADIUS, MASS, RESTITUTION, IMPULSE -> change(call, w[0], real(w[1]), real(w[2]));
-            default -> changes.make(operation(call));
-        }
-        return 0;
-    }
-
-    private void change(Call call, int id, float a, float b) {
-        if (call == Call.POSITION) {
-            Bounds bounds = world.settings.bounds();
-            world.commands.set(Commands.POSITION, id, bounds.placeX(a), bounds.placeY(b));
-            nextStep.travels.forget(id);
-            return;
-        }
-        if (call == Call.MASS) {
-            if (a != Float.POSITIVE_INFINITY && nextStep.travels.travels(id)) {
-                nextStep.travels.end(id);
-            }
-            world.handles.setMass(id, a);
-        } else if (call == Call.RADIUS) {
-            world.handles.setRadius(id, a);
-            nextStep.growth.forget(id);
-        } else if (call == Call.RESTITUTION) {
-            world.handles.setRestitution(id, a);
-        }
-        world.commands.set(call.number, id, a, b);
     }
 
     /** The restitution of one circle. */

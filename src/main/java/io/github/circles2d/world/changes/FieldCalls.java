@@ -20,29 +20,40 @@ public final class FieldCalls implements Calls.Effects {
         world.calls.define(this, Call.FIELD);
     }
 
+    @Override
+    public long make(Call call, int[] w) {
+        CircleField field = CircleField.ofNumber(w[1]);
+        if (field == null || !field.isOfSteps() && field != CircleField.TAG) {
+            throw new IllegalArgumentException("calls set no field with the number " + w[1]);
+        }
+        set(field, w[0], Call.value(w[2], w[3]));
+        return 0;
+    }
+
     /** Changes a field of a circle. */
     public void set(CircleField field, long circle, long value) {
-        world.calls.change(Call.FIELD, circle, field.number(), (int) value, (int) (value >> Integer.SIZE));
+        world.guard.enter();
+        try {
+            set(field, world.circle(circle), value);
+        } finally {
+            world.guard.leave();
+        }
     }
 
-    @Override
-    public void prepare(Call call, int[] words) {
+    private void set(CircleField field, int id, long value) {
+        field.check(value);
         world.pending.expect(1);
-        fields.ensure(CircleField.ofNumber(words[1]), words[0] + 1);
-    }
-
-    @Override
-    public long apply(Call call, int[] words) {
-        CircleField field = CircleField.ofNumber(words[1]);
-        long value = Call.value(words[2], words[3]);
+        fields.ensure(field, id + 1);
+        world.copies.forgetSaved();
+        world.calls.begin(Call.FIELD, id, field.number(), (int) value, (int) (value >> Integer.SIZE));
         if (field.isOfTurning() && value != field.initial()) {
             world.needs.askToTurn();
         }
-        fields.set(field, words[0], value);
+        fields.set(field, id, value);
         if (field.isOfSteps()) {
-            world.commands.setField(field, words[0], (int) value);
+            world.commands.setField(field, id, (int) value);
         }
-        return 0;
+        world.calls.end();
     }
 
     /** Gives a circle friction of its own, or takes it away. */

@@ -38,40 +38,66 @@ public final class Forces implements Calls.Effects {
                 || fields.isUsed(CircleField.APPLIED_Y);
     }
 
+    @Override
+    public long make(Call call, int[] w) {
+        if (call == Call.FORCE) {
+            apply(w[0], Call.real(w[1]), Call.real(w[2]));
+        } else {
+            applyTorque(w[0], Call.real(w[1]));
+        }
+        return 0;
+    }
+
     /** Applies a force to a circle in the next step. */
     public void apply(long circle, float x, float y) {
-        world.calls.changeByFloats(Call.FORCE, circle, x, y, 0);
+        world.guard.enter();
+        try {
+            apply(world.circle(circle), x, y);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    private void apply(int id, float x, float y) {
+        Limits.force(x, y);
+        ensure();
+        fields.ensure(CircleField.APPLIED_X, id + 1);
+        fields.ensure(CircleField.APPLIED_Y, id + 1);
+        world.copies.forgetSaved();
+        world.calls.begin(Call.FORCE, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+        list(id);
+        add(CircleField.APPLIED_X, id, x);
+        add(CircleField.APPLIED_Y, id, y);
+        world.calls.end();
     }
 
     /** Applies a torque to a circle in the next step. */
     public void applyTorque(long circle, float torque) {
-        world.calls.changeByFloats(Call.TORQUE, circle, torque, 0, 0);
+        world.guard.enter();
+        try {
+            applyTorque(world.circle(circle), torque);
+        } finally {
+            world.guard.leave();
+        }
     }
 
-    @Override
-    public void prepare(Call call, int[] words) {
+    private void applyTorque(int id, float torque) {
+        Limits.within("torque", torque, -Limits.TORQUE, Limits.TORQUE);
+        ensure();
+        fields.ensure(CircleField.APPLIED_TORQUE, id + 1);
+        world.copies.forgetSaved();
+        world.calls.begin(Call.TORQUE, id, Float.floatToRawIntBits(torque), 0, 0);
+        world.needs.askToTurn();
+        list(id);
+        add(CircleField.APPLIED_TORQUE, id, torque);
+        world.calls.end();
+    }
+
+    /** Makes room for one more circle that a force or a torque is applied to. */
+    private void ensure() {
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
         }
-        if (call == Call.FORCE) {
-            fields.ensure(CircleField.APPLIED_X, words[0] + 1);
-            fields.ensure(CircleField.APPLIED_Y, words[0] + 1);
-        } else {
-            fields.ensure(CircleField.APPLIED_TORQUE, words[0] + 1);
-        }
-    }
-
-    @Override
-    public long apply(Call call, int[] words) {
-        list(words[0]);
-        if (call == Call.FORCE) {
-            add(CircleField.APPLIED_X, words[0], Call.real(words[1]));
-            add(CircleField.APPLIED_Y, words[0], Call.real(words[2]));
-        } else {
-            world.needs.askToTurn();
-            add(CircleField.APPLIED_TORQUE, words[0], Call.real(words[1]));
-        }
-        return 0;
     }
 
     private void add(CircleField applied, int id, float more) {

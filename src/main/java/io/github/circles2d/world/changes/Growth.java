@@ -41,22 +41,31 @@ public final class Growth implements Calls.Effects {
         world.calls.define(this, Call.GROW);
     }
 
+    @Override
+    public long make(Call call, int[] w) {
+        grow(w[0], Call.real(w[1]), w[2]);
+        return 0;
+    }
+
     /** Lets a circle grow or shrink to a radius in a number of steps, from the radius that it has. */
     public void grow(long circle, float radius, int steps) {
-        world.calls.change(Call.GROW, circle, Float.floatToRawIntBits(radius), steps, 0);
+        world.guard.enter();
+        try {
+            grow(world.circle(circle), radius, steps);
+        } finally {
+            world.guard.leave();
+        }
     }
 
-    @Override
-    public void prepare(Call call, int[] words) {
-        fields.ensure(GROWTH, words[0] + 1);
+    private void grow(int id, float radius, int steps) {
+        Limits.growth(radius, steps, world.settings.bounds());
+        fields.ensure(GROWTH, id + 1);
         ensure(count + 1, world.handles.end());
-    }
-
-    @Override
-    public long apply(Call call, int[] words) {
-        list(words[0]);
-        fields.set(GROWTH, words[0], CircleField.growth(Call.real(words[1]), words[2]));
-        return 0;
+        world.copies.forgetSaved();
+        world.calls.begin(Call.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
+        list(id);
+        fields.set(GROWTH, id, CircleField.growth(radius, steps));
+        world.calls.end();
     }
 
     /** The steps that a circle goes on to grow or shrink; 0 if it does neither. */

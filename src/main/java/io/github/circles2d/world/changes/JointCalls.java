@@ -60,10 +60,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints();
             return table.ids.handleOrNone(id);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -97,15 +95,12 @@ public final class JointCalls implements Calls.Effects {
             words[3] = floatToRawIntBits(y);
             prepare(call, words, form);
             world.log.joints(form);
-            world.log.write(call, words);
-            world.guard.changing = true;
+            world.calls.begin(call, words);
             long joint = apply(call, words, form);
-            world.guard.changing = false;
+            world.calls.end();
             return joint;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -173,10 +168,8 @@ public final class JointCalls implements Calls.Effects {
             addFound(n, form, to);
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -286,10 +279,8 @@ public final class JointCalls implements Calls.Effects {
                 table.remove(found[k]);
             }
             world.guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -314,10 +305,16 @@ public final class JointCalls implements Calls.Effects {
     // ----------------------------------------------------------------------------------------
 
     @Override
-    public void prepare(Call call, int[] w) {
+    public long make(Call call, int[] w) {
         world.pending.settleJoints();
         switch (call) {
-            case JOINT_FORM -> prepareForm(w);
+            case JOINT_FORM -> {
+                form = JointForm.of(w);
+                if (form == null) {
+                    throw new IllegalArgumentException("no joint has the form " + w[0]);
+                }
+                world.calls.begin(call, w); // it changes nothing yet
+            }
             case JOINT, ANCHORED_JOINT, JOINT_ALONE -> {
                 if (form == null) {
                     throw new IllegalArgumentException("a joint comes without a form");
@@ -326,6 +323,8 @@ public final class JointCalls implements Calls.Effects {
                     world.calls.requireId(call == Call.JOINT ? Call.Named.CIRCLE : Call.Named.BODY, w[1]);
                 }
                 prepare(call, w, form);
+                world.calls.begin(call, w);
+                return apply(call, w, form);
             }
             case JOINT_SETTING -> {
                 JointSetting setting = JointSetting.of(w[1]);
@@ -333,39 +332,24 @@ public final class JointCalls implements Calls.Effects {
                 if (setting == JointSetting.SPRING) {
                     table.ensureSpring();
                 }
+                world.calls.begin(call, w);
+                world.joints.set(w[0], setting, real(w[2]), real(w[3]));
+            }
+            case REMOVE_JOINT -> {
+                world.calls.begin(call, w);
+                table.remove(w[0]);
             }
             default -> {
-                // joints that go take no room
+                world.calls.begin(call, w);
+                table.clear();
             }
         }
+        return 0;
     }
 
     /** Joints of a log are not to have a form that came before. */
     public void forgetForm() {
         form = null;
-    }
-
-    private void prepareForm(int[] w) {
-        form = JointForm.of(w);
-        if (form == null) {
-            throw new IllegalArgumentException("no joint has the form " + w[0]);
-        }
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
-        switch (call) {
-            case JOINT, ANCHORED_JOINT, JOINT_ALONE -> {
-                return apply(call, w, form);
-            }
-            case JOINT_SETTING -> world.joints.set(w[0], JointSetting.of(w[1]), real(w[2]), real(w[3]));
-            case REMOVE_JOINT -> table.remove(w[0]);
-            case CLEAR_JOINTS -> table.clear();
-            default -> {
-                // a form changes nothing yet
-            }
-        }
-        return 0;
     }
 
     // ---- joints that go by themselves
@@ -377,10 +361,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
             world.joints.departures().report(on);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -396,10 +378,8 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints();
             world.joints.departures().gone().moveTo(to);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 }

@@ -54,7 +54,8 @@ public final class Kinds implements Calls.Effects {
     }
 
     @Override
-    public long apply(Call call, int[] words) {
+    public long make(Call call, int[] words) {
+        world.calls.begin(call, words);
         if (call == Call.KIND) {
             world.kinds.set(KindField.ofNumber(words[1]), words[0], words[2]);
         } else {

@@ -20,9 +20,6 @@ public final class Nets {
     private final JointTable table;
     private final NewCircles newCircles;
 
-    /** Those of a joint. */
-    private final int[] words = new int[Call.MOST_WORDS];
-
     public Nets(WorldParts world, NewCircles newCircles) {
         this.world = world;
         this.newCircles = newCircles;
@@ -51,10 +48,8 @@ public final class Nets {
             }
             addJoints(net, circlesTo, jointsTo, before);
             world.guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -142,9 +137,7 @@ public final class Nets {
     }
 
     private int join(JointForm form, int a, int b) {
-        words[0] = a;
-        words[1] = b;
-        world.log.write(Call.JOINT, words);
+        world.log.write(Call.JOINT, a, b, 0, 0);
         return world.joints.add(form, a, b);
     }
 
@@ -152,11 +145,7 @@ public final class Nets {
         int body = world.body(net.secondEnd(k));
         float x = net.placeX(k);
         float y = net.placeY(k);
-        words[0] = a;
-        words[1] = body;
-        words[2] = Float.floatToRawIntBits(x);
-        words[3] = Float.floatToRawIntBits(y);
-        world.log.write(Call.ANCHORED_JOINT, words);
+        world.log.write(Call.ANCHORED_JOINT, a, body, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y));
         return world.joints.add(form, a, body, x, y);
     }
 

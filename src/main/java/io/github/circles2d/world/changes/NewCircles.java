@@ -1,10 +1,11 @@
 package io.github.circles2d.world.changes;
 
 import static io.github.circles2d.world.shared.Call.real;
-import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
@@ -15,70 +16,46 @@ import io.github.circles2d.world.shared.WorldParts;
 /** The calls that add circles, one or many. */
 public final class NewCircles implements Calls.Effects {
     private final WorldParts world;
+    private final HandleTable handles;
+    private final Commands commands;
     private final Kinds kinds;
 
     /** The kinds of the circles that a call adds. */
     private int[] newKinds = new int[0];
 
-    /** Those of a circle of many. */
-    private final int[] words = new int[Call.MOST_WORDS];
-
     public NewCircles(WorldParts world, Kinds kinds) {
         this.world = world;
         this.kinds = kinds;
+        handles = world.handles;
+        commands = world.commands;
         world.calls.define(this, Call.ADD);
     }
 
-    /** Adds a circle of kind 0 and returns its handle. */
-    public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return add(x, y, radius, mass, vx, vy, 0);
+    @Override
+    public long make(Call call, int[] w) {
+        return addOne(real(w[0]), real(w[1]), real(w[2]), real(w[3]), real(w[4]), real(w[5]), w[6]);
     }
 
     /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
-        return world.calls.make(
-                Call.ADD,
-                floatToRawIntBits(x),
-                floatToRawIntBits(y),
-                floatToRawIntBits(radius),
-                floatToRawIntBits(mass),
-                floatToRawIntBits(vx),
-                floatToRawIntBits(vy),
-                kind);
+        world.guard.enter();
+        try {
+            return addOne(x, y, radius, mass, vx, vy, kind);
+        } finally {
+            world.guard.leave();
+        }
     }
 
-    @Override
-    public void prepare(Call call, int[] w) {
-        checkRoom(1);
-        world.pending.expect(2);
-        world.handles.ensure(1);
-        if (w[6] != 0) {
-            world.handles.fields().ensure(CircleField.KIND, world.handles.end() + 1);
-        }
-        prepare(0, w);
+    private long addOne(float x, float y, float radius, float mass, float vx, float vy, int kind) {
+        makeRoom(1, kind != 0);
+        prepare(0, x, y, radius, mass, vx, vy, kind);
         world.copies.forget();
-    }
-
-    /** Prepares a circle behind those ahead. */
-    private void prepare(int ahead, int[] w) {
-        Bounds bounds = world.settings.bounds();
-        world.commands.prepare(
-                ahead,
-                bounds.placeX(real(w[0])),
-                bounds.placeY(real(w[1])),
-                real(w[2]),
-                real(w[3]),
-                kinds.newRestitution(w[6]),
-                real(w[4]),
-                real(w[5]));
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
-        long handle = admit();
-        if (w[6] != 0) {
-            setKind((int) handle, w[6]);
+        world.guard.changing = true;
+        long handle = admit(kind);
+        if (kind != 0) {
+            setKind((int) handle, kind);
         }
+        world.guard.changing = false;
         return handle;
     }
 
@@ -97,18 +74,14 @@ public final class NewCircles implements Calls.Effects {
             world.guard.changing = true;
             admitAll(n, own, to);
             world.guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
     /** Checks circles and prepares them, so that {@link #admitAll} cannot fail. Returns their kinds; null if kinds is. */
     int[] prepareAll(int n, float[] circles, float[] velocities, int[] kinds) {
-        checkRoom(n);
-        world.pending.expect(kinds == null ? n : 2 * n);
-        world.handles.ensure(n);
+        makeRoom(n, kinds != null);
         int[] own = kinds == null ? null : copy(kinds);
         for (int i = 0; i < n; i++) {
             prepare(i, circles, velocities, own == null ? 0 : own[i]);
@@ -116,23 +89,72 @@ public final class NewCircles implements Calls.Effects {
         return own;
     }
 
+    private void makeRoom(int more, boolean withKinds) {
+        if (more > Limits.CIRCLES - handles.size()) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) handles.size() + more));
+        }
+        world.pending.expect(withKinds ? 2 * more : more);
+        handles.ensure(more);
+        if (withKinds) {
+            handles.fields().ensure(CircleField.KIND, handles.end() + more);
+        }
+    }
+
+    /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
+    private void prepare(int i, float[] circles, float[] velocities, int kind) {
+        int at = CircleRow.STRIDE * i;
+        try {
+            prepare(
+                    i,
+                    circles[at + CircleRow.X],
+                    circles[at + CircleRow.Y],
+                    circles[at + CircleRow.RADIUS],
+                    circles[at + CircleRow.MASS],
+                    velocities == null ? 0 : velocities[2 * i],
+                    velocities == null ? 0 : velocities[2 * i + 1],
+                    kind);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Checks a circle and prepares it behind those ahead. */
+    private void prepare(int ahead, float x, float y, float radius, float mass, float vx, float vy, int kind) {
+        Bounds bounds = world.settings.bounds();
+        Limits.position(x, y, bounds);
+        Limits.radius(radius, bounds);
+        Limits.mass(mass);
+        Limits.velocity(vx, vy);
+        KindTable.check(kind);
+        float restitution = kinds.newRestitution(kind);
+        commands.prepare(ahead, bounds.placeX(x), bounds.placeY(y), radius, mass, restitution, vx, vy);
+    }
+
     /** Adds the circles that are prepared; the handles are optional. */
     void admitAll(int n, int[] own, long[] to) {
-        int first = world.commands.count();
+        int first = commands.count();
         for (int i = 0; i < n; i++) {
-            if (world.log.writer() != null) {
-                writeToLog(own == null ? 0 : own[i]);
-            }
-            long handle = admit();
+            long handle = admit(own == null ? 0 : own[i]);
             if (to != null) {
                 to[i] = handle;
             }
         }
         for (int i = 0; own != null && i < n; i++) {
             if (own[i] != 0) {
-                setKind(world.commands.id(first + i), own[i]);
+                setKind(commands.id(first + i), own[i]);
             }
         }
+    }
+
+    /** Gives the first circle that is prepared its id, and returns its handle. A log gets its kind. */
+    private long admit(int kind) {
+        world.log.writeAdd(kind);
+        int id = handles.add(commands.preparedRadius());
+        handles.setRestitution(id, commands.preparedRestitution());
+        handles.setMass(id, commands.preparedMass());
+        commands.admit(id);
+        return handles.handle(id);
     }
 
     private static void checkLengths(int n, float[] circles, float[] velocities, int[] kinds, long[] to) {
@@ -154,65 +176,18 @@ public final class NewCircles implements Calls.Effects {
         }
     }
 
-    /**
-     * Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array.
-     */
+    /** Another thread may write to the caller's array. */
     private int[] copy(int[] kinds) {
         if (newKinds.length < kinds.length) {
             newKinds = new int[kinds.length];
         }
         System.arraycopy(kinds, 0, newKinds, 0, kinds.length);
-        world.handles.fields().ensure(CircleField.KIND, world.handles.end() + kinds.length);
         return newKinds;
-    }
-
-    /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
-    private void prepare(int i, float[] circles, float[] velocities, int kind) {
-        for (int k = 0; k < CircleRow.STRIDE; k++) {
-            words[k] = floatToRawIntBits(circles[CircleRow.STRIDE * i + k]);
-        }
-        words[4] = velocities == null ? 0 : floatToRawIntBits(velocities[2 * i]);
-        words[5] = velocities == null ? 0 : floatToRawIntBits(velocities[2 * i + 1]);
-        words[6] = kind;
-        try {
-            Call.ADD.check(words, world.settings);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
-        }
-        prepare(i, words);
-    }
-
-    /** The first circle that is prepared is to come. */
-    private void writeToLog(int kind) {
-        int at = Commands.STRIDE * world.commands.count();
-        for (int k = 0; k < CircleRow.STRIDE; k++) {
-            words[k] = world.commands.records()[at + Commands.ADD_X + k];
-        }
-        words[4] = world.commands.records()[at + Commands.ADD_VX];
-        words[5] = world.commands.records()[at + Commands.ADD_VY];
-        words[6] = kind;
-        world.log.write(Call.ADD, words);
-    }
-
-    private void checkRoom(int more) {
-        if (more > Limits.CIRCLES - world.handles.size()) {
-            throw new IllegalArgumentException(
-                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) world.handles.size() + more));
-        }
-    }
-
-    /** Gives the first circle that is prepared its id, and returns its handle. */
-    private long admit() {
-        int id = world.handles.add(world.commands.preparedRadius());
-        world.handles.setRestitution(id, world.commands.preparedRestitution());
-        world.handles.setMass(id, world.commands.preparedMass());
-        world.commands.admit(id);
-        return world.handles.handle(id);
     }
 
     /** Takes down the kind of a circle, for which there is room. */
     private void setKind(int id, int kind) {
-        world.handles.fields().set(CircleField.KIND, id, kind);
-        world.commands.setField(CircleField.KIND, id, kind);
+        handles.fields().set(CircleField.KIND, id, kind);
+        commands.setField(CircleField.KIND, id, kind);
     }
 }

@@ -31,9 +31,6 @@ public final class Pieces implements Calls.Effects {
     /** The chain of which a log has the parts; null if none has begun. */
     private ChainPath chain;
 
-    /** The chain that a log adds. */
-    private ChainPath whole;
-
     public Pieces(WorldParts world) {
         this.world = world;
         table = world.terrain.pieces;
@@ -83,17 +80,15 @@ public final class Pieces implements Calls.Effects {
             }
             world.guard.changing = true;
             for (int k = 0; k < n; k++) {
-                long handle = apply(Call.SEGMENT, segment(of, kind, k));
+                long handle = add(Call.SEGMENT, segment(of, kind, k));
                 if (handles != null) {
                     handles[k] = handle;
                 }
             }
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -167,10 +162,8 @@ public final class Pieces implements Calls.Effects {
             world.terrain.addChain(of, kind, chain, n, closed, handles);
             world.guard.changing = false;
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -227,35 +220,72 @@ public final class Pieces implements Calls.Effects {
     }
 
     @Override
-    public void prepare(Call call, int[] w) {
+    public long make(Call call, int[] w) {
         switch (call) {
-            case SEGMENT, ARC -> makeRoom(1);
-            case CHAIN_START -> chain = new ChainPath(real(w[0]), real(w[1]));
-            case CHAIN_LINE -> begunChain().lineTo(real(w[0]), real(w[1]));
-            case CHAIN_ARC -> begunChain().arcBy(real(w[0]), real(w[1]), Call.value(w[2], w[3]));
+            case SEGMENT, ARC -> {
+                makeRoom(1);
+                world.calls.begin(call, w);
+                return add(call, w);
+            }
+            case CHAIN_START, CHAIN_LINE, CHAIN_ARC -> {
+                goOn(call, w);
+                world.calls.begin(call, w);
+            }
             case CHAIN -> {
-                whole = begunChain();
+                ChainPath whole = begunChain();
                 chain = null; // also if it is refused
                 if (w[2] == 1) {
                     close(whole);
                 }
                 checkChain(whole, whole.pieces());
                 makeRoom(whole.pieces());
+                world.calls.begin(call, w);
+                world.terrain.addChain(w[0], w[1], whole, whole.pieces(), w[2] == 1, null);
             }
             case CLEAR_TERRAIN -> {
                 world.pending.settleJoints();
                 world.joints.departures().ensure(world.joints.table.places.count());
+                world.calls.begin(call, w);
+                world.joints.departures().removeOfBodies();
+                world.terrain.clear();
+            }
+            case REMOVE_PIECE -> {
+                world.calls.begin(call, w);
+                world.terrain.remove(w[0]);
             }
             default -> {
-                // it takes no room
+                world.calls.begin(call, w);
+                world.terrain.setKind(w[0], w[1]);
             }
+        }
+        return 0;
+    }
+
+    /** Adds a segment or an arc, for which there is room, and returns its handle. */
+    private long add(Call call, int[] w) {
+        if (call == Call.SEGMENT) {
+            return table.ids.handle(world.terrain.addSegment(
+                    w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), real(w[6]) + 0f));
+        }
+        long opening = TerrainLimits.opening(real(w[5]), real(w[6]));
+        return table.ids.handle(
+                world.terrain.addArc(w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), opening, w[7] == 1));
+    }
+
+    /** A log has a part of a chain, which changes nothing yet. */
+    private void goOn(Call call, int[] w) {
+        if (call == Call.CHAIN_START) {
+            chain = new ChainPath(real(w[0]), real(w[1]));
+        } else if (call == Call.CHAIN_LINE) {
+            begunChain().lineTo(real(w[0]), real(w[1]));
+        } else {
+            begunChain().arcBy(real(w[0]), real(w[1]), Call.value(w[2], w[3]));
         }
     }
 
     /** A chain whose parts a log has had is not to go on. */
     public void forgetParts() {
         chain = null;
-        whole = null;
     }
 
     private ChainPath begunChain() {
@@ -276,35 +306,6 @@ public final class Pieces implements Calls.Effects {
         if (whole.pieces() != before) {
             throw new IllegalArgumentException("a chain is closed that has a gap");
         }
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
-        switch (call) {
-            case SEGMENT -> {
-                return table.ids.handle(world.terrain.addSegment(
-                        w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), real(w[6]) + 0f));
-            }
-            case ARC -> {
-                long opening = TerrainLimits.opening(real(w[5]), real(w[6]));
-                return table.ids.handle(world.terrain.addArc(
-                        w[0], w[1], real(w[2]), real(w[3]), real(w[4]), real(w[5]), opening, w[7] == 1));
-            }
-            case CHAIN -> {
-                world.terrain.addChain(w[0], w[1], whole, whole.pieces(), w[2] == 1, null);
-                whole = null;
-            }
-            case REMOVE_PIECE -> world.terrain.remove(w[0]);
-            case PIECE_KIND -> world.terrain.setKind(w[0], w[1]);
-            case CLEAR_TERRAIN -> {
-                world.joints.departures().removeOfBodies();
-                world.terrain.clear();
-            }
-            default -> {
-                // a part of a chain changes nothing yet
-            }
-        }
-        return 0;
     }
 
     public boolean contains(long handle) {
@@ -348,10 +349,8 @@ public final class Pieces implements Calls.Effects {
             int n = checkRead(to, handles);
             read.read(to, handles);
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -364,10 +363,8 @@ public final class Pieces implements Calls.Effects {
             between.keepBetween(before, after, alpha, world.terrain.bodies, world.terrain.bounds());
             read.read(between, to, handles);
             return n;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

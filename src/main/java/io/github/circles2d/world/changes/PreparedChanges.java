@@ -2,6 +2,7 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
@@ -9,62 +10,67 @@ import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
- * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
- * {@link Commands}. So a call for one circle and a call for many follow the same rules.
+ * The changes of circles by one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
+ * {@link Commands}. So a call for one circle, a call for many and a log follow the same rules.
  */
 public final class PreparedChanges {
     private final WorldParts world;
+    private final HandleTable handles;
+    private final Commands commands;
     private final Kinds kinds;
-    private final Travels travelling;
+    private final Travels travels;
     private int count;
 
     /** Positions of static circles, which travel there. */
-    private int travels;
-
-    /** Those of a change that is checked. */
-    private final int[] words = new int[Call.MOST_WORDS];
+    private int travelling;
 
     /** The circles that are to be removed. Only valid if the call removes circles. */
     private final IdSet leaving = new IdSet();
 
-    public PreparedChanges(WorldParts world, Kinds kinds, Travels travelling) {
+    public PreparedChanges(WorldParts world, Kinds kinds, Travels travels) {
         this.world = world;
         this.kinds = kinds;
-        this.travelling = travelling;
+        handles = world.handles;
+        commands = world.commands;
+        this.travels = travels;
     }
 
     /** Begins a call of about so many changes. */
     void begin(int changes) {
         world.pending.expect(changes);
         count = 0;
-        travels = 0;
+        travelling = 0;
     }
 
-    void set(Call call, int id, float a, float b) {
-        words[1] = Float.floatToRawIntBits(a);
-        words[2] = Float.floatToRawIntBits(b);
-        call.check(words, world.settings);
-        setChecked(call.number, id, a, b);
+    void setVelocity(int id, float x, float y) {
+        Limits.velocity(x, y);
+        setChecked(Commands.VELOCITY, id, x, y);
+    }
+
+    void push(int id, float x, float y) {
+        Limits.impulse(x, y);
+        setChecked(Commands.IMPULSE, id, x, y);
     }
 
     /** Prepares an operation whose values are in range. */
     void setChecked(int operation, int id, float a, float b) {
-        world.commands.prepareChange(count++, operation, id, a, b);
+        commands.prepareChange(count++, operation, id, a, b);
     }
 
     /** Prepares a new angle, in units of a turn's 2^-32. */
     void setAngle(int id, int units) {
-        world.commands.prepareInt(count++, Commands.ANGLE, id, units);
+        commands.prepareInt(count++, Commands.ANGLE, id, units);
     }
 
     /** Prepares a new angular velocity. There is one zero. */
     void setAngularVelocity(int id, float velocity) {
-        set(Call.ANGULAR_VELOCITY, id, velocity + 0f, 0);
+        Limits.within("angular velocity", velocity, -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY);
+        setChecked(Commands.ANGULAR_VELOCITY, id, velocity + 0f, 0);
     }
 
-    /** Prepares an angular impulse, which is in range. */
     void pushAround(int id, float impulse) {
-        float inertia = kinds.inertia(world.handles.fields().getInt(CircleField.KIND, id));
+        Limits.within("angular impulse", impulse, -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE);
+        float inertia = kinds.inertia(handles.fields().getInt(CircleField.KIND, id));
         setChecked(Commands.ANGULAR_IMPULSE, id, impulse, inertia);
     }
 
@@ -73,8 +79,8 @@ public final class PreparedChanges {
         Bounds bounds = world.settings.bounds();
         Limits.position(x, y, bounds);
         setChecked(Commands.POSITION, id, bounds.placeX(x), bounds.placeY(y));
-        if (world.handles.isStatic(id)) {
-            travelling.ensure(id, travels++);
+        if (handles.isStatic(id)) {
+            travels.ensure(id, travelling++);
         }
     }
 
@@ -94,14 +100,14 @@ public final class PreparedChanges {
     }
 
     private void setField(CircleField field, int id, int value) {
-        world.handles.fields().ensure(field, id + 1);
-        world.commands.prepareField(count++, field, id, value);
+        handles.fields().ensure(field, id + 1);
+        commands.prepareField(count++, field, id, value);
     }
 
     /** Prepares that a circle goes. Returns false if this has been prepared already. */
     boolean remove(int id) {
         if (count == 0) {
-            leaving.begin(world.handles.end());
+            leaving.begin(handles.end());
         }
         if (!leaving.add(id)) {
             return false;
@@ -110,11 +116,29 @@ public final class PreparedChanges {
         return true;
     }
 
-    /** Makes the last room for what has been prepared. */
-    void makeRoom(int operation) {
+    /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. */
+    void make(int operation) {
         if (operation == Commands.REMOVE && world.joints.isThere()) {
             makeRoomForJoints();
         }
+        if (world.log.isOn()) {
+            for (int k = 0; k < count; k++) {
+                writeToLog(k);
+            }
+        }
+        if (travelling < count) {
+            world.copies.forgetBy(operation);
+        } else {
+            world.copies.forgetSaved(); // reads give the old places
+        }
+        boolean turns = Commands.turns(operation);
+        world.guard.changing = true;
+        if (turns && count > 0) {
+            world.needs.askToTurn();
+        }
+        boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        commands.admitChanges(ofPipelines ? count : changeAll());
+        world.guard.changing = false;
     }
 
     /** Joints go with their circles. */
@@ -122,47 +146,21 @@ public final class PreparedChanges {
         world.pending.settleJoints();
         int leavingToo = 0;
         for (int k = 0; k < count; k++) {
-            leavingToo += world.joints.departures().countOf(world.commands.preparedId(k));
+            leavingToo += world.joints.departures().countOf(commands.preparedId(k));
         }
         world.joints.departures().ensure(leavingToo);
     }
 
-    /** Writes a row for each prepared change to the log, for a call of many circles, which has no row. */
-    void writeToLog() {
-        if (world.log.writer() == null) {
-            return;
-        }
-        for (int k = 0; k < count; k++) {
-            writeToLog(k);
-        }
-    }
-
     private void writeToLog(int k) {
-        int operation = world.commands.preparedOperation(k);
+        int operation = commands.preparedOperation(k);
         if (operation == Commands.FIELD) {
-            world.log.writeField(
-                    world.commands.preparedField(k), world.commands.preparedId(k), world.commands.preparedValue(k));
+            int value = commands.preparedValue(k);
+            int number = commands.preparedField(k).number();
+            world.log.write(Call.FIELD, commands.preparedId(k), number, value, value >> Integer.SIZE - 1);
         } else {
             world.log.writeRecord(
-                    operation == Commands.POSITION ? Call.MOVE : Call.of(operation), world.commands.count() + k);
+                    operation == Commands.POSITION ? Call.MOVE : Call.of(operation), commands.count() + k);
         }
-    }
-
-    /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. There is room. */
-    void make(int operation) {
-        if (travels < count) {
-            world.copies.forgetBy(operation);
-        } else {
-            world.copies.forgetSaved(); // reads give the old places
-        }
-        boolean turns = Commands.turns(operation);
-        boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        world.guard.changing = true;
-        if (turns && count > 0) {
-            world.needs.askToTurn();
-        }
-        world.commands.admitChanges(ofPipelines ? count : changeAll());
-        world.guard.changing = false;
     }
 
     /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
@@ -170,7 +168,7 @@ public final class PreparedChanges {
         int recorded = 0;
         for (int k = 0; k < count; k++) {
             if (change(k)) {
-                world.commands.advancePrepared(k, recorded++);
+                commands.advancePrepared(k, recorded++);
             }
         }
         return recorded;
@@ -178,24 +176,23 @@ public final class PreparedChanges {
 
     /** Makes one change likewise. Returns whether a pipeline has to know it too. */
     private boolean change(int k) {
-        int id = world.commands.preparedId(k);
-        switch (world.commands.preparedOperation(k)) {
+        int id = commands.preparedId(k);
+        switch (commands.preparedOperation(k)) {
             case Commands.POSITION -> {
-                if (world.handles.isStatic(id)) {
-                    travelling.set(id, world.commands.preparedFirst(k), world.commands.preparedSecond(k));
+                if (handles.isStatic(id)) {
+                    travels.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
                     return false;
                 }
             }
             case Commands.REMOVE -> {
                 world.joints.departures().removeOfCircle(id);
-                world.handles.remove(id);
+                handles.remove(id);
             }
-            case Commands.RESTITUTION -> world.handles.setRestitution(id, world.commands.preparedFirst(k));
-            case Commands.FIELD ->
-                world.handles.fields().set(world.commands.preparedField(k), id, world.commands.preparedValue(k));
+            case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
+            case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
             default ->
                 throw new IllegalStateException(
-                        "no change of the host's is operation " + world.commands.preparedOperation(k));
+                        "no change of the host's is operation " + commands.preparedOperation(k));
         }
         return true;
     }

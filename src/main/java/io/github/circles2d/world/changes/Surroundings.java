@@ -15,11 +15,6 @@ public final class Surroundings implements Calls.Effects {
     private final WorldParts world;
     private final NextStep nextStep;
 
-    // of the call that is being made
-    private Bounds start;
-    private Bounds next;
-    private SurfaceSettings surfaces;
-
     public Surroundings(WorldParts world, NextStep nextStep) {
         this.world = world;
         this.nextStep = nextStep;
@@ -46,18 +41,31 @@ public final class Surroundings implements Calls.Effects {
     }
 
     @Override
-    public void prepare(Call call, int[] w) {
-        if (call == Call.BOUNDS) {
-            prepareBounds(Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3])));
-        } else if (call == Call.WALL_SURFACE) {
-            surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
+    public long make(Call call, int[] w) {
+        switch (call) {
+            case GRAVITY -> {
+                world.calls.begin(call, w);
+                world.settings.setGravity(real(w[0]), real(w[1]));
+            }
+            case WALL_SURFACE -> {
+                SurfaceSettings surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
+                world.calls.begin(call, w);
+                world.settings.setSurfaces(surfaces);
+            }
+            default -> {
+                Bounds next = Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3]));
+                moveWalls(
+                        w,
+                        next.with(
+                                world.settings.bounds().edgeX(),
+                                world.settings.bounds().edgeY()));
+            }
         }
+        return 0;
     }
 
-    private void prepareBounds(Bounds walls) {
-        Bounds before = world.settings.bounds();
-        next = walls.with(before.edgeX(), before.edgeY());
-        Limits.moved(before, next);
+    private void moveWalls(int[] w, Bounds next) {
+        Limits.moved(world.settings.bounds(), next);
         boolean hasCircles = world.handles.size() > 0;
         if (hasCircles) {
             Limits.room("the greatest radius of a circle", world.handles.greatestRadius(), next);
@@ -66,20 +74,11 @@ public final class Surroundings implements Calls.Effects {
         }
         world.pending.apply();
         world.copies.forget();
-        start = WallMotion.start(world.settings.wallStart(), next, hasCircles ? world.handles.greatestRadius() : 0f);
-    }
-
-    @Override
-    public long apply(Call call, int[] w) {
-        if (call == Call.GRAVITY) {
-            world.settings.setGravity(real(w[0]), real(w[1]));
-        } else if (call == Call.WALL_SURFACE) {
-            world.settings.setSurfaces(surfaces);
-        } else {
-            world.pipeline.confine(start.walls(), next.walls());
-            nextStep.confine(next.walls());
-            world.settings.setBounds(start, next);
-        }
-        return 0;
+        float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
+        Bounds start = WallMotion.start(world.settings.wallStart(), next, greatest);
+        world.calls.begin(Call.BOUNDS, w);
+        world.pipeline.confine(start.walls(), next.walls());
+        nextStep.confine(next.walls());
+        world.settings.setBounds(start, next);
     }
 }

@@ -2,7 +2,6 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
-import io.github.circles2d.opencl.KernelBuildException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
@@ -35,6 +34,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 
 /**
  * The World engine on an OpenCL device. {@link StepQueue} enqueues steps and does not wait for them; the next call that needs their
@@ -42,6 +42,7 @@ import java.util.TreeMap;
  */
 public final class DevicePipeline implements Pipeline {
     private final Session session;
+    private Consumer<Throwable> losses = cause -> {};
     private final DeviceArrays arrays;
     private StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
@@ -133,27 +134,39 @@ public final class DevicePipeline implements Pipeline {
 
     /**
      * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; and for features,
-     * if there is memory for them.
+     * if there is memory for them. If a compiler refuses them, nothing has changed; if something else fails, the state is lost: some parts use
+     * them already.
      */
     private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
         boolean reporting = ofReports != null && ofReports.isActive();
-        boolean recording = reporting && ofReports.isRecording();
-        Features features = features(edges);
-        Variant variant = new Variant(anySettings, features, reporting, recording);
+        Variant variant = new Variant(anySettings, features(edges), reporting, reporting && ofReports.isRecording());
         StageKernels loading = kernelsOf(variant);
         compile(loading, reporting);
+        try {
+            use(loading, variant, ofReports);
+        } catch (OpenClException e) {
+            if (!(e instanceof DeviceMemoryException)) {
+                losses.accept(e);
+            }
+            throw e;
+        }
+    }
+
+    private void use(StageKernels loading, Variant variant, ReportReader ofReports) {
         kernels = loading;
         stats.use(loading);
         commands.use(loading);
-        if (features.turning()) {
+        if (variant.features().turning()) {
             readback.useTurning(loading);
         }
-        loaded = features;
+        loaded = variant.features();
         if (steps) {
             stages =
                     stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
             queue.use(stages, reader);
-            stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
+            stages.report(
+                    variant.recording() ? ofReports.touches() : null,
+                    variant.reporting() ? ofReports.deciding() : null);
             ready.use(stages, loading);
         }
         bind(loading);
@@ -563,9 +576,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public boolean isLostBy(Throwable cause) {
-        return cause instanceof OpenClException
-                && !(cause instanceof DeviceMemoryException || cause instanceof KernelBuildException);
+    public void watch(Consumer<Throwable> whom) {
+        losses = whom;
+        session.watch(whom);
     }
 
     @Override

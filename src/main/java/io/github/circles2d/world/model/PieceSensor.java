@@ -48,7 +48,8 @@ public final class PieceSensor {
         return inner < t && PieceSweep.isInOpening(rows, row, ox + inner * ux, oy + inner * uy) ? inner : t;
     }
 
-    public static float timeOfSensing(float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
+    public static float timeOfSensing(
+            float[] rows, int row, int shape, float ox, float oy, float ux, float uy, float r) {
         if (PieceGap.distance(rows, row, shape, ox, oy) <= r) {
             return 0f;
         }

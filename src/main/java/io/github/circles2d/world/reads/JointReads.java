@@ -38,10 +38,8 @@ public final class JointReads {
         try {
             world.pending.settleJoints();
             return table.ids.find(handle) >= 0;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -51,10 +49,8 @@ public final class JointReads {
         try {
             world.pending.settleJoints();
             return table.ids.size();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -65,10 +61,8 @@ public final class JointReads {
             int joint = find(handle);
             int circle = other ? table.b(joint) : table.a(joint);
             return circle == JointRow.NONE ? 0 : world.handles.handle(circle);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -82,10 +76,8 @@ public final class JointReads {
         world.guard.enter();
         try {
             return table.formOf(find(handle));
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -106,10 +98,8 @@ public final class JointReads {
             int joint = find(handle);
             world.joints.requireAnchor(joint);
             return y ? world.joints.anchors.y(joint, null) : world.joints.anchors.x(joint, null);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -121,10 +111,8 @@ public final class JointReads {
             JointEnds ends = world.joints.ends().look(world.last.circles());
             ends.of(joint);
             return ends.length();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -143,10 +131,8 @@ public final class JointReads {
                 Readings.requireRoom("handles", handles, table.ids.size());
             }
             return world.joints.isThere() ? copyEnds(drawn, to, handles) : 0;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -199,10 +185,8 @@ public final class JointReads {
                 }
             }
             return nearest < 0 ? 0 : table.ids.handle(nearest);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -226,10 +210,8 @@ public final class JointReads {
                 into[k] = table.ids.handle(found[k]);
             }
             return count;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -264,10 +246,8 @@ public final class JointReads {
                 return 0; // it is new
             }
             return load(states, joint, which, world.settings.lastStep());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -40,10 +40,8 @@ public final class Loads {
             if (living != null) {
                 mask.copyTo(living);
             }
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

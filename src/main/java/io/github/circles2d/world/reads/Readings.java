@@ -39,10 +39,8 @@ public final class Readings {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
             world.pending.settle();
             world.pipeline.readCircles(world.handles, circles);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -52,10 +50,8 @@ public final class Readings {
         try {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
             circles.put(world.last.circles(), 0, CircleRow.STRIDE * world.handles.size());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -68,10 +64,8 @@ public final class Readings {
             world.pending.settle();
             world.pipeline.readCircles(world.handles, circles);
             spread(circles, CircleRow.STRIDE, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -84,10 +78,8 @@ public final class Readings {
             world.pending.settle();
             world.pipeline.readVelocities(world.handles, velocities);
             spread(velocities, 2, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -102,10 +94,8 @@ public final class Readings {
                 to[k] = units == null ? 0f : Surface.radians(units[k]);
             }
             spread(to, 1, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -120,10 +110,8 @@ public final class Readings {
                 boolean turns = units != null && id < world.handles.end() && world.handles.lives(id);
                 to[id] = turns ? units[k++] : 0;
             }
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -138,10 +126,8 @@ public final class Readings {
                 to[k] = velocities == null ? 0f : velocities[k];
             }
             spread(to, 1, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -161,10 +147,8 @@ public final class Readings {
             }
             ((Buffer) viewOfAngles).clear().limit(circles);
             return viewOfAngles;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -180,10 +164,8 @@ public final class Readings {
             }
             mask.copy(world.handles);
             copy(mask, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -198,10 +180,8 @@ public final class Readings {
             }
             mask.copy(world.handles);
             copy(mask, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -216,10 +196,8 @@ public final class Readings {
             }
             mask.copy(world.handles);
             copy(mask, living);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -241,10 +219,8 @@ public final class Readings {
         try {
             world.pending.settle();
             return world.pipeline.positions(world.handles, false);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -258,10 +234,8 @@ public final class Readings {
             mask.copy(world.handles);
             copy(mask, living);
             return positions;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -277,10 +251,8 @@ public final class Readings {
             world.pipeline.requestPositions(world.handles);
             requests++;
             positionsRequested = true;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -296,10 +268,8 @@ public final class Readings {
         try {
             requireRequest();
             return take(null);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -312,10 +282,8 @@ public final class Readings {
             FloatBuffer positions = take(world.handles.survivors());
             copy(world.handles.survivors(), living);
             return positions;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -348,10 +316,8 @@ public final class Readings {
             for (int id = newFrom(0); id >= 0 && living != null; id = newFrom(id + 1)) {
                 living[id >>> 6] |= 1L << id;
             }
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -360,10 +326,8 @@ public final class Readings {
         world.guard.enter();
         try {
             return newFrom(from);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -383,10 +347,8 @@ public final class Readings {
             requireRoom("velocities", velocities, 2L * world.handles.size());
             world.pending.settle();
             world.pipeline.readVelocities(world.handles, velocities);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -396,10 +358,8 @@ public final class Readings {
         try {
             requireRoom("velocities", velocities, 2L * world.handles.size());
             velocities.put(world.last.velocities(), 0, 2 * world.handles.size());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -414,10 +374,8 @@ public final class Readings {
                     to[k++] = world.handles.handle(id);
                 }
             }
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -431,10 +389,8 @@ public final class Readings {
                     to.put(world.handles.handle(id));
                 }
             }
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -444,10 +400,8 @@ public final class Readings {
         try {
             int place = world.handles.place(world.circle(handle));
             return world.last.circles()[CircleRow.STRIDE * place + field];
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -466,10 +420,8 @@ public final class Readings {
         try {
             int place = world.handles.place(world.circle(handle));
             return world.last.velocities()[2 * place + component];
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -480,10 +432,8 @@ public final class Readings {
             int id = world.circle(handle);
             int[] units = world.last.angles();
             return units == null ? 0 : Surface.radians(units[world.handles.place(id)]);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -494,10 +444,8 @@ public final class Readings {
             int id = world.circle(handle);
             float[] velocities = world.last.angularVelocities();
             return velocities == null ? 0 : velocities[world.handles.place(id)];
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -11,8 +11,10 @@ public final class Reports {
     private final WorldParts world;
     private ReportSettings settings = ReportSettings.NOTHING;
 
-    /** What the settings become by the change under way. */
+    // of the change under way
     private ReportSettings next;
+    private boolean wasOn;
+    private boolean hadWalls;
 
     public Reports(WorldParts world) {
         this.world = world;
@@ -20,70 +22,67 @@ public final class Reports {
 
     /** Sets which events are reported of all circles from the next step on. */
     public void report(int types) {
-        change(
-                () -> check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL"),
-                () -> {
-                    world.events.makeRoom(world.handles);
-                    next = settings.ofAll(types);
-                },
-                () -> world.events.report(types, world.handles));
+        world.guard.enter();
+        try {
+            check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL");
+            world.pending.settle();
+            world.events.makeRoom(world.handles);
+            begin(settings.ofAll(types));
+            world.events.report(types, world.handles);
+            end();
+        } finally {
+            world.guard.leave();
+        }
     }
 
     public void report(int kindA, int kindB, int types) {
-        change(
-                () -> {
-                    KindTable.check(kindA);
-                    KindTable.check(kindB);
-                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
-                },
-                () -> {
-                    world.events.makeRoomForPairs(world.handles);
-                    next = settings.ofPair(kindA, kindB, types);
-                },
-                () -> world.events.reportPair(kindA, kindB, types, world.handles));
+        world.guard.enter();
+        try {
+            KindTable.check(kindA);
+            KindTable.check(kindB);
+            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+            world.pending.settle();
+            world.events.makeRoomForPairs(world.handles);
+            begin(settings.ofPair(kindA, kindB, types));
+            world.events.reportPair(kindA, kindB, types, world.handles);
+            end();
+        } finally {
+            world.guard.leave();
+        }
     }
 
     public void reportWalls(int kind, int types) {
-        change(
-                () -> {
-                    KindTable.check(kind);
-                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
-                },
-                () -> {
-                    world.events.makeRoom(world.handles);
-                    next = settings.ofWalls(kind, types);
-                },
-                () -> world.events.reportWalls(kind, types, world.handles));
-    }
-
-    /** Checks refuse what is not allowed; room is made when all steps have been made. */
-    private void change(Runnable checks, Runnable makeRoom, Runnable change) {
         world.guard.enter();
         try {
-            checks.run();
+            KindTable.check(kind);
+            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
             world.pending.settle();
-            makeRoom.run();
-            world.pipeline.makeRoomToReport(world.events);
-            world.copies.forgetSaved();
-            boolean was = world.events.isOn();
-            boolean hadWalls = world.events.hasWalls();
-            world.guard.changing = true;
-            change.run();
-            settings = next;
-            tell(was, hadWalls);
-            world.guard.changing = false;
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
+            world.events.makeRoom(world.handles);
+            begin(settings.ofWalls(kind, types));
+            world.events.reportWalls(kind, types, world.handles);
+            end();
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
-    /** Tells the pipeline, if it is to record something else. */
-    private void tell(boolean was, boolean hadWalls) {
-        if (world.events.isOn() != was || world.events.hasWalls() != hadWalls) {
+    /** Makes the last room, and begins a change of the settings. */
+    private void begin(ReportSettings then) {
+        world.pipeline.makeRoomToReport(world.events);
+        world.copies.forgetSaved();
+        next = then;
+        wasOn = world.events.isOn();
+        hadWalls = world.events.hasWalls();
+        world.guard.changing = true;
+    }
+
+    /** Ends it, and tells the pipeline, if it is to record something else. */
+    private void end() {
+        settings = next;
+        if (world.events.isOn() != wasOn || world.events.hasWalls() != hadWalls) {
             world.pipeline.report(world.events.isOn() ? world.events : null);
         }
+        world.guard.changing = false;
     }
 
     private static void check(int types, int allowed, String names) {
@@ -100,10 +99,8 @@ public final class Reports {
             KindTable.check(kindB);
             world.pending.settle();
             return world.events.list(kindA, kindB, Limits.notNull("handles", to));
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -115,10 +112,8 @@ public final class Reports {
             KindTable.check(kindOfPieces);
             world.pending.settle();
             return world.events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -126,12 +121,12 @@ public final class Reports {
     public void request() {
         world.guard.enter();
         try {
-            world.pending.requestEvents();
+            world.guard.changing = true;
+            world.pipeline.requestEvents();
+            world.guard.changing = false;
             world.events.queue().request();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -143,13 +138,13 @@ public final class Reports {
                         + " call requestEvents before each takeEvents");
             }
             if (!world.events.queue().haveArrived()) {
-                world.pending.finishRequestedEvents();
+                world.guard.changing = true;
+                world.pipeline.finishRequestedEvents();
+                world.guard.changing = false;
             }
             return world.events.queue().takeRequested();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -157,10 +152,8 @@ public final class Reports {
         world.guard.enter();
         try {
             hitSpeed(Limits.within("the hit speed", speed, 0, Limits.SPEED));
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -186,10 +179,8 @@ public final class Reports {
         world.guard.enter();
         try {
             hitSpeed(before.hitSpeed);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
         settings = before;
     }
@@ -198,12 +189,12 @@ public final class Reports {
     public EventRows take() {
         world.guard.enter();
         try {
-            world.pending.finishEvents();
+            world.guard.changing = true;
+            world.pipeline.finishEvents();
+            world.guard.changing = false;
             return world.events.queue().take();
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 }

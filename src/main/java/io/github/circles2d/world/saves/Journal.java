@@ -48,10 +48,8 @@ public final class Journal {
             Progress progress = new Progress(writer);
             world.log.begin(writer, every); // last: a call that finds no room has begun no log
             return progress;
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -71,10 +69,8 @@ public final class Journal {
                     last.close();
                 }
             }
-        } catch (RuntimeException | Error e) {
-            throw world.guard.failed(e);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

@@ -24,10 +24,8 @@ public final class Snapshots {
         world.guard.enter();
         try {
             return SnapshotCodec.bytes(world.copies.saved());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -45,10 +43,8 @@ public final class Snapshots {
                         "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
             }
             SnapshotCodec.write(saved, to);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -62,10 +58,8 @@ public final class Snapshots {
             makeRoom(saved);
             ((Buffer) from).position(from.position() + length);
             load(saved);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -74,10 +68,8 @@ public final class Snapshots {
         world.guard.enter();
         try {
             ring.save(frame, world.copies.saved());
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -90,10 +82,8 @@ public final class Snapshots {
             ring.load(place, saved);
             makeRoom(saved);
             load(saved);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -109,9 +99,13 @@ public final class Snapshots {
     /** Takes over a saved state, for which there is room. */
     private void load(SavedState saved) {
         world.guard.changing = true;
-        world.pending.restored();
-        world.state.load(saved);
-        nextStep.restored(saved);
+        try {
+            world.pending.restored();
+            world.state.load(saved);
+            nextStep.restored(saved);
+        } catch (RuntimeException | Error e) {
+            throw world.guard.failed(e);
+        }
         world.guard.changing = false;
     }
 }

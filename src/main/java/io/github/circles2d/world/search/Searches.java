@@ -162,7 +162,7 @@ public final class Searches {
         } catch (RuntimeException | Error thrown) {
             throw world.guard.failed(batch.named(thrown));
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 

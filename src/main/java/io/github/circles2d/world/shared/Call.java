@@ -1,6 +1,5 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
@@ -13,61 +12,42 @@ import io.github.circles2d.world.terrain.BodyTable;
 
 /**
  * The table of the calls that change a world, one row each: its number, its words and their ranges. A call is its number and its words, of
- * which the first is the id of what it is about. A log has calls in this form, and {@link Calls} makes them. A float is meant by its bits.
+ * which the first is the id of what it is about. A log has calls in this form, and {@link Calls} makes them. A float is meant by its bits. The
+ * ranges of calls on circles are in the methods that make them, which take numbers.
  */
 public enum Call {
     /** A new circle, which gets the lowest free id: x, y, radius, mass, vx, vy, kind. */
-    ADD(Commands.ADD, 7, (w, settings) -> {
-        Limits.position(real(w[0]), real(w[1]), settings.bounds());
-        Limits.radius(real(w[2]), settings.bounds());
-        Limits.mass(real(w[3]));
-        Limits.velocity(real(w[4]), real(w[5]));
-        KindTable.check(w[6]);
-    }),
+    ADD(Commands.ADD, 7),
 
     /** A circle goes. */
     REMOVE(Commands.REMOVE, 1, Named.CIRCLE),
 
     /** A circle is at once somewhere else: the circle, x, y. */
-    POSITION(
-            Commands.POSITION,
-            3,
-            Named.CIRCLE,
-            (w, settings) -> Limits.position(real(w[1]), real(w[2]), settings.bounds())),
+    POSITION(Commands.POSITION, 3, Named.CIRCLE),
 
     /** The velocity of a circle: the circle, vx, vy. */
-    VELOCITY(Commands.VELOCITY, 3, Named.CIRCLE, (w, settings) -> Limits.velocity(real(w[1]), real(w[2]))),
+    VELOCITY(Commands.VELOCITY, 3, Named.CIRCLE),
 
     /** The radius of a circle: the circle, the radius. */
-    RADIUS(Commands.RADIUS, 2, Named.CIRCLE, (w, settings) -> Limits.radius(real(w[1]), settings.bounds())),
+    RADIUS(Commands.RADIUS, 2, Named.CIRCLE),
 
     /** The mass of a circle: the circle, the mass. */
-    MASS(Commands.MASS, 2, Named.CIRCLE, (w, settings) -> Limits.mass(real(w[1]))),
+    MASS(Commands.MASS, 2, Named.CIRCLE),
 
     /** The restitution of a circle: the circle, the restitution. */
-    RESTITUTION(Commands.RESTITUTION, 2, Named.CIRCLE, (w, settings) -> Limits.restitution(real(w[1]))),
+    RESTITUTION(Commands.RESTITUTION, 2, Named.CIRCLE),
 
     /** An impulse: the circle, x, y. */
-    IMPULSE(Commands.IMPULSE, 3, Named.CIRCLE, (w, settings) -> Limits.impulse(real(w[1]), real(w[2]))),
+    IMPULSE(Commands.IMPULSE, 3, Named.CIRCLE),
 
     /** The angle of a circle: the circle, the angle in units. */
     ANGLE(Commands.ANGLE, 2, Named.CIRCLE),
 
     /** The angular velocity of a circle: the circle, the velocity. */
-    ANGULAR_VELOCITY(
-            Commands.ANGULAR_VELOCITY,
-            2,
-            Named.CIRCLE,
-            (w, settings) ->
-                    Limits.within("angular velocity", real(w[1]), -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY)),
+    ANGULAR_VELOCITY(Commands.ANGULAR_VELOCITY, 2, Named.CIRCLE),
 
     /** An angular impulse: the circle, the impulse. */
-    ANGULAR_IMPULSE(
-            Commands.ANGULAR_IMPULSE,
-            2,
-            Named.CIRCLE,
-            (w, settings) ->
-                    Limits.within("angular impulse", real(w[1]), -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE)),
+    ANGULAR_IMPULSE(Commands.ANGULAR_IMPULSE, 2, Named.CIRCLE),
 
     /** Steps: length, how many. A replay makes them one by one. */
     STEP(64, 2),
@@ -82,13 +62,13 @@ public enum Call {
     BOUNDS(67, 4),
 
     /** A field of a circle: the circle, the field's number, the value as two halves. */
-    FIELD(68, 4, Named.CIRCLE, (w, settings) -> field(w[1]).check(value(w[2], w[3]))),
+    FIELD(68, 4, Named.CIRCLE),
 
     /** A circle is put somewhere else, where a static one travels in the next step: the circle, x, y. */
-    MOVE(69, 3, Named.CIRCLE, POSITION.range),
+    MOVE(69, 3, Named.CIRCLE),
 
     /** A force acts in the next step: the circle, x, y. */
-    FORCE(70, 3, Named.CIRCLE, (w, settings) -> Limits.force(real(w[1]), real(w[2]))),
+    FORCE(70, 3, Named.CIRCLE),
 
     /** A field of a kind: the kind, the field's number, the value. */
     KIND(71, 3, (w, settings) -> {
@@ -104,13 +84,13 @@ public enum Call {
     }),
 
     /** A circle is to grow: the circle, the radius, steps. */
-    GROW(73, 3, Named.CIRCLE, (w, settings) -> Limits.growth(real(w[1]), w[2], settings.bounds())),
+    GROW(73, 3, Named.CIRCLE),
 
     /** All circles go. */
     CLEAR(74, 0),
 
     /** A torque acts in the next step: the circle, the torque. */
-    TORQUE(75, 2, Named.CIRCLE, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE)),
+    TORQUE(75, 2, Named.CIRCLE),
 
     /** The surface of a wall: its number, friction, rolling resistance, belt speed. */
     WALL_SURFACE(76, 4, (w, settings) -> Limits.within("the number of the wall", w[0], 0, WallMotion.COUNT - 1)),
@@ -205,13 +185,7 @@ public enum Call {
     REMOVE_JOINT(97, 1, Named.JOINT),
 
     /** All joints go. */
-    CLEAR_JOINTS(98, 0),
-
-    /** A circle gets a kind, and its restitution if it has one: the circle, the kind. */
-    CIRCLE_KIND(99, 2, Named.CIRCLE, (w, settings) -> KindTable.check(w[1])),
-
-    /** A force that stays: the circle, x, y. */
-    STEADY_FORCE(100, 3, Named.CIRCLE, FORCE.range);
+    CLEAR_JOINTS(98, 0);
 
     /** What the first word of a call may be the id of. */
     public enum Named {
@@ -290,15 +264,6 @@ public enum Call {
         if (!holds) {
             throw new IllegalArgumentException(otherwise + word);
         }
-    }
-
-    private static CircleField field(int number) {
-        CircleField field = CircleField.ofNumber(number);
-        require(
-                field != null && (field.isOfSteps() || field == CircleField.TAG),
-                "calls set no field with the number ",
-                number);
-        return field;
     }
 
     private static KindField kindField(int number) {

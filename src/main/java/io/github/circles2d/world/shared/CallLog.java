@@ -1,6 +1,5 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.log.LogWriter;
@@ -28,6 +27,11 @@ public final class CallLog {
 
     CallLog(WorldParts world) {
         this.world = world;
+    }
+
+    /** Whether there is a log. */
+    public boolean isOn() {
+        return log != null;
     }
 
     /** The log; null while there is none. */
@@ -59,12 +63,15 @@ public final class CallLog {
         }
     }
 
-    /** A call of two words is to be made. */
-    private void write(Call call, int a, int b) {
-        begin(call);
-        log.word(a);
-        log.word(b);
-        log.end();
+    /** A call of at most four words is to be made, or to change the world. */
+    public void write(Call call, int a, int b, int c, int d) {
+        if (log != null) {
+            begin(call);
+            for (int k = 0; k < call.words; k++) {
+                log.word(k == 0 ? a : k == 1 ? b : k == 2 ? c : d);
+            }
+            log.end();
+        }
     }
 
     /** A call is to make a record of {@link Commands}. */
@@ -79,14 +86,17 @@ public final class CallLog {
         }
     }
 
-    /** A call is to change a field of a circle. */
-    public void writeField(CircleField field, int id, int value) {
+    /** The first circle that is prepared in {@link Commands} is to come, with a kind. */
+    public void writeAdd(int kind) {
         if (log != null) {
-            begin(Call.FIELD);
-            log.word(id);
-            log.word(field.number());
-            log.word(value);
-            log.word(value >> Integer.SIZE - 1);
+            begin(Call.ADD);
+            int at = Commands.STRIDE * world.commands.count();
+            for (int k = Commands.ADD_X; k <= Commands.ADD_VY; k++) {
+                if (k != Commands.ADD_RESTITUTION) { // that of the kind, else the world's
+                    log.word(world.commands.records()[at + k]);
+                }
+            }
+            log.word(kind);
             log.end();
         }
     }
@@ -129,7 +139,7 @@ public final class CallLog {
     /** Steps are to be made. If they cannot be made, the log ends. */
     public void step(float timeStep, int count) {
         if (log != null) {
-            write(Call.STEP, Float.floatToRawIntBits(timeStep), count);
+            write(Call.STEP, Float.floatToRawIntBits(timeStep), count, 0, 0);
             stepping = true;
         }
     }
@@ -151,9 +161,9 @@ public final class CallLog {
         sinceHash = 0;
         try {
             long now = world.copies.hash();
-            write(Call.HASH, (int) now, (int) (now >> Integer.SIZE));
+            write(Call.HASH, (int) now, (int) (now >> Integer.SIZE), 0, 0);
         } catch (RuntimeException | Error e) {
-            if (world.guard.changing || world.pipeline.isLostBy(e)) {
+            if (!world.guard.holds()) {
                 throw e;
             }
             log.fail(e);

@@ -3,20 +3,21 @@ package io.github.circles2d.world.shared;
 import static java.lang.Float.floatToRawIntBits;
 
 /**
- * Makes the calls of {@link Call}, by their words: those of the API, and those of a log. A call is checked, gets room, is written to the
- * log, and then changes the world. If it is refused, or memory ends before, it has changed nothing and is not in the log.
+ * Makes the calls of {@link Call}. A log has them as words, and so come those of the API that games make seldom. Those on single circles, of
+ * which a frame has thousands, are methods of numbers, which a log's words call too.
  */
 public final class Calls {
     /** What some calls do. */
     public interface Effects {
-        /** Refuses what cannot be, and makes room for {@link #apply}. The words are in their ranges. */
-        default void prepare(Call call, int[] words) {}
-
-        /** Changes the world, and does not fail. Returns the handle of what comes by the call, else 0. */
-        long apply(Call call, int[] words);
+        /**
+         * Makes a call whose words are in the ranges of its row. Refuses what cannot be, and makes room; then {@linkplain Calls#begin begins},
+         * and changes the world, which does not fail. Returns the handle of what comes by the call, else 0.
+         */
+        long make(Call call, int[] words);
     }
 
     private final WorldParts world;
+    private final CallLog log;
 
     /** By call. */
     private final Effects[] effects = new Effects[Call.values().length];
@@ -26,6 +27,7 @@ public final class Calls {
 
     Calls(WorldParts world) {
         this.world = world;
+        log = world.log;
     }
 
     /** Says what calls do. */
@@ -43,11 +45,6 @@ public final class Calls {
     /** The same with floats. */
     public long makeOfFloats(Call call, float a, float b, float c, float d) {
         return make(call, floatToRawIntBits(a), floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
-    }
-
-    /** The same with more words. */
-    public long make(Call call, int a, int b, int c, int d, int e, int f, int g) {
-        return make(call, 0, a, b, c, d, e, f, g, 0);
     }
 
     /** Makes a call about what has a handle, by the words that follow. */
@@ -77,10 +74,8 @@ public final class Calls {
             words[6] = g;
             words[7] = h;
             return execute(call, words);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
@@ -90,23 +85,41 @@ public final class Calls {
         try {
             requireId(call.named, ofLog[0]);
             execute(call, ofLog);
-        } catch (RuntimeException | Error thrown) {
-            throw world.guard.failed(thrown);
         } finally {
-            world.guard.user = null;
+            world.guard.leave();
         }
     }
 
     private long execute(Call call, int[] w) {
         call.check(w, world.settings);
-        Effects does = effects[call.ordinal()];
-        does.prepare(call, w);
+        try {
+            long handle = effects[call.ordinal()].make(call, w);
+            end();
+            return handle;
+        } catch (RuntimeException | Error e) {
+            throw world.guard.failed(e);
+        }
+    }
+
+    /**
+     * A call has been checked, and there is room: writes it to the log, and begins to change the world. A call that is refused, or lacks memory
+     * before, has changed nothing and is not in the log.
+     */
+    public void begin(Call call, int[] w) {
         world.copies.forgetSaved();
-        world.log.write(call, w);
+        log.write(call, w);
         world.guard.changing = true;
-        long handle = does.apply(call, w);
+    }
+
+    /** The same of a call of at most four words, which has made what reads know out of date itself. */
+    public void begin(Call call, int a, int b, int c, int d) {
+        log.write(call, a, b, c, d);
+        world.guard.changing = true;
+    }
+
+    /** A call has changed the world. */
+    public void end() {
         world.guard.changing = false;
-        return handle;
     }
 
     private int id(Call.Named what, long handle) {

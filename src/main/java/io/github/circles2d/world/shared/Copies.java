@@ -11,16 +11,19 @@ public final class Copies {
     /** Whether {@link #saved} is the state as it is now. */
     private boolean savedCurrent;
 
+    private final LastReading last;
+
     Copies(WorldParts world) {
         this.world = world;
+        last = world.last;
     }
 
     /** Circles have changed, and all that was read or saved of them is out of date. */
     public void forget() {
-        world.last.forgetCircles();
-        world.last.forgetVelocities();
-        world.last.forgetTurns();
-        world.last.forgetJoints();
+        last.forgetCircles();
+        last.forgetVelocities();
+        last.forgetTurns();
+        last.forgetJoints();
         savedCurrent = false;
     }
 
@@ -32,13 +35,13 @@ public final class Copies {
     /** An operation of {@link Commands} makes what was read or saved out of date. */
     public void forgetBy(int operation) {
         switch (operation) {
-            case Commands.VELOCITY, Commands.IMPULSE -> world.last.forgetVelocities();
-            case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> world.last.forgetTurns();
+            case Commands.VELOCITY, Commands.IMPULSE -> last.forgetVelocities();
+            case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> last.forgetTurns();
             case Commands.REMOVE -> forget();
             case Commands.RESTITUTION, Commands.FIELD -> {
                 // no read has them
             }
-            default -> world.last.forgetCircles();
+            default -> last.forgetCircles();
         }
         savedCurrent = false;
     }

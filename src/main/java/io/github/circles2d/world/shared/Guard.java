@@ -11,10 +11,8 @@ import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
  * guard.enter();
  * try {
  *     ...
- * } catch (RuntimeException | Error thrown) {
- *     throw guard.failed(thrown);
  * } finally {
- *     guard.user = null;
+ *     guard.leave();
  * }
  * }</pre>
  *
@@ -27,18 +25,19 @@ public final class Guard {
     private final Pipeline pipeline;
 
     /** The thread that is inside; null if there is none. */
-    public volatile Thread user;
+    private volatile Thread user;
 
     /** Whether the state is being changed. If it stays true, a change has ended half-way, and the state is lost. */
     public boolean changing;
 
     private boolean closed;
 
-    /** Why the state is lost; null if it is not. */
+    /** Why the state is lost; null if it is not, or if nobody knows why a change has ended half-way. */
     private Throwable failure;
 
     public Guard(Pipeline pipeline) {
         this.pipeline = pipeline;
+        pipeline.watch(cause -> failure = cause);
     }
 
     /** Does nothing, if a call can be made at all. */
@@ -70,6 +69,11 @@ public final class Guard {
         }
     }
 
+    /** Ends a call. */
+    public void leave() {
+        user = null;
+    }
+
     /** From now on no call that needs the state is made. */
     public void close() {
         takeTurn();
@@ -81,12 +85,9 @@ public final class Guard {
         }
     }
 
-    /**
-     * Takes note of what a call throws, and returns it. The state is lost if the call was changing it, or if the pipeline has lost it:
-     * a read, too, is told of steps that were enqueued before. It is not lost if a read found too little memory.
-     */
+    /** Takes note of what has ended a change half-way, if it has begun, and returns it. */
     public RuntimeException failed(Throwable cause) {
-        if (changing || pipeline.isLostBy(cause)) {
+        if (changing) {
             failure = cause;
         }
         if (cause instanceof Error error) {

@@ -1,21 +1,31 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.JointLoads;
+import io.github.circles2d.world.joints.SavedJointStates;
 
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
 public final class PendingWork {
     private final WorldParts world;
+    private final Commands commands;
+
+    /** Joints that have broken, as the pipeline has told; kept if memory ends before they are away. */
+    private final BrokenJoints broken = new BrokenJoints();
+
+    private final SavedJointStates jointStates = new SavedJointStates();
 
     PendingWork(WorldParts world) {
         this.world = world;
+        commands = world.commands;
     }
 
     /** Makes room for changes to come, so that none fails half-way. */
     public void expect(int more) {
-        if (world.commands.count() >= Commands.MANY) {
+        if (commands.count() >= Commands.MANY) {
             apply();
         }
-        world.commands.ensure(more);
+        commands.ensure(more);
     }
 
     /** Hands the changes that wait to the pipeline. */
@@ -26,11 +36,15 @@ public final class PendingWork {
             finish();
             makeRoom(changes);
             world.guard.changing = true;
-            if (changes) {
-                applyCommands();
-            }
-            if (learns) {
-                world.events.learnPieces();
+            try {
+                if (changes) {
+                    applyCommands();
+                }
+                if (learns) {
+                    world.events.learnPieces();
+                }
+            } catch (RuntimeException | Error e) {
+                throw world.guard.failed(e);
             }
             world.guard.changing = false;
         }
@@ -80,15 +94,46 @@ public final class PendingWork {
     /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
         world.guard.changing = true;
-        world.pipeline.finish();
+        try {
+            world.pipeline.finish();
+        } catch (RuntimeException | Error e) {
+            throw world.guard.failed(e);
+        }
         world.guard.changing = false;
-        world.breaking.take();
+        takeBroken();
+    }
+
+    /** All these steps are of one length if a joint may break. */
+    private void takeBroken() {
+        if (broken.count == 0 && world.joints.table.breaks()) {
+            world.pipeline.takeBroken(broken);
+        }
+        if (broken.count > 0) {
+            takeAwayBroken();
+        }
+    }
+
+    private void takeAwayBroken() {
+        boolean reports = world.joints.departures().reports();
+        if (reports) {
+            world.pipeline.saveJoints(jointStates);
+            world.joints.departures().ensure(broken.count);
+        }
+        world.guard.changing = true;
+        for (int k = 0; k < broken.count; k++) {
+            int joint = broken.id(k);
+            float force = reports ? JointLoads.force(jointStates, joint, world.settings.lastStep()) : 0f;
+            float torque = reports ? JointLoads.torque(jointStates, joint, world.settings.lastStep()) : 0f;
+            world.joints.departures().breakJoint(joint, force, torque);
+        }
+        broken.count = 0;
+        world.guard.changing = false;
     }
 
     /** Another state has taken the place of all that was, and of all changes that wait. */
     public void restored() {
         drop();
-        world.breaking.forget();
+        broken.count = 0;
     }
 
     /** Makes the state what calls have led to, so that reading it changes nothing. */
@@ -99,28 +144,8 @@ public final class PendingWork {
 
     /** Makes joints what steps have led to, if any may have broken: before a call that looks at joints or changes them. */
     public void settleJoints() {
-        if (world.breaking.mayHappen()) {
+        if (world.joints.table.breaks()) {
             finish();
         }
-    }
-
-    /** Waits for the events of all steps so far. */
-    public void finishEvents() {
-        world.guard.changing = true;
-        world.pipeline.finishEvents();
-        world.guard.changing = false;
-    }
-
-    /** Asks for the events of all steps so far. */
-    public void requestEvents() {
-        world.guard.changing = true;
-        world.pipeline.requestEvents();
-        world.guard.changing = false;
-    }
-
-    public void finishRequestedEvents() {
-        world.guard.changing = true;
-        world.pipeline.finishRequestedEvents();
-        world.guard.changing = false;
     }
 }

@@ -18,6 +18,7 @@ import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. {@code Simulation} has
@@ -156,10 +157,8 @@ public interface Pipeline extends AutoCloseable {
     /** A name for people. */
     String device();
 
-    /** Whether the state is lost if any call throws this, be it a read: true of failures of a device. */
-    default boolean isLostBy(Throwable cause) {
-        return false;
-    }
+    /** Names whom it tells, before a call throws it, of a device that fails: that loses the state, even if the call is a read. */
+    default void watch(Consumer<Throwable> whom) {}
 
     @Override
     void close();

@@ -10,7 +10,10 @@ import io.github.circles2d.world.joints.JointTables;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.terrain.TerrainTables;
 
-/** The parts of a world, each of which is there once; calls get them from here. A part uses others in its calls, not when it is made. */
+/**
+ * The parts of a world, each of which is there once; calls get them from here. A part uses others in its calls, not when it is made, or those
+ * above it.
+ */
 public final class WorldParts {
     public final Pipeline pipeline;
     public final Guard guard;
@@ -22,14 +25,13 @@ public final class WorldParts {
     public final WorldSettings settings;
     public final TerrainTables terrain;
     public final JointTables joints;
-    public final Calls calls = new Calls(this);
     public final CallLog log = new CallLog(this);
+    public final Calls calls = new Calls(this);
     public final Needs needs = new Needs(this);
     public final PendingWork pending = new PendingWork(this);
     public final LastReading last = new LastReading(this);
     public final WorldState state = new WorldState(this);
     public final Copies copies = new Copies(this);
-    final Breaking breaking = new Breaking(this);
 
     /** Those of a world without circles. The parameters have been checked. */
     public WorldParts(Pipeline pipeline, WorldParameters start) {

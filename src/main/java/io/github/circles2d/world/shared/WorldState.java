@@ -11,12 +11,14 @@ import io.github.circles2d.world.terrain.SavedPieceContacts;
  */
 public final class WorldState {
     private final WorldParts world;
-    private final StepFigures figures = new StepFigures();
 
     // what the hash reads
     private final SavedPieceContacts contacts = new SavedPieceContacts();
     private final SavedJoints savedJoints = new SavedJoints();
     private final SavedJointStates jointStates = new SavedJointStates();
+
+    /** Whether the pipeline's figures are those of the last step. */
+    private boolean figuresHold;
 
     /** A state without circles. */
     private final SavedState empty = new SavedState();
@@ -25,9 +27,19 @@ public final class WorldState {
         this.world = world;
     }
 
-    /** Whether the pipeline's figures are those of this state. */
-    public StepFigures figures() {
-        return figures;
+    /** A step is to be made: without circles the pipeline makes none, and its figures do not hold. */
+    public void stepped(boolean byPipeline) {
+        figuresHold = byPipeline;
+    }
+
+    /** The pipeline's figures are of circles that are gone. */
+    public void forgetFigures() {
+        figuresHold = false;
+    }
+
+    /** Whether the pipeline's figures are those of the last step, and of this state. */
+    public boolean figuresHold() {
+        return figuresHold;
     }
 
     /** Copies it. */
@@ -90,7 +102,7 @@ public final class WorldState {
         world.pipeline.load(saved);
         world.settings.set(saved.parameters());
         world.needs.restored(saved);
-        figures.forget();
+        forgetFigures();
         world.events.load(saved.touches, world.handles);
     }
 

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
-import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointMath;

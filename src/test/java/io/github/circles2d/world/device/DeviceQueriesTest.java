@@ -394,7 +394,7 @@ class DeviceQueriesTest {
         try (Simulation crowded =
                 DeviceSearches.always(new Simulation(new DevicePipeline(on, 0, false, true), parameters))) {
             for (int k = 0; k < 5000; k++) {
-                crowded.newCircles.add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0);
+                crowded.newCircles.add(10 + coordinate(), 10 + coordinate(), 1, 1, 0, 0, 0);
             }
             long[] handles = new long[5000];
             int[] ends = new int[1000];
@@ -410,7 +410,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(crowded))
                     .as("more than it lists")
                     .isOne();
-            crowded.newCircles.add(9e5f, 9e5f, 1, 1, 0, 0);
+            crowded.newCircles.add(9e5f, 9e5f, 1, 1, 0, 0, 0);
             assertThat(crowded.searches.all(null, QueryShape.DISC, discs, 3, ends, handles, null))
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).as("in a crowd").isOne();
@@ -429,12 +429,12 @@ class DeviceQueriesTest {
             float[] points = new float[2 * 512];
             long[] handles = new long[512];
             for (int k = 1; k < 1000; k++) {
-                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0, 0);
             }
             world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a small world").isZero();
             for (int k = 1000; k < circles; k++) {
-                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+                world.newCircles.add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0, 0);
             }
             world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a large batch").isOne();
@@ -442,7 +442,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(world))
                     .as("a smaller one, and not enough circles for that")
                     .isOne();
-            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0, 0);
             for (int k = 0; k < 30; k++) {
                 assertThat(world.searches.one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
                         .isPositive();
@@ -454,7 +454,7 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(world)).isEqualTo(21);
             world.searches.one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(22);
-            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.newCircles.add(0.5f, 0.5f, 0.1f, 1, 0, 0, 0);
             world.searches.one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
             assertThat(DeviceSearches.answered(world)).as("after a change").isEqualTo(23);
         }

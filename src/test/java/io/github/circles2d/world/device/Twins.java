@@ -467,7 +467,7 @@ final class Twins implements AutoCloseable {
     /** Adds a circle. */
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            long handle = simulation.newCircles.add(x, y, r, mass, vx, vy);
+            long handle = simulation.newCircles.add(x, y, r, mass, vx, vy, 0);
             int id = (int) handle;
             if (id >= handles.length) {
                 handles = Arrays.copyOf(handles, 2 * (id + 1));

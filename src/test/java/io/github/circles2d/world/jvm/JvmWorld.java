@@ -31,7 +31,7 @@ final class JvmWorld implements AutoCloseable {
     }
 
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
-        long handle = simulation.newCircles.add(x, y, r, mass, vx, vy);
+        long handle = simulation.newCircles.add(x, y, r, mass, vx, vy, 0);
         simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
