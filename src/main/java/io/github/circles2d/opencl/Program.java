@@ -34,7 +34,7 @@ public final class Program implements AutoCloseable {
         try {
             return new Kernel(session, name, DriverCalls.make(session.device(), () -> program.createKernel(name)));
         } catch (CLException e) {
-            throw ErrorCodes.failed("make kernel " + name + " of " + source, session.device(), e);
+            throw session.failed("make kernel " + name + " of " + source, e);
         }
     }
 

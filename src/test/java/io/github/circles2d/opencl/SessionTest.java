@@ -308,7 +308,8 @@ class SessionTest {
         List<Throwable> told = new ArrayList<>();
         try (Session session = Session.open(device)) {
             session.watch(told::add);
-            assertThatThrownBy(() -> session.build(SCALE).kernel("absent")).isInstanceOf(OpenClException.class);
+            assertThatThrownBy(() -> session.build(KernelSource.ofText("broken", "kernel void k() { nonsense }")))
+                    .isInstanceOf(KernelBuildException.class);
             assertThat(told).isEmpty();
             Kernel withoutArguments = session.build(SCALE).kernel("scale");
             Throwable thrown = catchThrowable(() -> withoutArguments.run(1));

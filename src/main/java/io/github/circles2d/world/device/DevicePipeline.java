@@ -1,9 +1,7 @@
 package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
@@ -42,7 +40,6 @@ import java.util.function.Consumer;
  */
 public final class DevicePipeline implements Pipeline {
     private final Session session;
-    private Consumer<Throwable> losses = cause -> {};
     private final DeviceArrays arrays;
     private StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
@@ -134,39 +131,27 @@ public final class DevicePipeline implements Pipeline {
 
     /**
      * Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others; and for features,
-     * if there is memory for them. If a compiler refuses them, nothing has changed; if something else fails, the state is lost: some parts use
-     * them already.
+     * if there is memory for them.
      */
     private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
         boolean reporting = ofReports != null && ofReports.isActive();
-        Variant variant = new Variant(anySettings, features(edges), reporting, reporting && ofReports.isRecording());
+        boolean recording = reporting && ofReports.isRecording();
+        Features features = features(edges);
+        Variant variant = new Variant(anySettings, features, reporting, recording);
         StageKernels loading = kernelsOf(variant);
         compile(loading, reporting);
-        try {
-            use(loading, variant, ofReports);
-        } catch (OpenClException e) {
-            if (!(e instanceof DeviceMemoryException)) {
-                losses.accept(e);
-            }
-            throw e;
-        }
-    }
-
-    private void use(StageKernels loading, Variant variant, ReportReader ofReports) {
         kernels = loading;
         stats.use(loading);
         commands.use(loading);
-        if (variant.features().turning()) {
+        if (features.turning()) {
             readback.useTurning(loading);
         }
-        loaded = variant.features();
+        loaded = features;
         if (steps) {
             stages =
                     stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
             queue.use(stages, reader);
-            stages.report(
-                    variant.recording() ? ofReports.touches() : null,
-                    variant.reporting() ? ofReports.deciding() : null);
+            stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
             ready.use(stages, loading);
         }
         bind(loading);
@@ -577,7 +562,6 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public void watch(Consumer<Throwable> whom) {
-        losses = whom;
         session.watch(whom);
     }
 
