@@ -1,5 +1,5 @@
 // uses: world/shared/OneBody.cl world/shared/Surface.cl
-// Friction and rolling of contacts with walls and terrain pieces: the Java class OneBodyGrip.
+// Friction and rolling of contacts with walls and terrain pieces: the Java class OneBodyRows.
 
 #ifdef TURNING
 typedef struct {

@@ -1,5 +1,5 @@
 // uses: world/shared/CrossRule.cl world/shared/Surface.cl world/shared/Visit.cl
-// What surfaces do in the visit of a contact of two circles, A of the lower id and B. The Java class world.jvm.GripVisits does the same.
+// What surfaces do in the visit of a contact of two circles, A of the lower id and B. The Java class world.jvm.PairRows does the same.
 
 #ifdef TURNING
 bool doesGrip(float4 pairSkin) { return pairSkin.PAIR_FRICTION > 0.0f || pairSkin.ROLLING_REACH > 0.0f; }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
@@ -15,8 +16,8 @@ final class PieceTransfer {
     /** Ints of a contact: piece, serial. */
     private static final int NUMBERS = 2;
 
-    /** Floats of a contact: side, impulses: normal, friction, rolling. */
-    private static final int FLOATS = 4;
+    /** Floats of a contact: side, normal impulse, impulses of its rows. */
+    private static final int FLOATS = 2 + ContactRows.COUNT;
 
     /** Memory that saved contacts need on their way to the device. */
     static final class Room {
@@ -41,8 +42,7 @@ final class PieceTransfer {
                     numbers[NUMBERS * c + 1] = contacts.serial[c];
                     floats[FLOATS * c] = contacts.side[c];
                     floats[FLOATS * c + 1] = contacts.impulse[c];
-                    floats[FLOATS * c + 2] = contacts.friction[c];
-                    floats[FLOATS * c + 3] = contacts.rolling[c];
+                    ContactRows.copy(contacts.rows, ContactRows.of(c), floats, FLOATS * c + 2);
                 }
                 ranges[RANGE * slot + 1] = c - ranges[RANGE * slot];
             }
@@ -99,8 +99,8 @@ final class PieceTransfer {
                     numbers[NUMBERS * c + 1],
                     (int) floats[FLOATS * c],
                     floats[FLOATS * c + 1],
-                    floats[FLOATS * c + 2],
-                    floats[FLOATS * c + 3]);
+                    floats,
+                    FLOATS * c + 2);
         }
     }
 }

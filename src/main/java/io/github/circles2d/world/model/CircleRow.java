@@ -40,13 +40,6 @@ public final class CircleRow {
     public static final int ALLOWANCE = 2;
     public static final int LIMIT = 3;
 
-    // grips of walls, as speeds: of the wall across x, along y; of the wall across y, along x; what stops the rolling
-    // on each
-    public static final int FRICTION_X = 0;
-    public static final int FRICTION_Y = 1;
-    public static final int ROLLING_X = 2;
-    public static final int ROLLING_Y = 3;
-
     // spin, within a step: surface speed; sum of impulses on it; sum of the surface speeds of sub-steps; inverse
     // inertia
     public static final int SURFACE_SPEED = 0;

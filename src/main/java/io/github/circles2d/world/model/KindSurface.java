@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** What turns the circles of each kind: a row of floats a kind. */
+/** The surfaces of circles by kind, and behind them those of walls: a row of floats each. Walls have belt, friction and rolling resistance. */
 public final class KindSurface {
     /** Surface speed that the surface has besides that of turning, positive anticlockwise. */
     public static final int BELT = 0;
@@ -24,8 +24,10 @@ public final class KindSurface {
 
     public static final int STRIDE = 8;
 
+    public static final int FLOATS = STRIDE * (PairTable.KINDS + WallMotion.COUNT);
+
     /** Meaningless unless {@link StepConstants#turning}. */
-    public final float[] rows = new float[of(PairTable.KINDS)];
+    public final float[] rows = new float[FLOATS];
 
     public int version;
 
@@ -56,6 +58,11 @@ public final class KindSurface {
         return STRIDE * kind;
     }
 
+    /** The row of a wall, by {@link WallMotion#of}. */
+    public static int ofWall(int wall) {
+        return of(PairTable.KINDS + wall);
+    }
+
     /** Does nothing if nothing has changed. The last two: whether circles have surfaces, and torques, of their own. */
     public void update(StepConstants k, Values kinds, int ofVersion, boolean ofCircles, boolean someTorques) {
         if (kindsVersion == ofVersion
@@ -77,6 +84,12 @@ public final class KindSurface {
             rows[row + FRICTION] = Surface.orOfKind(kinds.friction(kind), k.surfaces.friction);
             rows[row + ROLLING_RESISTANCE] =
                     Surface.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+        }
+        for (int wall = 0; wall < WallMotion.COUNT; wall++) {
+            int row = ofWall(wall);
+            rows[row + BELT] = k.surfaces.wallBelt(wall);
+            rows[row + FRICTION] = k.surfaces.wallFriction(wall);
+            rows[row + ROLLING_RESISTANCE] = k.surfaces.wallRollingResistance(wall);
         }
         rows[OWN] = own ? 1f : 0f;
         rows[DRIVES] = drives ? 1f : 0f;

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 
@@ -250,7 +251,7 @@ public enum DeviceArray {
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
 
     /** Floats before {@link #KIND_TERRAIN} in the same buffer. */
-    static final int KIND_TERRAIN_AT = SURFACES_AT + DeviceArrays.SURFACE_FLOATS;
+    static final int KIND_TERRAIN_AT = SURFACES_AT + KindSurface.FLOATS;
 
     /** Floats before {@link #JOINTS} in the same buffer: a multiple of 4. */
     static final int JOINTS_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 
 /**
  * The fields of arrays whose elements have several numbers. Kernels name them in place of the components of a vector:
@@ -100,10 +101,10 @@ enum ElementField {
     ANGLE(DeviceArray.TURN, 0, 1),
     ANGULAR_VELOCITY(DeviceArray.TURN, 1, 1),
 
-    FRICTION_X(DeviceArray.WALL_GRIP, CircleRow.FRICTION_X, 1),
-    FRICTION_Y(DeviceArray.WALL_GRIP, CircleRow.FRICTION_Y, 1),
-    ROLLING_X(DeviceArray.WALL_GRIP, CircleRow.ROLLING_X, 1),
-    ROLLING_Y(DeviceArray.WALL_GRIP, CircleRow.ROLLING_Y, 1),
+    FRICTION_X(DeviceArray.WALL_GRIP, ContactRows.ofWall(ContactRows.FRICTION, CircleRow.X), 1),
+    FRICTION_Y(DeviceArray.WALL_GRIP, ContactRows.ofWall(ContactRows.FRICTION, CircleRow.Y), 1),
+    ROLLING_X(DeviceArray.WALL_GRIP, ContactRows.ofWall(ContactRows.ROLLING, CircleRow.X), 1),
+    ROLLING_Y(DeviceArray.WALL_GRIP, ContactRows.ofWall(ContactRows.ROLLING, CircleRow.Y), 1),
 
     OWN_FRICTION(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.FRICTION), 1),
     OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
