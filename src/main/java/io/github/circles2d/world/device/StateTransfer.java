@@ -86,8 +86,8 @@ final class StateTransfer {
         turning = arrays.turning();
         if (turning) {
             turn = Readback.ints(arrays.get(DeviceArray.HOME_TURN), TURN_INTS * slots);
-            wallRows = Readback.floats(arrays.get(DeviceArray.HOME_WALL_GRIP), ContactRows.ofWalls(slots));
-            cachedRows = Readback.floats(arrays.get(DeviceArray.CACHED_GRIP), ContactRows.of(cachedContacts));
+            wallRows = Readback.floats(arrays.get(DeviceArray.HOME_WALL_ROWS), ContactRows.ofWalls(slots));
+            cachedRows = Readback.floats(arrays.get(DeviceArray.ROW_CACHE), ContactRows.of(cachedContacts));
         }
     }
 
@@ -233,8 +233,8 @@ final class StateTransfer {
         FieldsStruct.packTurning(from.fields, from.id, n, links.own);
         arrays.get(DeviceArray.HOME_TURN).write(0, IntBuffer.wrap(links.turn));
         arrays.get(DeviceArray.HOME_OWN).write(0, IntBuffer.wrap(links.own));
-        arrays.get(DeviceArray.CACHED_GRIP).write(FloatBuffer.wrap(links.cachedRows));
+        arrays.get(DeviceArray.ROW_CACHE).write(FloatBuffer.wrap(links.cachedRows));
         float[] wallRows = from.turns ? from.wallRows : links.noRows;
-        arrays.get(DeviceArray.HOME_WALL_GRIP).write(FloatBuffer.wrap(wallRows, 0, ContactRows.ofWalls(n)));
+        arrays.get(DeviceArray.HOME_WALL_ROWS).write(FloatBuffer.wrap(wallRows, 0, ContactRows.ofWalls(n)));
     }
 }

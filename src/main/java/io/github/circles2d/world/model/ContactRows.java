@@ -13,6 +13,9 @@ public final class ContactRows {
 
     public static final int COUNT = 2;
 
+    /** Floats of a contact: a vector of kernels has room for them. */
+    public static final int STRIDE = Integer.highestOneBit(2 * COUNT - 1);
+
     /** Impulses that a circle keeps of its walls. */
     public static final int OF_WALLS = 2 * COUNT;
 
@@ -22,12 +25,12 @@ public final class ContactRows {
 
     /** The impulses of a contact. */
     public static int of(int contact) {
-        return COUNT * contact;
+        return STRIDE * contact;
     }
 
     /** The impulses of a circle's walls. */
     public static int ofWalls(int slot) {
-        return OF_WALLS * slot;
+        return 2 * STRIDE * slot;
     }
 
     /** Among those of a circle's walls: the impulse of a row of the nearer wall of an axis. */

@@ -99,7 +99,7 @@ public final class OneBodyRows {
         if (friction > 0f) {
             float before = impulses[ContactRows.FRICTION];
             float slip = Surface.slip(along, 0f, surfaceSpeed, belt);
-            float mass = Surface.tangentMass(0f, 0f, 1f, inertia);
+            float mass = Surface.tangentMass(0f, 0f, 1f, inertia, 1f);
             float next = Surface.grip(before, mass, slip, friction * normalImpulse);
             gain = next - before;
             surfaceSpeed += inertia * -gain;

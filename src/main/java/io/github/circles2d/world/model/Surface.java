@@ -31,14 +31,12 @@ public final class Surface {
         return (float) Math.sqrt(a * b);
     }
 
-    /** What friction of 1 takes from the speed along the surfaces; w, i: the inverse masses and inertias. */
-    public static float tangentMass(float wA, float iA, float wB, float iB) {
-        return 1f / ((wA + iA) + (wB + iB));
-    }
-
-    /** Of a light circle and a heavy one that counts as lighter by its share ({@link CrossRule}). */
-    public static float tangentMass(float wLight, float iLight, float wHeavy, float iHeavy, float share) {
-        return 1f / ((wLight + iLight) + share * (wHeavy + iHeavy));
+    /**
+     * The effective mass along the surfaces; w, i: inverse masses and inertias; share: 1, or of B if it is heavy, and counts as lighter
+     * ({@link CrossRule}).
+     */
+    public static float tangentMass(float wA, float iA, float wB, float iB, float share) {
+        return 1f / ((wA + iA) + share * (wB + iB));
     }
 
     /** The speed of B's surface against A's along t: along: t . (vB - vA); s: surface speeds; belt: the sum of both. */

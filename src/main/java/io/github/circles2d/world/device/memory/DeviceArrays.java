@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
@@ -220,9 +221,9 @@ public final class DeviceArrays {
                 throw e;
             }
             fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
-            fill(DeviceArray.HOME_WALL_GRIP, slotCapacity, 0, 0, 0, 0);
+            fill(DeviceArray.HOME_WALL_ROWS, slotCapacity, new int[2 * ContactRows.STRIDE]);
             fill(DeviceArray.HOME_OWN, slotCapacity, CircleField.NONE, CircleField.NONE, 0, 0);
-            fill(DeviceArray.CACHED_GRIP, contactCapacity, 0, 0);
+            fill(DeviceArray.ROW_CACHE, contactCapacity, new int[ContactRows.STRIDE]);
         }
     }
 
