@@ -4,7 +4,7 @@
 
 #ifdef TURNING
 typedef struct {
-    float4 surface;       // as circleSurface
+    global const float *surface; // see surfaceOfCircle
     float s;              // surface speed
     float inertia;        // inverse inertia by inverse mass
     RowImpulses walls[2]; // by axis of the wall
@@ -14,11 +14,14 @@ typedef struct {
 #endif
 } Turning;
 
+// A row as those of surfaces: that of the circle's kind, with its own values in it.
+global float *surfaceOfCircle(const World *w, int slot) { return (global float *) (w->circleSurface + slot); }
+
 // t: traits; s: surface speed.
 Turning turningOf(const World *w, int slot, float4 t, float s) {
     Turning turning;
     WallRows rows = w->wallRows[slot];
-    turning.surface = w->circleSurface[slot];
+    turning.surface = surfaceOfCircle(w, slot);
     turning.s = s;
     turning.inertia = w->inverseInertia[slot] / t.INVERSE_MASS;
     turning.walls[0] = rows.even;
@@ -43,8 +46,8 @@ typedef struct {
 Between betweenSurfaces(const World *w, const Turning *t, int number) {
     global const float *row = w->surfaces + SURFACE_STRIDE * number;
     Between b;
-    b.friction = friction(t->surface.FRICTION, row[SURFACE_FRICTION]);
-    b.resistance = maxf(t->surface.ROLLING_RESISTANCE, row[SURFACE_ROLLING_RESISTANCE]);
+    b.friction = friction(t->surface[SURFACE_FRICTION], row[SURFACE_FRICTION]);
+    b.resistance = maxf(t->surface[SURFACE_ROLLING_RESISTANCE], row[SURFACE_ROLLING_RESISTANCE]);
     b.belt = row[SURFACE_BELT];
     return b;
 }

@@ -1,4 +1,4 @@
-// uses: world/shared/CrossRule.cl world/shared/Surface.cl world/shared/Visit.cl
+// uses: world/shared/CrossRule.cl world/shared/OneBodyRows.cl world/shared/Surface.cl world/shared/Visit.cl
 // The rows behind the normal one of a contact of two circles, A of the lower id and B: friction along the tangent, rolling resistance. A
 // schedule moves RowImpulses, the accumulated impulses of all rows. The Java class world.jvm.PairRows does the same.
 
@@ -140,18 +140,18 @@ RowImpulses cachedRows(const World *w, int first, int higherId) {
 
 // share: 1, or of the second circle if it is heavy. If nothing turns the circles, rolling resistance has nothing to do.
 PairSurface findSurface(const World *w, uint first, uint second, float share) {
-    float4 a = w->circleSurface[first];
-    float4 b = w->circleSurface[second];
+    global const float *a = surfaceOfCircle(w, (int) first);
+    global const float *b = surfaceOfCircle(w, (int) second);
     float ra = w->circle[first].RADIUS;
     float rb = w->circle[second].RADIUS;
     float ia = w->inverseInertia[first];
     float ib = w->inverseInertia[second];
     PairSurface s;
-    s.friction = friction(a.FRICTION, b.FRICTION);
+    s.friction = friction(a[SURFACE_FRICTION], b[SURFACE_FRICTION]);
     s.tangentMass = tangentMass(w->traits[first].INVERSE_MASS, ia, w->traits[second].INVERSE_MASS, ib, share);
-    s.belt = a.BELT + b.BELT;
+    s.belt = a[SURFACE_BELT] + b[SURFACE_BELT];
     s.rollingMass = rollingMass(ra, ia, rb, ib, share);
-    s.reach = s.rollingMass <= FLT_MAX ? maxf(a.ROLLING_RESISTANCE, b.ROLLING_RESISTANCE) * maxf(ra, rb) : 0.0f;
+    s.reach = s.rollingMass <= FLT_MAX ? maxf(a[SURFACE_ROLLING_RESISTANCE], b[SURFACE_ROLLING_RESISTANCE]) * maxf(ra, rb) : 0.0f;
     return s;
 }
 

@@ -224,7 +224,7 @@ void visitPieceRows(const World *w, int k, int kind, float4 g, float along, floa
     Between b = betweenSurfaces(w, turning, kind);
     if (!oneBodyRowsAct(&b)) return;
     RowImpulses i = w->pieceRows[k];
-    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface.BELT, normalImpulse, keep), m);
+    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], normalImpulse, keep), m);
     w->pieceRows[k] = i;
 }
 #endif
@@ -261,7 +261,7 @@ void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *t
 float slipAtPiece(const World *w, const Turning *turning, int kind, float4 g, float2 u, float s) {
     Between b = betweenSurfaces(w, turning, kind);
     float along = g.MEASURED_X * u.y - g.MEASURED_Y * u.x;
-    return slipOfOneBody(&b, along, s, b.belt + turning->surface.BELT);
+    return slipOfOneBody(&b, along, s, b.belt + turning->surface[SURFACE_BELT]);
 }
 #endif
 #endif

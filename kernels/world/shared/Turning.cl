@@ -8,11 +8,10 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     bool any = w->surfaces[SURFACE_OWN] != 0.0f;
     int2 turn_ = w->homeTurn[from];
     float4 own = any ? w->homeOwn[from] : INITIAL_OWN;
-    float4 surface = (float4)(0.0f);
-    surface.FRICTION = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
-    surface.ROLLING_RESISTANCE = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
-    surface.BELT = kind[SURFACE_BELT];
-    surface.ANGULAR_FACTOR = kind[SURFACE_DAMPING_FACTOR];
+    global float *surface = surfaceOfCircle(w, slot);
+    vstore8(vload8(0, kind), 0, surface);
+    surface[SURFACE_FRICTION] = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
+    surface[SURFACE_ROLLING_RESISTANCE] = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
     w->turn[slot] = turn_;
     if (any) w->own[slot] = own;
     w->wallRows[slot] = w->homeWallRows[from];
@@ -20,7 +19,6 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     w->spinImpulse[slot] = 0.0f;
     w->turned[slot] = 0.0f;
     w->inverseInertia[slot] = inverseMass * kind[SURFACE_INERTIA];
-    w->circleSurface[slot] = surface;
 }
 
 // The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
@@ -30,7 +28,7 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     float before = s + 0.0f;
     if (w->surfaces[SURFACE_DRIVES] != 0.0f) {
         float torque = w->surfaces[SURFACE_OWN] != 0.0f ? w->own[slot].OWN_TORQUE : 0.0f;
-        before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), w->circleSurface[slot].ANGULAR_FACTOR);
+        before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), surfaceOfCircle(w, slot)[SURFACE_DAMPING_FACTOR]);
     }
 #ifdef RECORDING
     w->spinImpulse[slot] = before;

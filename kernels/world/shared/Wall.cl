@@ -18,7 +18,7 @@ float againstWall(int axis, float side, float v, float belt) { return tangentAlo
 // v: velocity along the wall; s: surface speed.
 float slipAtWall(const World *w, const Turning *t, int axis, float side, int wall, float v, float s) {
     Between b = betweenWall(w, t, wall);
-    return slipOfOneBody(&b, againstWall(axis, side, v, b.belt), s, t->surface.BELT);
+    return slipOfOneBody(&b, againstWall(axis, side, v, b.belt), s, t->surface[SURFACE_BELT]);
 }
 #endif
 
@@ -33,7 +33,7 @@ void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, f
     Between b = betweenWall(w, t, wall);
     if (!oneBodyRowsAct(&b)) return;
     float speed = againstWall(axis, side, *along, b.belt);
-    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface.BELT, normalImpulse, keep);
+    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], normalImpulse, keep);
 }
 #endif
 

@@ -8,6 +8,7 @@ import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.Surface;
 
 /**
@@ -104,7 +105,9 @@ final class PairRows {
     void fill(int c, int first, int second, float share) {
         int a = CircleRow.of(first);
         int b = CircleRow.of(second);
-        float[] skin = state.turning.skin;
+        float[] surfaces = state.turning.circleSurfaces;
+        int ofA = KindSurface.of(first);
+        int ofB = KindSurface.of(second);
         float[] spin = state.turning.spin;
         float[] traits = state.traits;
         float[] v = values;
@@ -113,11 +116,11 @@ final class PairRows {
         float rB = state.circle[b + RADIUS];
         float iA = spin[a + INVERSE_INERTIA];
         float iB = spin[b + INVERSE_INERTIA];
-        float resistance =
-                CircleMath.max(skin[a + CircleRow.ROLLING_RESISTANCE], skin[b + CircleRow.ROLLING_RESISTANCE]);
+        float resistance = CircleMath.max(
+                surfaces[ofA + KindSurface.ROLLING_RESISTANCE], surfaces[ofB + KindSurface.ROLLING_RESISTANCE]);
         float reach = resistance * CircleMath.max(rA, rB);
-        v[o + FRICTION] = Surface.friction(skin[a + CircleRow.FRICTION], skin[b + CircleRow.FRICTION]);
-        v[o + BELT] = skin[a + CircleRow.BELT] + skin[b + CircleRow.BELT];
+        v[o + FRICTION] = Surface.friction(surfaces[ofA + KindSurface.FRICTION], surfaces[ofB + KindSurface.FRICTION]);
+        v[o + BELT] = surfaces[ofA + KindSurface.BELT] + surfaces[ofB + KindSurface.BELT];
         v[o + TANGENT_MASS] = Surface.tangentMass(traits[a + INVERSE_MASS], iA, traits[b + INVERSE_MASS], iB, share);
         if (reach > 0f) {
             float mass = Surface.rollingMass(rA, iA, rB, iB, share);

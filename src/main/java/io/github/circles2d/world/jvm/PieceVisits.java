@@ -10,7 +10,6 @@ import static io.github.circles2d.world.jvm.PieceContactRow.NY;
 import static io.github.circles2d.world.jvm.PieceContactRow.ROWS;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
-import static io.github.circles2d.world.model.CircleRow.BELT;
 import static io.github.circles2d.world.model.CircleRow.DX;
 import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
@@ -270,9 +269,16 @@ final class PieceVisits {
     private void findSurfaces(int s, int c) {
         Turning t = state.turning;
         int kind = KindSurface.of(measure.terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
-        float belts = t.surfaces[kind + KindSurface.BELT] + t.skin[s + BELT];
+        int own = KindSurface.of(CircleRow.slot(s));
+        float belts = t.surfaces[kind + KindSurface.BELT] + t.circleSurfaces[own + KindSurface.BELT];
         otherRows.between(
-                t.skin, s, t.surfaces, kind, belts, t.spin[s + INVERSE_INERTIA], state.traits[s + INVERSE_MASS]);
+                t.circleSurfaces,
+                own,
+                t.surfaces,
+                kind,
+                belts,
+                t.spin[s + INVERSE_INERTIA],
+                state.traits[s + INVERSE_MASS]);
         otherRows.keep(contacts.surfaces, PieceContactRow.surfaces(c));
     }
 

@@ -112,7 +112,7 @@ final class Touches {
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
     private float[] places = new float[0];
 
-    /** By contact: how fast its surfaces slide; null unless circles turn. */
+    /** By contact: how fast its surfaces slide; null unless circles can rotate. */
     private float[] slips;
 
     Touches(State state, Contacts contacts, Team team, ContactEvents events, TouchRecords[] records) {

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import static io.github.circles2d.world.model.CircleRow.ANGULAR_FACTOR;
-import static io.github.circles2d.world.model.CircleRow.BELT;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -35,8 +33,8 @@ final class Turning {
     /** Within a step: how circles rotate. */
     float[] spin = new float[0];
 
-    /** Within a step: what circles touch others with. */
-    float[] skin = new float[0];
+    /** Within a step: the circles' own, rows as those of kinds. */
+    float[] circleSurfaces = new float[0];
 
     /** Within a step: the surfaces of kinds and walls, by {@link KindSurface}. */
     float[] surfaces;
@@ -51,12 +49,12 @@ final class Turning {
 
     /** Memory of the arrays. */
     long bytes() {
-        return (2 * (4 + 4 + 4 * ContactRows.OF_WALLS) + 16 + 16L) * angle.length;
+        return (2 * (4 + 4 + 4 * ContactRows.OF_WALLS) + 16 + 4L * KindSurface.STRIDE) * angle.length;
     }
 
     /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int circles) {
-        if (circles > skin.length / CircleRow.STRIDE) {
+        if (KindSurface.of(circles) > circleSurfaces.length) {
             int[] newAngle = Arrays.copyOf(angle, circles);
             float[] newAngularVelocity = Arrays.copyOf(angularVelocity, circles);
             float[] newWallRows = Arrays.copyOf(wallRows, ContactRows.ofWalls(circles));
@@ -64,7 +62,7 @@ final class Turning {
             float[] newAngularVelocitySpare = new float[circles];
             float[] newWallRowsSpare = new float[ContactRows.ofWalls(circles)];
             float[] newSpin = new float[CircleRow.of(circles)];
-            float[] newSkin = new float[CircleRow.of(circles)];
+            float[] newCircleSurfaces = new float[KindSurface.of(circles)];
             angle = newAngle;
             angularVelocity = newAngularVelocity;
             wallRows = newWallRows;
@@ -72,7 +70,7 @@ final class Turning {
             angularVelocitySpare = newAngularVelocitySpare;
             wallRowsSpare = newWallRowsSpare;
             spin = newSpin;
-            skin = newSkin;
+            circleSurfaces = newCircleSurfaces;
         }
     }
 
@@ -111,18 +109,19 @@ final class Turning {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             int id = state.id[slot];
-            int row = KindSurface.of(state.fields.getInt(CircleField.KIND, id));
+            int kind = state.fields.getInt(CircleField.KIND, id);
             float friction = state.fields.getFloat(CircleField.FRICTION, id);
             float resistance = state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
+            int own = KindSurface.of(slot);
+            KindSurface.copy(surfaces, kind, circleSurfaces, slot);
+            circleSurfaces[own + KindSurface.FRICTION] =
+                    Surface.orOfKind(friction, circleSurfaces[own + KindSurface.FRICTION]);
+            circleSurfaces[own + KindSurface.ROLLING_RESISTANCE] =
+                    Surface.orOfKind(resistance, circleSurfaces[own + KindSurface.ROLLING_RESISTANCE]);
             spin[s + SURFACE_SPEED] = angularVelocity[slot] * state.circle[s + RADIUS];
             spin[s + SPIN_IMPULSE] = 0f;
             spin[s + TURNED] = 0f;
-            spin[s + INVERSE_INERTIA] = state.traits[s + INVERSE_MASS] * surfaces[row + KindSurface.INERTIA];
-            skin[s + CircleRow.FRICTION] = Surface.orOfKind(friction, surfaces[row + KindSurface.FRICTION]);
-            skin[s + CircleRow.ROLLING_RESISTANCE] =
-                    Surface.orOfKind(resistance, surfaces[row + KindSurface.ROLLING_RESISTANCE]);
-            skin[s + BELT] = surfaces[row + KindSurface.BELT];
-            skin[s + ANGULAR_FACTOR] = surfaces[row + KindSurface.DAMPING_FACTOR];
+            spin[s + INVERSE_INERTIA] = state.traits[s + INVERSE_MASS] * circleSurfaces[own + KindSurface.INERTIA];
         }
     }
 
@@ -132,9 +131,13 @@ final class Turning {
      */
     void start(int slot, StepConstants k) {
         int s = CircleRow.of(slot);
-        float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
-        float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
-        float before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, skin[s + ANGULAR_FACTOR]);
+        float before = spin[s + SURFACE_SPEED] + 0f;
+        if (surfaces[KindSurface.DRIVES] != 0f) {
+            float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
+            float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
+            float factor = circleSurfaces[KindSurface.of(slot) + KindSurface.DAMPING_FACTOR];
+            before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, factor);
+        }
         spin[s + SURFACE_SPEED] = Velocity.limitSpeed(before + spin[s + INVERSE_INERTIA] * spin[s + SPIN_IMPULSE]);
         spin[s + SPIN_IMPULSE] = before;
     }

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import static io.github.circles2d.world.model.CircleRow.BELT;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
@@ -89,12 +88,13 @@ final class WallRows {
     private void take(int slot, int axis, float side) {
         Turning t = state.turning;
         int s = CircleRow.of(slot);
+        int own = KindSurface.of(slot);
         rows.between(
-                t.skin,
-                s,
+                t.circleSurfaces,
+                own,
                 t.surfaces,
                 surface(axis, side),
-                t.skin[s + BELT],
+                t.circleSurfaces[own + KindSurface.BELT],
                 t.spin[s + INVERSE_INERTIA],
                 state.traits[s + INVERSE_MASS]);
         rows.surfaceSpeed = t.spin[s + SURFACE_SPEED];

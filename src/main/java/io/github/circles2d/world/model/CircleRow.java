@@ -47,12 +47,6 @@ public final class CircleRow {
     public static final int TURNED = 2;
     public static final int INVERSE_INERTIA = 3;
 
-    // skin, within a step
-    public static final int FRICTION = 0;
-    public static final int ROLLING_RESISTANCE = 1;
-    public static final int BELT = 2;
-    public static final int ANGULAR_FACTOR = 3; // the share of angular velocity that a sub-step leaves
-
     private CircleRow() {}
 
     public static int of(int slot) {

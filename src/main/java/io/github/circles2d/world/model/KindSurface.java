@@ -1,11 +1,14 @@
 package io.github.circles2d.world.model;
 
-/** The surfaces of circles by kind, and behind them those of walls: a row of floats each. Walls have belt, friction and rolling resistance. */
+/**
+ * Surfaces: a row of floats for each kind, and behind these for each wall, which has a belt, friction and rolling resistance alone. The
+ * surface of a circle is such a row too: that of its kind, with the circle's own values in it.
+ */
 public final class KindSurface {
-    /** Surface speed that the surface has besides that of turning, positive anticlockwise. */
+    /** Speed of the surface besides that of its rotation, positive anticlockwise. */
     public static final int BELT = 0;
 
-    /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not turn. */
+    /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not rotate. */
     public static final int INERTIA = 1;
 
     /** Share of angular velocity that a sub-step leaves. */
@@ -26,7 +29,7 @@ public final class KindSurface {
 
     public static final int FLOATS = STRIDE * (PairTable.KINDS + WallMotion.COUNT);
 
-    /** Meaningless unless {@link StepConstants#turning}. */
+    /** Meaningless unless circles can rotate, as {@link StepConstants#turning} says. */
     public final float[] rows = new float[FLOATS];
 
     public int version;
@@ -56,6 +59,11 @@ public final class KindSurface {
 
     public static int of(int kind) {
         return STRIDE * kind;
+    }
+
+    /** Gives a circle the surface of its kind. */
+    public static void copy(float[] from, int kind, float[] to, int circle) {
+        System.arraycopy(from, of(kind), to, of(circle), STRIDE);
     }
 
     /** The row of a wall, by {@link WallMotion#of}. */

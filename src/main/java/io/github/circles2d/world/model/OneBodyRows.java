@@ -23,18 +23,18 @@ public final class OneBodyRows {
     /** To be added to the circle's velocity along t. */
     public float gain;
 
-    /** Takes the surfaces of a circle and of a kind or wall; sumOfBelts: along t. */
+    /** Takes the surfaces of a circle and of a kind or wall, rows of {@link KindSurface}; sumOfBelts: along t. */
     public void between(
-            float[] skin,
+            float[] ofCircles,
             int circle,
-            float[] surfaces,
+            float[] others,
             int other,
             float sumOfBelts,
             float inverseInertia,
             float inverseMass) {
-        friction = Surface.friction(skin[circle + CircleRow.FRICTION], surfaces[other + KindSurface.FRICTION]);
+        friction = Surface.friction(ofCircles[circle + KindSurface.FRICTION], others[other + KindSurface.FRICTION]);
         resistance = CircleMath.max(
-                skin[circle + CircleRow.ROLLING_RESISTANCE], surfaces[other + KindSurface.ROLLING_RESISTANCE]);
+                ofCircles[circle + KindSurface.ROLLING_RESISTANCE], others[other + KindSurface.ROLLING_RESISTANCE]);
         belt = sumOfBelts;
         inertia = inverseInertia / inverseMass;
     }

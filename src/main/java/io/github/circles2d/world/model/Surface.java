@@ -1,7 +1,7 @@
 package io.github.circles2d.world.model;
 
 /**
- * Friction, rolling resistance and turning of discs.
+ * Friction, rolling resistance and rotation of discs.
  *
  * <p>The tangent t is the normal rotated 90 degrees anticlockwise. A surface speed is an angular velocity times a radius, positive anticlockwise. An
  * inverse inertia is the square of the radius over the angular inertia: what a surface speed gains by an impulse along the surface. Of a

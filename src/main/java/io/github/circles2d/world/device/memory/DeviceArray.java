@@ -135,11 +135,7 @@ public enum DeviceArray {
     SPIN_IMPULSE("float", "spinImpulse", Index.SLOT, "sum of impulses on it"),
     TURNED("float", "turned", Index.SLOT, "sum of the surface speeds of sub-steps"),
     INVERSE_INERTIA("float", "inverseInertia", Index.SLOT, "what a surface speed gains by an impulse"),
-    CIRCLE_SURFACE(
-            "float4",
-            "circleSurface",
-            Index.SLOT,
-            "friction, rolling resistance, belt speed, share of angular velocity that stays"),
+    CIRCLE_SURFACE("float8", "circleSurface", Index.SLOT, "a row as those of surfaces, see surfaceOfCircle"),
     HEAVY_SPIN("long2", "heavySpin", Index.SLOT, "as heavySum: surface speed, impulse on it"),
     LIGHT_SPIN("float", "lightSpin", Index.SLOT, "as lightVelocity: surface speed"),
     START_SPIN("float", "startSpin", Index.TILED_SLOT, "as drive: surface speed"),
@@ -367,7 +363,7 @@ public enum DeviceArray {
             case WorldTables.WALL_ROWS -> 2 * Float.BYTES * ContactRows.STRIDE;
             case "int2", "uint2", "float2", "ulong" -> 8;
             case "int4", "float4", "ulong2", "long2" -> 16;
-            case "long4" -> 32;
+            case "long4", "float8" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             case JointHead.NAME -> Integer.BYTES * JointHead.STRUCT.words();
             default -> throw new IllegalStateException(type + " has no size here");

@@ -105,11 +105,6 @@ enum ElementField {
     OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
     OWN_TORQUE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.TORQUE), 1),
 
-    FRICTION(DeviceArray.CIRCLE_SURFACE, CircleRow.FRICTION, 1),
-    ROLLING_RESISTANCE(DeviceArray.CIRCLE_SURFACE, CircleRow.ROLLING_RESISTANCE, 1),
-    BELT(DeviceArray.CIRCLE_SURFACE, CircleRow.BELT, 1),
-    ANGULAR_FACTOR(DeviceArray.CIRCLE_SURFACE, CircleRow.ANGULAR_FACTOR, 1),
-
     PAIR_FRICTION(DeviceArray.PAIR_SURFACE, 0, 1),
     TANGENT_MASS(DeviceArray.PAIR_SURFACE, 1, 1),
 
