@@ -85,7 +85,7 @@ typedef struct {
     float normalImpulse;
     bool loaded; // whether one of its circles is
 #ifdef TURNING
-    bool held; // whether friction or rolling resistance has acted, which the relaxing pass may have to take back
+    bool held; // whether another row has acted, which the relaxing pass may have to take back
 #endif
     // In the biased pass:
     float pushSpeed;

@@ -32,7 +32,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     float wall[2] = {t->WALL_X, t->WALL_Y};
 #ifdef TURNING
     turning->s = startedSpin(w, slot, c.RADIUS, turning->s, spinSum);
-    startWallGrips(w, c, wall, next, turning);
+    startWallRows(w, c, wall, next, turning);
 #endif
     float target[2];
     float low[2] = {k->minX, k->minY};

@@ -1,4 +1,4 @@
-// uses: world/shared/PieceSweep.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/PieceSweep.cl world/shared/PieceTouch.cl world/shared/OneBody.cl world/shared/OneBodyRows.cl
 // Visits of pieces of terrain, by the circles that are near them, behind those of walls: the Java class PieceVisits. A circle has its piece
 // contacts to itself, so what a pass notes of them lies in global memory. Loops stay loops, in functions that are called once: few circles
 // come here, and all others would pay for the registers.
@@ -64,7 +64,8 @@ bool isTwoSided(const World *w, int4 traits) {
 // The piece is no constraint of the circle now.
 void leavePiece(const World *w, int k) {
     w->piece[k].TOUCHED_FEATURE = AT_NOTHING;
-    w->push[k].PUSH_IMPULSES = (float3)(0.0f);
+    w->push[k].PUSH_NORMAL = 0.0f;
+    w->pieceRows[k] = (RowImpulses)(0.0f);
     w->standing[k].STANDING_BOUNCE = 0.0f;
 }
 
@@ -214,27 +215,24 @@ float restitutionAt(const World *w, float own, int kind) {
 
 #ifdef TURNING
 // impulse: along the tangent.
-void takeGrip(float4 g, float impulse, float4 *m) {
+void pushAlong(float4 g, float impulse, float4 *m) {
     m->VX += -g.MEASURED_Y * impulse;
     m->VY += g.MEASURED_X * impulse;
 }
 
-void gripPiece(const World *w, int k, int kind, float4 g, float along, float normalImpulse, bool keep, float4 *m, Turning *turning) {
+void visitPieceRows(const World *w, int k, int kind, float4 g, float along, float normalImpulse, bool keep, float4 *m, Turning *turning) {
     Between b = betweenSurfaces(w, turning, kind);
-    if (!(b.friction > 0.0f || b.resistance > 0.0f)) return;
-    float4 push = w->push[k];
-    float friction_ = push.PUSH_FRICTION;
-    float rolling_ = push.PUSH_ROLLING;
-    takeGrip(g, visitGrip(turning, &b, &friction_, &rolling_, along, b.belt + turning->skin.BELT, normalImpulse, keep), m);
-    w->push[k].PUSH_FRICTION = friction_;
-    w->push[k].PUSH_ROLLING = rolling_;
+    if (!oneBodyRowsAct(&b)) return;
+    RowImpulses i = w->pieceRows[k];
+    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], normalImpulse, keep), m);
+    w->pieceRows[k] = i;
 }
 #endif
 
 // The warm start of a contact.
 void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *turning)) {
     int4 touched = w->piece[k];
-    float4 push = w->push[k];
+    float2 push = w->push[k];
     float allowed = isConstraint(touched) ? minf(w->measured[k].MEASURED_GAP, 0.0f) : 0.0f;
     w->standing[k].STANDING_ALLOWED = allowed;
     if (allowed < -JAMMED * r) {
@@ -242,31 +240,28 @@ void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *t
         w->push[k].PUSH_NORMAL = 0.0f;
     }
     if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
-        w->push[k].PUSH_FRICTION = 0.0f;
-        w->push[k].PUSH_ROLLING = 0.0f;
+        w->pieceRows[k] = (RowImpulses)(0.0f);
         return;
     }
     float4 g = w->measured[k];
     m->VX += g.MEASURED_X * push.PUSH_NORMAL;
     m->VY += g.MEASURED_Y * push.PUSH_NORMAL;
 #ifdef TURNING
-    if (push.PUSH_FRICTION == 0.0f && push.PUSH_ROLLING == 0.0f) return;
+    RowImpulses i = w->pieceRows[k];
+    if (!rowsHold(i)) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
-    float friction_ = push.PUSH_FRICTION;
-    float rolling_ = push.PUSH_ROLLING;
-    takeGrip(g, warmGrip(turning, &b, &friction_, &rolling_), m);
-    w->push[k].PUSH_FRICTION = friction_;
-    w->push[k].PUSH_ROLLING = rolling_;
+    pushAlong(g, warmOneBodyRows(turning, &b, &i), m);
+    w->pieceRows[k] = i;
 #endif
 }
 
 #ifdef RECORDING
 #ifdef TURNING
-// How fast surfaces slide that grip. u: velocity against that of the piece; s: surface speed of the circle.
+// How fast surfaces slide that have friction. u: velocity against that of the piece; s: surface speed of the circle.
 float slipAtPiece(const World *w, const Turning *turning, int kind, float4 g, float2 u, float s) {
     Between b = betweenSurfaces(w, turning, kind);
     float along = g.MEASURED_X * u.y - g.MEASURED_Y * u.x;
-    return hitSlip(b.friction, along, 0.0f, s, b.belt + turning->skin.BELT);
+    return slipOfOneBody(&b, along, s, b.belt + turning->surface[SURFACE_BELT]);
 }
 #endif
 #endif
@@ -319,7 +314,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     m->VY += ny * change;
     w->push[k].PUSH_NORMAL = visited.normalImpulse;
 #ifdef TURNING
-    if (bounces) gripPiece(w, k, traits.TRAIT_KIND, g, along, change, false, m, turning);
+    if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, change, false, m, turning);
 #endif
 }
 
@@ -355,10 +350,13 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     int4 touched = w->piece[k];
     if (!isConstraint(touched)) return;
     float4 g = w->measured[k];
-    float4 push = w->push[k];
+    float2 push = w->push[k];
     float gap = g.MEASURED_GAP;
     float bounce = w->standing[k].STANDING_BOUNCE;
-    bool held = push.PUSH_FRICTION != 0.0f || push.PUSH_ROLLING != 0.0f;
+    bool held = false;
+#ifdef TURNING
+    held = rowsHold(w->pieceRows[k]);
+#endif
     if (gap > 0.0f && !(push.PUSH_NORMAL > 0.0f) && !(bounce > 0.0f) && !held) return;
     int4 traits = pieceTraits(w, touched.TOUCHED_PIECE);
     float2 surface =
@@ -390,7 +388,7 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
     }
 #ifdef TURNING
     float normal = visited.solved ? visited.whole : visited.leaves ? push.PUSH_NORMAL : visited.impulse;
-    gripPiece(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, normal, visited.solved && !(bounce > 0.0f), m, turning);
+    visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, normal, visited.solved && !(bounce > 0.0f), m, turning);
 #endif
 }
 
@@ -586,6 +584,7 @@ void finalizePieces(const World *w, int slot) {
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {
         w->homePiece[k] = w->piece[k].TOUCHED;
         w->homePush[k] = w->push[k];
+        w->homePieceRows[k] = w->pieceRows[k];
     }
 }
 #endif

@@ -2,12 +2,15 @@
 // Friction, rolling resistance and turning. The Java class Surface documents these formulas.
 
 #ifdef TURNING
+// Whether some row of a contact has acted, which a visit may have to take back.
+bool rowsHold(RowImpulses i) { return any(i != 0.0f); }
+
 float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
 float friction(float a, float b) { return sqrt(a * b); }
-float tangentMass(float wA, float iA, float wB, float iB) { return 1.0f / ((wA + iA) + (wB + iB)); }
 
-float crossTangentMass(float wLight, float iLight, float wHeavy, float iHeavy, float share) {
-    return 1.0f / ((wLight + iLight) + share * (wHeavy + iHeavy));
+// share: 1, or of B if it is heavy.
+float tangentMass(float wA, float iA, float wB, float iB, float share) {
+    return 1.0f / ((wA + iA) + share * (wB + iB));
 }
 
 float slip(float along, float sA, float sB, float belt) { return (along - (sA + sB)) - belt; }

@@ -8,19 +8,17 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     bool any = w->surfaces[SURFACE_OWN] != 0.0f;
     int2 turn_ = w->homeTurn[from];
     float4 own = any ? w->homeOwn[from] : INITIAL_OWN;
-    float4 skin = (float4)(0.0f);
-    skin.FRICTION = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
-    skin.ROLLING_RESISTANCE = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
-    skin.BELT = kind[SURFACE_BELT];
-    skin.ANGULAR_FACTOR = kind[SURFACE_DAMPING_FACTOR];
+    global float *surface = surfaceOfCircle(w, slot);
+    vstore8(vload8(0, kind), 0, surface);
+    surface[SURFACE_FRICTION] = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
+    surface[SURFACE_ROLLING_RESISTANCE] = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
     w->turn[slot] = turn_;
     if (any) w->own[slot] = own;
-    w->wallGrip[slot] = w->homeWallGrip[from];
+    w->wallRows[slot] = w->homeWallRows[from];
     w->surfaceSpeed[slot] = as_float(turn_.ANGULAR_VELOCITY) * c.RADIUS;
     w->spinImpulse[slot] = 0.0f;
     w->turned[slot] = 0.0f;
     w->inverseInertia[slot] = inverseMass * kind[SURFACE_INERTIA];
-    w->skin[slot] = skin;
 }
 
 // The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
@@ -30,7 +28,7 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     float before = s + 0.0f;
     if (w->surfaces[SURFACE_DRIVES] != 0.0f) {
         float torque = w->surfaces[SURFACE_OWN] != 0.0f ? w->own[slot].OWN_TORQUE : 0.0f;
-        before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), w->skin[slot].ANGULAR_FACTOR);
+        before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), surfaceOfCircle(w, slot)[SURFACE_DAMPING_FACTOR]);
     }
 #ifdef RECORDING
     w->spinImpulse[slot] = before;
@@ -39,19 +37,18 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
 }
 
 // The warm start of walls that press. stored: their impulses; v: velocity.
-void startWallGrips(const World *w, float4 c, const float *stored, float *v, Turning *t) {
+void startWallRows(const World *w, float4 c, const float *stored, float *v, Turning *t) {
     float x[2] = {c.x, c.y};
     float low[2] = {w->k.minX, w->k.minY};
     float high[2] = {w->k.maxX, w->k.maxY};
     if (stored[0] == 0.0f && stored[1] == 0.0f) return;
     for (int axis = 0; axis < 2; axis++) {
-        if (!isHeld(t, axis)) continue;
+        if (!rowsHold(t->walls[axis])) continue;
         float side = wallSide(x[axis], low[axis], high[axis]);
         if (wallImpulse(stored[axis], side) > 0.0f) {
-            warmGripOfWall(w, t, axis, side, wallOf(axis, side), v + (1 - axis));
+            warmWallRows(w, t, axis, side, wallOf(axis, side), v + (1 - axis));
         } else {
-            t->friction[axis] = 0.0f;
-            t->rolling[axis] = 0.0f;
+            t->walls[axis] = (RowImpulses)(0.0f);
         }
     }
 }
@@ -71,7 +68,7 @@ void finalizeTurning(const World *w, int slot, float r) {
     next.ANGLE = turn(old.ANGLE, w->turned[slot], w->k.h, r);
     next.ANGULAR_VELOCITY = as_int(angularVelocity(omega, omega * r, w->surfaceSpeed[slot], r));
     w->homeTurn[slot] = next;
-    w->homeWallGrip[slot] = w->wallGrip[slot];
+    w->homeWallRows[slot] = w->wallRows[slot];
     if (w->surfaces[SURFACE_OWN] != 0.0f) w->homeOwn[slot] = w->own[slot];
 }
 #endif

@@ -1,8 +1,40 @@
-// uses: world/shared/Walls.cl world/shared/OneBody.cl world/shared/OneBodyGrip.cl
+// uses: world/shared/Walls.cl world/shared/OneBody.cl world/shared/OneBodyRows.cl
 // Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
 
 #if defined(RECORDING) || defined(TURNING)
 int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
+#endif
+
+#ifdef TURNING
+Between betweenWall(const World *w, const Turning *t, int wall) { return betweenSurfaces(w, t, SURFACE_OF_WALLS + wall); }
+
+// The part of the tangent along a wall.
+float tangentAlong(int axis, float side) { return axis == 0 ? side : -side; }
+
+// v: velocity along the wall; belt: of the wall.
+float againstWall(int axis, float side, float v, float belt) { return tangentAlong(axis, side) * (v - belt); }
+
+#ifdef RECORDING
+// v: velocity along the wall; s: surface speed.
+float slipAtWall(const World *w, const Turning *t, int axis, float side, int wall, float v, float s) {
+    Between b = betweenWall(w, t, wall);
+    return slipOfOneBody(&b, againstWall(axis, side, v, b.belt), s, t->surface[SURFACE_BELT]);
+}
+#endif
+
+// As warmOneBodyRows. along: velocity along the wall.
+void warmWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along) {
+    Between b = betweenWall(w, t, wall);
+    *along += tangentAlong(axis, side) * warmOneBodyRows(t, &b, t->walls + axis);
+}
+
+// As visitOneBodyRows.
+void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along, float normalImpulse, bool keep) {
+    Between b = betweenWall(w, t, wall);
+    if (!oneBodyRowsAct(&b)) return;
+    float speed = againstWall(axis, side, *along, b.belt);
+    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], normalImpulse, keep);
+}
 #endif
 
 // If it moves, where it will be at the end of the sub-step.
@@ -35,7 +67,7 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     *stored = side * visited.normalImpulse;
 #ifdef TURNING
     bool bounces = !visited.solved && !visited.leaves;
-    if (bounces) gripWall(w, turning, axis, side, wall, along, visited.impulse, false);
+    if (bounces) visitWallRows(w, turning, axis, side, wall, along, visited.impulse, false);
 #endif
     return visited.leaves ? v : v + side * visited.impulse;
 }
@@ -48,7 +80,7 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     Visited visited;
 #ifdef TURNING
-    f.held = isHeld(turning, axis);
+    f.held = rowsHold(turning->walls[axis]);
 #endif
     relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
     // +0 at either wall after a bounce: the signs of zeros are state.
@@ -56,7 +88,7 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
 #ifdef TURNING
     if (!visited.still) {
         float normal = visited.solved ? visited.whole : visited.leaves ? 0.0f : visited.impulse;
-        gripWall(w, turning, axis, side, wall, along, normal, visited.solved && !(bounce > 0.0f));
+        visitWallRows(w, turning, axis, side, wall, along, normal, visited.solved && !(bounce > 0.0f));
     }
 #endif
     return visited.leaves ? v : v + side * visited.impulse;

@@ -28,7 +28,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.fields[circleId] = initial;
 #ifdef TURNING
             w.homeTurn[slot] = (int2)(0);
-            w.homeWallGrip[slot] = (float4)(0.0f);
+            w.homeWallRows[slot] = (WallRows)(0.0f);
             w.homeOwn[slot] = INITIAL_OWN;
 #endif
 #ifdef TERRAIN
@@ -54,7 +54,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
 #ifdef TURNING
-            w.homeWallGrip[slot] = (float4)(0.0f);
+            w.homeWallRows[slot] = (WallRows)(0.0f);
 #endif
 #ifdef TERRAIN
             w.homePieces[slot] = (int2)(0);
@@ -69,7 +69,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.homeTraits[slot].WALLS = (float2)(0.0f);
 #ifdef TURNING
-            w.homeWallGrip[slot] = (float4)(0.0f);
+            w.homeWallRows[slot] = (WallRows)(0.0f);
 #endif
 #ifdef TERRAIN
             w.homePieces[slot] = (int2)(0);

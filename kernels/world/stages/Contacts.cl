@@ -1,4 +1,4 @@
-// uses: world/shared/Visit.cl world/stages/Neighbours.cl world/stages/Grips.cl
+// uses: world/shared/Visit.cl world/stages/Neighbours.cl world/shared/PairRows.cl
 // Stage Contacts by colours: orders the contacts of a group, measures them, and starts them warm.
 
 // g: see loadAlong.
@@ -13,11 +13,11 @@ void gatherLoad(const World *w, uint2 p, float2 g, bool carrying) {
 }
 
 #ifdef TURNING
-// Adds what is accumulated to the sums of impulses on surface speeds.
+// Adds the impulses of rows to the sums of impulses on surface speeds.
 void gatherSpin(const World *w, int c, uint2 p) {
-    float4 skin = w->pairSkin[c];
-    if (!doesGrip(skin)) return;
-    float2 of = spinImpulses(w, p, skin, w->grip[c]);
+    PairSurface s = surfaceAt(w, c);
+    if (!rowsAct(&s)) return;
+    float2 of = spinImpulses(w, p, &s, w->rowImpulses[c]);
     w->spinImpulse[p.LOWER] += of.x;
     w->spinImpulse[p.HIGHER] += of.y;
 }
@@ -54,7 +54,8 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
         bool carrying;
         float4 n = fillContact(&w, c, &carrying);
 #ifdef TURNING
-        fillLikeGrip(&w, c, w.pair[c], (int) w.key[c]);
+        uint2 p = w.pair[c];
+        fillRows(&w, c, p, (int) w.key[c], p.LOWER, p.HIGHER, 1.0f);
         gatherSpin(&w, c, w.pair[c]);
 #endif
         gatherLoad(&w, w.pair[c], loadOf(&w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);

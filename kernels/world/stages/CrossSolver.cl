@@ -1,4 +1,4 @@
-// uses: world/shared/CrossRule.cl world/stages/CrossTurns.cl world/stages/Grips.cl world/stages/Solver.cl
+// uses: world/shared/CrossRule.cl world/stages/CrossTurns.cl world/shared/PairRows.cl world/stages/Solver.cl
 // Cross contacts, behind the like contacts of each pass, in two launches. Light circles visit theirs and see heavy ones as before; then
 // heavy circles take the sums. The Java class world.jvm.CrossBodies does the same.
 
@@ -61,22 +61,11 @@ void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
 // By tiles, tiles leave it apart, as the circles' motion.
 global float *crossSpeeds(const World *w) { return w->k.tiled ? w->solvedSpin : w->surfaceSpeed; }
 
-void fillCrossGrip(const World *w, int c, const Cross *x) {
-    float share = crossShare(w->crossLoad[x->heavy]);
-    float iLight = w->inverseInertia[x->light];
-    float iHeavy = w->inverseInertia[x->heavy];
-    float4 skin = skinOfPair(w, x->light, x->heavy);
-    skin.TANGENT_MASS =
-        crossTangentMass(w->traits[x->light].INVERSE_MASS, iLight, w->traits[x->heavy].INVERSE_MASS, iHeavy, share);
-    fillGrip(w, c, w->pair[c], (int) w->key[c], skin,
-             rollingMass(w->circle[x->light].RADIUS, iLight, w->circle[x->heavy].RADIUS, iHeavy, share));
-}
-
 // As gatherSpin.
 void gatherCrossSpin(const World *w, int c, const Cross *x) {
-    float4 skin = w->pairSkin[c];
-    if (!doesGrip(skin)) return;
-    float2 of = spinImpulses(w, w->pair[c], skin, w->grip[c]);
+    PairSurface s = surfaceAt(w, c);
+    if (!rowsAct(&s)) return;
+    float2 of = spinImpulses(w, w->pair[c], &s, w->rowImpulses[c]);
     w->spinImpulse[x->light] += x->isLightLower ? of.x : of.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addFixed((global long *) (w->heavySpin + x->heavy) + 1,
@@ -89,11 +78,11 @@ float crossSpeedAlong(const World *w, const Cross *x, float2 n, float2 v) {
     return speedAlong(n, x->isLightLower ? v : heavy, x->isLightLower ? heavy : v);
 }
 
-// As gripContact. v, s: velocity and surface speed of the light circle.
-void gripCross(const World *w, int c, const Cross *x, float2 n, float along, float normalImpulse, bool keep, float2 *v, float *s) {
-    float4 skin = w->pairSkin[c];
-    if (!doesGrip(skin)) return;
-    float4 g = w->grip[c];
+// As visitRowsAt. v, s: velocity and surface speed of the light circle.
+void visitCrossRows(const World *w, int c, const Cross *x, float2 n, float along, float normalImpulse, bool keep, float2 *v, float *s) {
+    PairSurface surface = surfaceAt(w, c);
+    if (!rowsAct(&surface)) return;
+    RowImpulses i = w->rowImpulses[c];
     float4 q = w->masses[c];
     uint2 pr = w->pair[c];
     bool lower = x->isLightLower;
@@ -106,10 +95,10 @@ void gripCross(const World *w, int c, const Cross *x, float2 n, float along, flo
                 .isHeavyA = !lower, .isHeavyB = lower, .scale = scaleOf(velocityRangeOf(w, x->heavy)),
                 .velocitySums = moves ? sumsOf(w, x->heavy) : 0,
                 .spinSum = moves ? (global long *) (w->heavySpin + x->heavy) : 0};
-    gripPair(&b, skin, &g, n, along, normalImpulse, keep);
+    visitRows(&b, &surface, &i, n, along, normalImpulse, keep);
     *v = lower ? b.va : b.vb;
     *s = lower ? b.sa : b.sb;
-    w->grip[c] = g;
+    w->rowImpulses[c] = i;
 }
 #endif
 
@@ -119,7 +108,7 @@ void fillCrossContact(const World *w, int c, int light) {
     float4 n = fillContact(w, c, &carrying);
     if (w->k.tiled) w->ordered[c] = w->pair[c];
 #ifdef TURNING
-    fillCrossGrip(w, c, &x);
+    fillRows(w, c, w->pair[c], (int) w->key[c], x.light, x.heavy, crossShare(w->crossLoad[x.heavy]));
     gatherCrossSpin(w, c, &x);
 #endif
     gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
@@ -176,7 +165,7 @@ void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(f
 #endif
     visitCross(w, &x, &p, &visit_, false, v, &visited);
 #ifdef TURNING
-    if (bouncesFreely(&visited)) gripCross(w, c, &x, n, along, visited.impulse, false, v, s);
+    if (bouncesFreely(&visited)) visitCrossRows(w, c, &x, n, along, visited.impulse, false, v, s);
 #endif
     keepSolved(w, c, &visit_, &visited);
 }
@@ -194,8 +183,8 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
     float next = visited.normalImpulse;
 #ifdef TURNING
-    if (!visited.still) gripCross(w, c, &x, n, along, gripImpulse(&visited), keepsGrip(&visit_, &visited), v, s);
-    if (last) storeGrip(w, c);
+    if (!visited.still) visitCrossRows(w, c, &x, n, along, impulseForRows(&visited), keepsRows(&visit_, &visited), v, s);
+    if (last) storeRows(w, c);
 #endif
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);

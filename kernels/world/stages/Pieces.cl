@@ -120,17 +120,20 @@ void goOnTouching(const World *w, const PieceSeeker *s, int2 old) {
     for (int k = s->first; k < s->first + s->count; k++) {
         int4 touched = w->piece[k];
         while (from < end && w->homePiece[from].TOUCHED_PIECE < touched.TOUCHED_PIECE) from++;
-        float4 push = (float4)(0.0f);
+        float2 push = (float2)(0.0f);
+        RowImpulses rows = (RowImpulses)(0.0f);
         if (from < end) {
             int2 before = w->homePiece[from];
             if (before.TOUCHED_PIECE == touched.TOUCHED_PIECE && before.TOUCHED_SERIAL == touched.TOUCHED_SERIAL) {
                 push = w->homePush[from];
+                rows = w->homePieceRows[from];
             }
         }
         // measurePieces finds the side of a piece with a front that only senses.
         bool sought = touched.TOUCHED_RESPONSE == PAIR_SOLID || isTwoSided(w, pieceTraits(w, touched.TOUCHED_PIECE));
         if (push.PUSH_SIDE == 0.0f && sought) push.PUSH_SIDE = sideOfPiece(w, s->c, touched.TOUCHED_PIECE);
         w->push[k] = push;
+        w->pieceRows[k] = rows;
         w->standing[k] = (float4)(0.0f);
     }
 }

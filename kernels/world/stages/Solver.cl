@@ -1,4 +1,4 @@
-// uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/stages/Grips.cl world/stages/Touches.cl
+// uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/shared/PairRows.cl world/stages/Touches.cl
 // Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.Solver does the same.
 
 // Without impulses of walls; false if that is not all. m: motion; l: load.
@@ -42,7 +42,7 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
 #endif
 #ifdef TURNING
     w->surfaceSpeed[slot] = turning.s;
-    keepWallGrip(w, slot, &turning);
+    keepWallRows(w, slot, &turning);
 #endif
     w->motion[slot] = m;
     w->traits[slot] = t;
@@ -60,7 +60,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 #ifdef TURNING
     Turning turning = turningOf(w, slot, t, moveTurning(w, slot, w->surfaceSpeed[slot]));
     w->spinImpulse[slot] = 0.0f;
-    atWall = atWall || isHeld(&turning, 0) || isHeld(&turning, 1);
+    atWall = atWall || rowsHold(turning.walls[0]) || rowsHold(turning.walls[1]);
 #endif
 #ifdef TERRAIN
     float2 from = m.DISPLACEMENT;
@@ -81,7 +81,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
         }
 #endif
 #ifdef TURNING
-        keepWallGrip(w, slot, &turning);
+        keepWallRows(w, slot, &turning);
 #endif
         storeWalls(w, slot, walls, t.WALLS);
     }
@@ -103,8 +103,7 @@ Pair pairAt(const World *w, int c, float4 n, float loads) {
               .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
               .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
 #ifdef TURNING
-    float4 g = w->grip[c];
-    p.held = g.FRICTION_IMPULSE != 0.0f || g.ROLLING_IMPULSE != 0.0f;
+    p.held = rowsHold(w->rowImpulses[c]);
 #endif
     return p;
 }
@@ -143,6 +142,30 @@ float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bo
     return vn;
 }
 
+#ifdef TURNING
+// The other rows of a contact of one level. n: normal; along: see speedAlong; keep: whether impulses accumulate.
+void visitRowsAt(const World *w, int c, uint2 pr, float2 n, float along, float normalImpulse, bool keep) {
+    PairSurface s = surfaceAt(w, c);
+    if (!rowsAct(&s)) return;
+    RowImpulses i = w->rowImpulses[c];
+    float4 q = w->masses[c];
+    float4 ma = w->motion[pr.LOWER];
+    float4 mb = w->motion[pr.HIGHER];
+    Bodies b = {.va = ma.VELOCITY, .vb = mb.VELOCITY, .sa = w->surfaceSpeed[pr.LOWER], .sb = w->surfaceSpeed[pr.HIGHER],
+                .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
+                .ib = w->inverseInertia[pr.HIGHER],
+                .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS, .isHeavyA = false, .isHeavyB = false};
+    visitRows(&b, &s, &i, n, along, normalImpulse, keep);
+    ma.VELOCITY = b.va;
+    mb.VELOCITY = b.vb;
+    w->motion[pr.LOWER] = ma;
+    w->motion[pr.HIGHER] = mb;
+    w->surfaceSpeed[pr.LOWER] = b.sa;
+    w->surfaceSpeed[pr.HIGHER] = b.sb;
+    w->rowImpulses[c] = i;
+}
+#endif
+
 void keepSolved(const World *w, int c, const Visit *v, const Visited *visited) {
     w->masses[c].BOUNCE = v->ready.bounce;
     w->contact[c].NORMAL_IMPULSE = visited->normalImpulse;
@@ -168,7 +191,7 @@ void solveContact(const World *w, int c) {
     visitAt(w, pr, ma, mb, &v, false, &visited);
 #ifdef TURNING
     float2 n = (float2)(v.nx, v.ny);
-    if (bouncesFreely(&visited)) gripContact(w, c, pr, n, speedAlong(n, ma.VELOCITY, mb.VELOCITY), visited.impulse, false);
+    if (bouncesFreely(&visited)) visitRowsAt(w, c, pr, n, speedAlong(n, ma.VELOCITY, mb.VELOCITY), visited.impulse, false);
 #endif
     keepSolved(w, c, &v, &visited);
 }
@@ -185,8 +208,8 @@ void relaxContact(const World *w, int c, bool last) {
 #ifdef TURNING
     float2 n = (float2)(v.nx, v.ny);
     float along = speedAlong(n, ma.VELOCITY, mb.VELOCITY);
-    if (!visited.still) gripContact(w, c, pr, n, along, gripImpulse(&visited), keepsGrip(&v, &visited));
-    if (last) storeGrip(w, c);
+    if (!visited.still) visitRowsAt(w, c, pr, n, along, impulseForRows(&visited), keepsRows(&v, &visited));
+    if (last) storeRows(w, c);
 #endif
     if (last) {
         if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);

@@ -1,4 +1,4 @@
-// uses: world/shared/Wall.cl world/shared/PieceSensor.cl world/shared/PieceVisit.cl world/stages/Events.cl world/stages/Grips.cl
+// uses: world/shared/Wall.cl world/shared/PieceSensor.cl world/shared/PieceVisit.cl world/stages/Events.cl world/shared/PairRows.cl
 // Records what contacts and walls do in a step that reports events, and tells of it and of pieces of terrain. The Java classes Touches,
 // WallTouches and PieceTouches are the same.
 //
@@ -59,9 +59,9 @@ void noteSolvedContact(const World *w, global float4 *touch, int c, float notKep
     float approach = approachSpeed(dotf(n.NORMAL_X, n.NORMAL_Y, before.x, before.y));
     t[1].zw = (float2)(approach, notKept);
 #ifdef TURNING
-    float4 skin = w->pairSkin[c];
-    float along = speedAlong(n.NORMAL, w->load[pr.LOWER].BEFORE, w->load[pr.HIGHER].BEFORE);
-    touchSlips(w)[c].x = hitSlip(skin.PAIR_FRICTION, along, w->spinImpulse[pr.LOWER], w->spinImpulse[pr.HIGHER], skin.PAIR_BELT);
+    PairSurface s = surfaceAt(w, c);
+    touchSlips(w)[c].x = slipOfPair(&s, n.NORMAL, w->load[pr.LOWER].BEFORE, w->load[pr.HIGHER].BEFORE, w->spinImpulse[pr.LOWER],
+                                    w->spinImpulse[pr.HIGHER]);
 #endif
     noteTouch(w, t, c, approach, n, n.NORMAL_IMPULSE + notKept, n.SEPARATION);
 }

@@ -70,14 +70,14 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #endif
 #ifdef TURNING
     w->startSpin[slot] = turning.s;
-    keepWallGrip(w, slot, &turning);
+    keepWallRows(w, slot, &turning);
 #endif
     storeWalls(w, slot, walls, t.WALLS);
     w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
     w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
     w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
 #ifdef TURNING
-    if (isHeld(&turning, 0) || isHeld(&turning, 1)) return true;
+    if (rowsHold(turning.walls[0]) || rowsHold(turning.walls[1])) return true;
 #endif
 #ifdef TERRAIN
     if (atPieces) return true;
@@ -118,7 +118,7 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
 #endif
 #ifdef TURNING
         s = turning.s;
-        keepWallGrip(w, slot, &turning);
+        keepWallRows(w, slot, &turning);
 #endif
         storeWalls(w, slot, walls, t.WALLS);
     }

@@ -1,4 +1,4 @@
-// uses: world/stages/Contacts.cl world/stages/Grips.cl world/tiles/Tiles.cl
+// uses: world/stages/Contacts.cl world/shared/PairRows.cl world/tiles/Tiles.cl
 // Stage Contacts by tiles: puts listed contacts in order within their groups.
 
 // In a cache line: a tile's copies begin with one.
@@ -53,8 +53,8 @@ void linkContact(const World *w, int listed) {
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
 #ifdef TURNING
-    fillLikeGrip(w, c, p, (int) ids);
-    w->startSpins[c] = doesGrip(w->pairSkin[c]) ? spinImpulses(w, p, w->pairSkin[c], w->grip[c]) : (float2)(0.0f);
+    PairSurface s = fillRows(w, c, p, (int) ids, p.LOWER, p.HIGHER, 1.0f);
+    w->startSpins[c] = rowsAct(&s) ? spinImpulses(w, p, &s, w->rowImpulses[c]) : (float2)(0.0f);
 #endif
     startImpulsesOf(w)[c] = loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE);
     startingOf(w)[c] = n;

@@ -375,17 +375,10 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 
 #ifdef TURNING
 // Of a contact as it is listed.
-void copyGrip(const World *w, int copy, int listed) {
-    float4 skin = w->pairSkin[listed];
-    bool plain = skin.PAIR_BELT == 0.0f && !(skin.ROLLING_REACH > 0.0f);
-    w->copiedGrip[copy] = (float2)(skin.PAIR_FRICTION, plain ? skin.TANGENT_MASS : -skin.TANGENT_MASS);
-    if (!plain) {
-        float4 roll = (float4)(0.0f);
-        roll.COPIED_BELT = skin.PAIR_BELT;
-        roll.COPIED_REACH = skin.ROLLING_REACH;
-        roll.COPIED_ROLLING_MASS = w->grip[listed].ROLLING_MASS;
-        w->copiedRoll[copy] = roll;
-    }
+void copySurface(const World *w, int copy, int listed) {
+    float2 stored = w->pairSurface[listed];
+    w->copiedSurface[copy] = stored;
+    if (hasRest(stored)) w->copiedRest[copy] = w->pairRest[listed];
 }
 #endif
 
@@ -413,15 +406,15 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
 #ifdef TURNING
-            copyGrip(w, copy, contact[n].PLACED_CONTACT & ~NOT_OWN);
-            float4 held = w->grip[contact[n].PLACED_CONTACT & ~NOT_OWN];
+            copySurface(w, copy, contact[n].PLACED_CONTACT & ~NOT_OWN);
+            RowImpulses held = w->rowImpulses[contact[n].PLACED_CONTACT & ~NOT_OWN];
 #endif
             if (contact[n].PLACED_CONTACT < 0) continue;
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
             placed[place].PLACED_CONTACT = number;
             w->held[number] = normal[n].NORMAL_IMPULSE;
 #ifdef TURNING
-            w->heldGrip[number] = (float2)(held.FRICTION_IMPULSE, held.ROLLING_IMPULSE);
+            w->heldRows[number] = held;
 #endif
 #ifdef RECORDING
             clearTouch(w, number);

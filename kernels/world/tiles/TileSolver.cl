@@ -281,7 +281,7 @@ void storeHeldImpulse(const World *w, int c) {
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
 #ifdef TURNING
-    w->cachedGrip[c] = heldBefore(w, w->k.subSteps)[c];
+    w->rowCache[c] = rowsBefore(w, w->k.subSteps)[c];
 #endif
     storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }

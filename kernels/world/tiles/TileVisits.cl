@@ -95,7 +95,8 @@ typedef struct {
     float2 impulse; // in the biased pass without a bounce
 #ifdef TURNING
     int copy;
-    float2 grip, held; // in the relaxing pass: as in copiedGrip, heldGrip
+    float2 surface;   // in the relaxing pass: as in copiedSurface
+    RowImpulses rows; // in the relaxing pass: of rows, as the one before has left them
 #endif
 #ifdef RECORDING
     float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
@@ -103,9 +104,9 @@ typedef struct {
 } Reading;
 
 #ifdef TURNING
-// As a relaxing pass finds them. Behind it they are where the next one looks.
-global float2 *heldBefore(const World *w, int subStep) { return subStep & 1 ? w->oddGrip : w->heldGrip; }
-global float2 *heldBehind(const World *w, int subStep) { return subStep & 1 ? w->heldGrip : w->oddGrip; }
+// Impulses of rows as a relaxing pass finds them. Behind it they are where the next one looks.
+global RowImpulses *rowsBefore(const World *w, int subStep) { return subStep & 1 ? w->oddRows : w->heldRows; }
+global RowImpulses *rowsBehind(const World *w, int subStep) { return subStep & 1 ? w->heldRows : w->oddRows; }
 #endif
 
 void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
@@ -115,8 +116,8 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
 #ifdef TURNING
     reading->copy = entry.copy;
     if (relaxing) {
-        reading->grip = w->copiedGrip[entry.copy];
-        reading->held = heldBefore(w, w->relaxed)[c];
+        reading->surface = w->copiedSurface[entry.copy];
+        reading->rows = rowsBefore(w, w->relaxed)[c];
     }
 #endif
     reading->normal = copiesOf(w)[entry.copy];
@@ -135,7 +136,8 @@ typedef struct {
     Visit visit;
 #ifdef TURNING
     int copy;
-    float2 grip, held;
+    float2 surface;
+    RowImpulses rows;
 #endif
 #ifdef RECORDING
     float separation, radii;
@@ -156,9 +158,9 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     v->contact = r->contact;
 #ifdef TURNING
     v->copy = r->copy;
-    v->grip = r->grip;
-    v->held = r->held;
-    p.held = relaxing && (r->held.HELD_FRICTION != 0.0f || r->held.HELD_ROLLING != 0.0f);
+    v->surface = r->surface;
+    v->rows = r->rows;
+    p.held = relaxing && rowsHold(r->rows);
 #endif
     if (relaxing) {
         readyToRelax(&w->k, &p, &v->visit);
@@ -184,24 +186,17 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
 }
 
 #ifdef TURNING
-// The circles of a contact as its visit has left them, for its grip.
-void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j, float along, bool relaxing, const Visited *visited,
-                Bodies *b) {
-    float2 grip = relaxing ? v->grip : w->copiedGrip[v->copy];
-    float4 skin = (float4)(0.0f);
-    float4 g = (float4)(0.0f);
-    skin.PAIR_FRICTION = grip.COPIED_FRICTION;
-    skin.TANGENT_MASS = fabs(grip.COPIED_TANGENT_MASS);
-    if (relaxing) {
-        g.FRICTION_IMPULSE = v->held.HELD_FRICTION;
-        g.ROLLING_IMPULSE = v->held.HELD_ROLLING;
-    }
-    if (as_int(grip.COPIED_TANGENT_MASS) < 0) {
-        float4 roll = w->copiedRoll[v->copy];
+PairSurface surfaceInTile(const World *w, const TileVisit *v) { return surfaceOfPair(v->surface, w->copiedRest + v->copy); }
+
+// b: the circles of a contact as its visit has left them.
+void visitRowsInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j, float along, bool relaxing, const Visited *visited,
+                     Bodies *b) {
+    float2 stored = relaxing ? v->surface : w->copiedSurface[v->copy];
+    PairSurface s = surfaceOfPair(stored, w->copiedRest + v->copy);
+    RowImpulses rows = (RowImpulses)(0.0f);
+    if (relaxing) rows = v->rows;
+    if (hasRest(stored)) {
         uint2 pair = w->ordered[v->contact.PLACED_CONTACT & ~NOT_OWN];
-        skin.PAIR_BELT = roll.COPIED_BELT;
-        skin.ROLLING_REACH = roll.COPIED_REACH;
-        g.ROLLING_MASS = roll.COPIED_ROLLING_MASS;
         b->ra = w->circle[pair.LOWER].RADIUS;
         b->rb = w->circle[pair.HIGHER].RADIUS;
     }
@@ -212,35 +207,17 @@ void gripInTile(const World *w, local const Tile *t, TileVisit *v, int i, int j,
     b->wa = v->visit.invMassA;
     b->wb = v->visit.invMassB;
     b->isHeavyA = b->isHeavyB = false;
-    float normalImpulse = relaxing ? gripImpulse(visited) : visited->impulse;
-    gripPair(b, skin, &g, (float2)(v->visit.nx, v->visit.ny), along, normalImpulse, relaxing && keepsGrip(&v->visit, visited));
-    v->held = (float2)(g.FRICTION_IMPULSE, g.ROLLING_IMPULSE);
-}
-
-// As spinImpulses.
-float2 spinImpulsesInTile(const World *w, const TileVisit *v) {
-    float2 of = (float2)(-v->held.HELD_FRICTION, -v->held.HELD_FRICTION);
-    if (as_int(v->grip.COPIED_TANGENT_MASS) < 0 && w->copiedRoll[v->copy].COPIED_REACH > 0.0f) {
-        uint2 pair = w->ordered[v->contact.PLACED_CONTACT & ~NOT_OWN];
-        of.x -= v->held.HELD_ROLLING / w->circle[pair.LOWER].RADIUS;
-        of.y += v->held.HELD_ROLLING / w->circle[pair.HIGHER].RADIUS;
-    }
-    return of;
-}
-
-bool gripsInTile(const World *w, const TileVisit *v) {
-    if (v->grip.COPIED_FRICTION > 0.0f) return true;
-    return as_int(v->grip.COPIED_TANGENT_MASS) < 0 && w->copiedRoll[v->copy].COPIED_REACH > 0.0f;
+    float normalImpulse = relaxing ? impulseForRows(visited) : visited->impulse;
+    visitRows(b, &s, &rows, (float2)(v->visit.nx, v->visit.ny), along, normalImpulse, relaxing && keepsRows(&v->visit, visited));
+    v->rows = rows;
 }
 #endif
 
 #if defined(TURNING) && defined(RECORDING)
 // In the biased pass: how fast the surfaces of a contact that is there slide, before any impulse.
 float slipInTile(const World *w, local const Tile *t, const TileVisit *v, int i, int j) {
-    float2 grip = w->copiedGrip[v->copy];
-    float belt = as_int(grip.COPIED_TANGENT_MASS) < 0 ? w->copiedRoll[v->copy].COPIED_BELT : 0.0f;
-    float along = speedAlong((float2)(v->visit.nx, v->visit.ny), t->load[i], t->load[j]);
-    return hitSlip(grip.COPIED_FRICTION, along, t->spinLoad[i], t->spinLoad[j], belt);
+    PairSurface s = surfaceOfPair(w->copiedSurface[v->copy], w->copiedRest + v->copy);
+    return slipOfPair(&s, (float2)(v->visit.nx, v->visit.ny), t->load[i], t->load[j], t->spinLoad[i], t->spinLoad[j]);
 }
 #endif
 
@@ -264,7 +241,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
     }
     if (there && (relaxing ? !visited.still : bouncesFreely(&visited))) {
         float along = speedAlong((float2)(v->visit.nx, v->visit.ny), va, vb);
-        gripInTile(w, t, v, i, j, along, relaxing, &visited, &b);
+        visitRowsInTile(w, t, v, i, j, along, relaxing, &visited, &b);
         t->spin[i] = b.sa;
         t->spin[j] = b.sb;
         t->velocity[i] = b.va;
@@ -282,9 +259,12 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
     if (relaxing && !last && there && carriesOn(&v->visit, vn, &visited)) {
         float2 g = loadAlong(v->visit.nx, v->visit.ny, next);
 #ifdef TURNING
-        if (gripsInTile(w, v)) {
-            float2 of = spinImpulsesInTile(w, v);
-            g += loadAlong(-v->visit.ny, v->visit.nx, v->held.HELD_FRICTION);
+        PairSurface s = surfaceInTile(w, v);
+        if (rowsAct(&s)) {
+            // Only rolling needs the circles.
+            uint2 pair = hasRest(v->surface) ? w->ordered[v->contact.PLACED_CONTACT & ~NOT_OWN] : (uint2)(0);
+            float2 of = spinImpulses(w, pair, &s, v->rows);
+            g += rowLoad((float2)(v->visit.nx, v->visit.ny), v->rows);
             t->spinLoad[i] += of.x;
             t->spinLoad[j] += of.y;
         }
@@ -307,7 +287,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
     if (relaxing) {
         w->held[v->contact.PLACED_CONTACT] = next;
 #ifdef TURNING
-        heldBehind(w, w->relaxed)[v->contact.PLACED_CONTACT] = v->held;
+        rowsBehind(w, w->relaxed)[v->contact.PLACED_CONTACT] = v->rows;
 #endif
     } else {
         w->impulse[v->contact.PLACED_CONTACT] = (float2)(next, v->visit.ready.bounce);
@@ -335,7 +315,8 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     reading.shape = reading.impulse = (float2)(0.0f);
 #ifdef TURNING
     reading.copy = 0;
-    reading.grip = reading.held = (float2)(0.0f);
+    reading.surface = (float2)(0.0f);
+    reading.rows = (RowImpulses)(0.0f);
 #endif
 #ifdef RECORDING
     reading.touchNow = reading.touchSoFar = (float2)(0.0f);

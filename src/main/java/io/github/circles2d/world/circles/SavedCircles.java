@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import java.util.Arrays;
 
 /**
@@ -31,17 +32,17 @@ public class SavedCircles {
     /** By circle: its row of traits, by {@link CircleRow}. */
     public float[] traits = new float[0];
 
-    /** Whether the state has what circles turn by: the arrays of angles, angular velocities and grips. */
+    /** Whether circles can rotate: whether the state has the arrays of angles, angular velocities and impulses of {@link ContactRows}. */
     public boolean turns;
 
-    /** By circle, if circles turn: the angle, in units of a turn's 2^-32. */
+    /** By circle, if circles can rotate: the angle, in units of a turn's 2^-32. */
     public int[] angle = new int[0];
 
-    /** By circle, if circles turn. */
+    /** By circle, if circles can rotate. */
     public float[] angularVelocity = new float[0];
 
-    /** By circle, if circles turn: the impulses of friction and of rolling of its walls, by {@link CircleRow}. */
-    public float[] wallGrip = new float[0];
+    /** By circle, if circles can rotate: the impulses of its walls, by {@link ContactRows#ofWall}. */
+    public float[] wallRows = new float[0];
 
     public int impulses;
 
@@ -54,11 +55,8 @@ public class SavedCircles {
     /** By impulse: the impulse, greater than 0. */
     public float[] normalImpulse = new float[0];
 
-    /** By impulse, if circles turn: the impulse of friction. */
-    public float[] friction = new float[0];
-
-    /** By impulse, if circles turn: the rolling impulse. */
-    public float[] rolling = new float[0];
+    /** By impulse, if circles can rotate: those of the contact's other rows, by {@link ContactRows}. */
+    public float[] rows = new float[0];
 
     protected SavedCircles() {}
 
@@ -97,42 +95,36 @@ public class SavedCircles {
             hi = newHi;
             normalImpulse = newNormalImpulse;
         }
-        if (turns && rolling.length < normalImpulse.length) {
-            float[] newFriction = Arrays.copyOf(friction, normalImpulse.length);
-            float[] newRolling = Arrays.copyOf(rolling, normalImpulse.length);
-            friction = newFriction;
-            rolling = newRolling;
+        if (turns && rows.length < ContactRows.of(normalImpulse.length)) {
+            rows = Arrays.copyOf(rows, ContactRows.of(normalImpulse.length));
         }
     }
 
-    /** Says whether circles turn, and makes room for what they turn by. */
+    /** Says whether circles can rotate, and makes room for what that takes. */
     public void setTurns(boolean does) {
         turns = does;
-        if (turns && wallGrip.length < CircleRow.STRIDE * circles) {
+        if (turns && wallRows.length < ContactRows.ofWalls(circles)) {
             int[] newAngle = new int[circles];
             float[] newAngularVelocity = new float[circles];
-            float[] newWallGrip = new float[CircleRow.STRIDE * circles];
+            float[] newWallRows = new float[ContactRows.ofWalls(circles)];
             angle = newAngle;
             angularVelocity = newAngularVelocity;
-            wallGrip = newWallGrip;
+            wallRows = newWallRows;
         }
     }
 
-    /** Adds an impulse without friction. */
-    public void addImpulse(int loId, int hiId, float impulse) {
-        addImpulse(loId, hiId, impulse, 0f, 0f);
-    }
-
-    /** Adds an impulse. Those of one lower id come in a row, the lower ids ascending; the higher ids in any order. */
-    public void addImpulse(int loId, int hiId, float impulse, float ofFriction, float ofRolling) {
+    /**
+     * Adds an impulse, and those of the contact's other rows from a place of an array on, if circles can rotate. Impulses of one lower id come
+     * in a row, the lower ids ascending; the higher ids in any order.
+     */
+    public void addImpulse(int loId, int hiId, float impulse, float[] ofRows, int at) {
         ensureImpulses(impulses + 1);
         int k = impulses++;
         while (k > 0 && lo[k - 1] == loId && hi[k - 1] > hiId) {
             hi[k] = hi[k - 1];
             normalImpulse[k] = normalImpulse[k - 1];
             if (turns) {
-                friction[k] = friction[k - 1];
-                rolling[k] = rolling[k - 1];
+                ContactRows.copy(rows, ContactRows.of(k - 1), rows, ContactRows.of(k));
             }
             k--;
         }
@@ -140,8 +132,7 @@ public class SavedCircles {
         hi[k] = hiId;
         normalImpulse[k] = impulse;
         if (turns) {
-            friction[k] = ofFriction;
-            rolling[k] = ofRolling;
+            ContactRows.copy(ofRows, at, rows, ContactRows.of(k));
         }
     }
 }

@@ -2,7 +2,7 @@ package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.SurfaceSettings;
@@ -19,7 +19,7 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * field of a kind with its number, the kind and its value; a pair of kinds with the lesser one, the greater one and 1 for solid, 2 for
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
- * grips of walls by {@link CircleRow}; an impulse that grips with the lower id, the higher id, its friction and its rolling impulse; a joint with its id,
+ * impulses of its walls by {@link ContactRows}; an impulse whose contact has other rows with the lower id, the higher id and theirs; a joint with its id,
  * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}. All floats enter as their
  * bits.
  */
@@ -34,7 +34,7 @@ public final class StateHash {
     private static final long EDGES = 0x6564676573324432L;
     private static final long SURFACES = 0x7375726661636573L;
     private static final long TURN = 0x7475726E696E6721L;
-    private static final long GRIP = 0x6772697065332121L;
+    private static final long ROWS = 0x6772697065332121L;
     private static final long PIECE = 0x7069656365733264L;
     private static final long BODY = 0x626F646965733264L;
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
@@ -95,20 +95,25 @@ public final class StateHash {
     }
 
     /** The number of a circle that turns; 0 if it has not turned. */
-    public static long turn(int id, int angle, float angularVelocity, float[] wallGrip, int from) {
+    public static long turn(int id, int angle, float angularVelocity, float[] wallRows, int from) {
         int any = angle | Float.floatToRawIntBits(angularVelocity);
         long h = absorb(absorb(absorb(TURN, id), angle), angularVelocity);
-        for (int k = from; k < from + CircleRow.STRIDE; k++) {
-            any |= Float.floatToRawIntBits(wallGrip[k]);
-            h = absorb(h, wallGrip[k]);
+        for (int k = from; k < from + ContactRows.OF_WALLS; k++) {
+            any |= Float.floatToRawIntBits(wallRows[k]);
+            h = absorb(h, wallRows[k]);
         }
         return any == 0 ? 0 : h;
     }
 
-    /** The number of an impulse's friction and rolling impulse; 0 if there are none. */
-    public static long grip(int lower, int higher, float friction, float rolling) {
-        int any = Float.floatToRawIntBits(friction) | Float.floatToRawIntBits(rolling);
-        return any == 0 ? 0 : absorb(absorb(absorb(absorb(GRIP, lower), higher), friction), rolling);
+    /** The number of the impulses of a contact's rows, from a place on; 0 if all are. */
+    public static long rows(int lower, int higher, float[] impulses, int at) {
+        int any = 0;
+        long h = absorb(absorb(ROWS, lower), higher);
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            any |= Float.floatToRawIntBits(impulses[at + row]);
+            h = absorb(h, impulses[at + row]);
+        }
+        return any == 0 ? 0 : h;
     }
 
     /** What the number of a piece of terrain begins with. */
@@ -121,10 +126,13 @@ public final class StateHash {
         return BODY;
     }
 
-    /** The number of a contact of a circle with a piece of terrain. */
-    public static long pieceContact(int circle, int piece, int side, float impulse, float friction, float rolling) {
-        long h = absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side);
-        return absorb(absorb(absorb(h, impulse), friction), rolling);
+    /** The number of a contact of a circle with a piece of terrain; its rows have the impulses from a place on. */
+    public static long pieceContact(int circle, int piece, int side, float impulse, float[] rows, int at) {
+        long h = absorb(absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side), impulse);
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            h = absorb(h, rows[at + row]);
+        }
+        return h;
     }
 
     /** What the number of a joint begins with. */

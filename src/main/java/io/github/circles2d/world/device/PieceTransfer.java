@@ -2,6 +2,7 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
@@ -15,19 +16,21 @@ final class PieceTransfer {
     /** Ints of a contact: piece, serial. */
     private static final int NUMBERS = 2;
 
-    /** Floats of a contact: side, impulses: normal, friction, rolling. */
-    private static final int FLOATS = 4;
+    /** Floats of a contact: side, normal impulse. */
+    private static final int FLOATS = 2;
 
     /** Memory that saved contacts need on their way to the device. */
     static final class Room {
         private final int[] ranges;
         private final int[] numbers;
         private final float[] floats;
+        private final float[] rows;
 
         Room(SavedState from) {
             ranges = new int[RANGE * from.circles];
             numbers = new int[NUMBERS * from.pieceContacts.count];
             floats = new float[FLOATS * from.pieceContacts.count];
+            rows = new float[ContactRows.of(from.pieceContacts.count)];
         }
 
         /** Writes saved contacts to a device that has room for them; slots are in the order of the ids. */
@@ -41,14 +44,14 @@ final class PieceTransfer {
                     numbers[NUMBERS * c + 1] = contacts.serial[c];
                     floats[FLOATS * c] = contacts.side[c];
                     floats[FLOATS * c + 1] = contacts.impulse[c];
-                    floats[FLOATS * c + 2] = contacts.friction[c];
-                    floats[FLOATS * c + 3] = contacts.rolling[c];
+                    ContactRows.copy(contacts.rows, ContactRows.of(c), rows, ContactRows.of(c));
                 }
                 ranges[RANGE * slot + 1] = c - ranges[RANGE * slot];
             }
             arrays.get(DeviceArray.HOME_PIECES).write(0, IntBuffer.wrap(ranges));
             arrays.get(DeviceArray.HOME_PIECE).write(0, IntBuffer.wrap(numbers));
             arrays.get(DeviceArray.HOME_PUSH).write(FloatBuffer.wrap(floats));
+            arrays.get(DeviceArray.HOME_PIECE_ROWS).write(FloatBuffer.wrap(rows));
         }
     }
 
@@ -58,6 +61,7 @@ final class PieceTransfer {
     private final int[] ranges;
     private final int[] numbers;
     private final float[] floats;
+    private final float[] rows;
 
     PieceTransfer(DeviceArrays arrays, int slots) {
         this.slots = slots;
@@ -67,6 +71,7 @@ final class PieceTransfer {
         int end = end();
         numbers = Readback.ints(arrays.get(DeviceArray.HOME_PIECE), NUMBERS * end);
         floats = Readback.floats(arrays.get(DeviceArray.HOME_PUSH), FLOATS * end);
+        rows = Readback.floats(arrays.get(DeviceArray.HOME_PIECE_ROWS), ContactRows.of(end));
     }
 
     /** Behind the last contact. */
@@ -99,8 +104,8 @@ final class PieceTransfer {
                     numbers[NUMBERS * c + 1],
                     (int) floats[FLOATS * c],
                     floats[FLOATS * c + 1],
-                    floats[FLOATS * c + 2],
-                    floats[FLOATS * c + 3]);
+                    rows,
+                    ContactRows.of(c));
         }
     }
 }

@@ -5,6 +5,7 @@ import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.FieldsStruct;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -18,9 +19,6 @@ final class StateTransfer {
     /** Ints of a circle's turn: its angle, the bits of its angular velocity. */
     private static final int TURN_INTS = 2;
 
-    /** Floats of a grip: friction, rolling resistance. */
-    private static final int GRIP_FLOATS = 2;
-
     /** Where traits hold what does not follow from the circle. */
     private static final int AT_RESTITUTION = 1;
 
@@ -31,17 +29,17 @@ final class StateTransfer {
         private final int[] entries;
         private final int[] fields;
 
-        /** Empty, as the next three, unless circles turn. */
+        /** Empty, as the next three, unless circles can rotate. */
         private final int[] turn;
 
         private final int[] own;
-        private final float[] cachedGrip;
+        private final float[] cachedRows;
 
         /** Null in a world without terrain. */
         private final PieceTransfer.Room pieces;
 
-        /** Of walls, where the state has none. */
-        private final float[] noGrips;
+        /** Of walls, if the state has none. */
+        private final float[] noRows;
 
         Links(SavedState from, DeviceArrays arrays) {
             slotOf = new int[arrays.idCapacity()];
@@ -51,9 +49,9 @@ final class StateTransfer {
             boolean turning = arrays.turning();
             turn = new int[turning ? TURN_INTS * from.circles : 0];
             own = new int[turning ? FieldsStruct.TURNING_STRIDE * from.circles : 0];
-            cachedGrip = new float[turning ? GRIP_FLOATS * from.impulses : 0];
+            cachedRows = new float[turning ? ContactRows.of(from.impulses) : 0];
             pieces = arrays.terrain() ? new PieceTransfer.Room(from) : null;
-            noGrips = new float[turning && !from.turns ? FLOATS * from.circles : 0];
+            noRows = new float[turning && !from.turns ? ContactRows.ofWalls(from.circles) : 0];
         }
     }
 
@@ -70,11 +68,11 @@ final class StateTransfer {
 
     private final boolean turning;
 
-    /** Empty, as the next two, unless circles turn. */
+    /** Empty, as the next two, unless circles can rotate. */
     private int[] turn = new int[0];
 
-    private float[] wallGrip = new float[0];
-    private float[] cachedGrip = new float[0];
+    private float[] wallRows = new float[0];
+    private float[] cachedRows = new float[0];
 
     StateTransfer(DeviceArrays arrays, int slots, int cachedContacts) {
         this.slots = slots;
@@ -88,8 +86,8 @@ final class StateTransfer {
         turning = arrays.turning();
         if (turning) {
             turn = Readback.ints(arrays.get(DeviceArray.HOME_TURN), TURN_INTS * slots);
-            wallGrip = Readback.floats(arrays.get(DeviceArray.HOME_WALL_GRIP), FLOATS * slots);
-            cachedGrip = Readback.floats(arrays.get(DeviceArray.CACHED_GRIP), GRIP_FLOATS * cachedContacts);
+            wallRows = Readback.floats(arrays.get(DeviceArray.HOME_WALL_ROWS), ContactRows.ofWalls(slots));
+            cachedRows = Readback.floats(arrays.get(DeviceArray.ROW_CACHE), ContactRows.of(cachedContacts));
         }
     }
 
@@ -99,7 +97,8 @@ final class StateTransfer {
             if (id[slot] >= 0) {
                 sum += hashOfCircle(slot) + hashOfMemory(slot);
                 sum += turning
-                        ? StateHash.turn(id[slot], angle(slot), angularVelocity(slot), wallGrip, FLOATS * slot)
+                        ? StateHash.turn(
+                                id[slot], angle(slot), angularVelocity(slot), wallRows, ContactRows.ofWalls(slot))
                         : 0;
             }
         }
@@ -129,14 +128,6 @@ final class StateTransfer {
         return Float.intBitsToFloat(turn[TURN_INTS * slot + 1]);
     }
 
-    private float friction(int c) {
-        return turning ? cachedGrip[GRIP_FLOATS * c] : 0f;
-    }
-
-    private float rolling(int c) {
-        return turning ? cachedGrip[GRIP_FLOATS * c + 1] : 0f;
-    }
-
     private long hashOfMemory(int slot) {
         long sum = 0;
         for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
@@ -144,7 +135,10 @@ final class StateTransfer {
                 long h = StateHash.absorb(
                         StateHash.absorb(StateHash.impulse(), id[slot]), entries[at(c, CachedImpulse.AT_HIGHER_ID)]);
                 sum += StateHash.absorb(h, Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]));
-                sum += StateHash.grip(id[slot], entries[at(c, CachedImpulse.AT_HIGHER_ID)], friction(c), rolling(c));
+                if (turning) {
+                    sum += StateHash.rows(
+                            id[slot], entries[at(c, CachedImpulse.AT_HIGHER_ID)], cachedRows, ContactRows.of(c));
+                }
             }
         }
         return sum;
@@ -172,7 +166,12 @@ final class StateTransfer {
             if (turning) {
                 into.angle[k] = angle(slot);
                 into.angularVelocity[k] = angularVelocity(slot);
-                System.arraycopy(wallGrip, FLOATS * slot, into.wallGrip, FLOATS * k, FLOATS);
+                System.arraycopy(
+                        wallRows,
+                        ContactRows.ofWalls(slot),
+                        into.wallRows,
+                        ContactRows.ofWalls(k),
+                        ContactRows.OF_WALLS);
             }
             for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
                 if (isFound(c)) {
@@ -180,8 +179,8 @@ final class StateTransfer {
                             id[slot],
                             entries[at(c, CachedImpulse.AT_HIGHER_ID)],
                             Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]),
-                            friction(c),
-                            rolling(c));
+                            cachedRows,
+                            ContactRows.of(c));
                 }
             }
         }
@@ -228,15 +227,14 @@ final class StateTransfer {
             links.turn[TURN_INTS * slot] = from.turns ? from.angle[slot] : 0;
             links.turn[TURN_INTS * slot + 1] = from.turns ? Float.floatToRawIntBits(from.angularVelocity[slot]) : 0;
         }
-        for (int c = 0; c < from.impulses; c++) {
-            links.cachedGrip[GRIP_FLOATS * c] = from.turns ? from.friction[c] : 0f;
-            links.cachedGrip[GRIP_FLOATS * c + 1] = from.turns ? from.rolling[c] : 0f;
+        if (from.turns) {
+            System.arraycopy(from.rows, 0, links.cachedRows, 0, ContactRows.of(from.impulses));
         }
         FieldsStruct.packTurning(from.fields, from.id, n, links.own);
         arrays.get(DeviceArray.HOME_TURN).write(0, IntBuffer.wrap(links.turn));
         arrays.get(DeviceArray.HOME_OWN).write(0, IntBuffer.wrap(links.own));
-        arrays.get(DeviceArray.CACHED_GRIP).write(FloatBuffer.wrap(links.cachedGrip));
-        float[] wallGrip = from.turns ? from.wallGrip : links.noGrips;
-        arrays.get(DeviceArray.HOME_WALL_GRIP).write(FloatBuffer.wrap(wallGrip, 0, FLOATS * n));
+        arrays.get(DeviceArray.ROW_CACHE).write(FloatBuffer.wrap(links.cachedRows));
+        float[] wallRows = from.turns ? from.wallRows : links.noRows;
+        arrays.get(DeviceArray.HOME_WALL_ROWS).write(FloatBuffer.wrap(wallRows, 0, ContactRows.ofWalls(n)));
     }
 }

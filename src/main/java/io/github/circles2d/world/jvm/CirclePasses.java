@@ -128,7 +128,7 @@ final class CirclePasses {
                 turning.start(slot, k);
                 // a wall that does not press holds nothing
                 if (wallX != 0f || wallY != 0f) {
-                    walls.grips.start(slot, sideX, sideY, k);
+                    walls.rows.start(slot, sideX, sideY);
                     nextX = m[s + VX];
                     nextY = m[s + VY];
                 }
@@ -146,14 +146,14 @@ final class CirclePasses {
                 }
             } else {
                 walls.solve(slot, X, minX, maxX, k, sub);
-                // each wall grips along the other axis
+                // the friction of each wall acts along the other axis
                 float gainedX = m[s + VX] - nextX;
                 nextY = m[s + VY];
                 walls.solve(slot, Y, minY, maxY, k, sub);
                 if (walls.touches != null) {
                     float spin = turning == null ? 0f : turning.before(slot);
-                    float slipX = walls.grips.slip(slot, X, sideX, vy, spin, k);
-                    float slipY = walls.grips.slip(slot, Y, sideY, vx, spin, k);
+                    float slipX = turning == null ? 0f : walls.rows.slip(slot, X, sideX, vy, spin);
+                    float slipY = turning == null ? 0f : walls.rows.slip(slot, Y, sideY, vx, spin);
                     walls.touches.solved(slot, X, sideX, vx, gainedX, gapX, slipX, k, sub);
                     walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, slipY, k, sub);
                 }
@@ -208,7 +208,7 @@ final class CirclePasses {
                     && traits[s + WALL_Y] == 0f
                     && bounce[CircleRow.vector(slot) + X] == 0f
                     && bounce[CircleRow.vector(slot) + Y] == 0f
-                    && !(turning != null && walls.grips.hold(slot))) {
+                    && !(turning != null && walls.rows.hold(slot))) {
                 float fromX = m[s + DX];
                 float fromY = m[s + DY];
                 m[s + DX] = dx;

@@ -21,7 +21,6 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.snapshots.SavedState;
 
@@ -96,8 +95,8 @@ public final class Contacts {
     /** By contact: a {@link ContactRow}. */
     float[] contact = new float[0];
 
-    /** By contact, where circles turn: a {@link GripRow}. */
-    float[] grip = new float[0];
+    /** If circles can rotate: the rows of contacts behind the normal ones. */
+    final PairRows rows;
 
     Contacts(State state, Grid grid, GridLevels levels, Team team) {
         this.state = state;
@@ -105,6 +104,7 @@ public final class Contacts {
         this.levels = levels;
         this.team = team;
         impulseCache = new ImpulseCache(state);
+        rows = new PairRows(state, impulseCache);
         candidates = new Candidates(state, grid, levels);
         pairs = new Pairs(state, grid, levels, candidates);
         nearby = Nearby.ofWorkers(grid, levels, team);
@@ -138,10 +138,10 @@ public final class Contacts {
             contact = newContact;
             pair = newPair;
         }
-        int rows = contact.length / ContactRow.STRIDE;
-        if (state.turning != null && grip.length < GripRow.of(rows)) {
-            impulseCache.ensure(rows);
-            grip = new float[GripRow.of(rows)];
+        int room = contact.length / ContactRow.STRIDE;
+        if (state.turning != null && !rows.hasRoom(room)) {
+            impulseCache.ensure(room);
+            rows.ensure(room);
         }
         if (heavyAndSide.length < cross.count()) {
             heavyAndSide = new int[cross.count() + (cross.count() >> 2)];
@@ -293,8 +293,8 @@ public final class Contacts {
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             if (constants.turning) {
-                fillGrip(c, lowerSlot(c), higherSlot(c), 1f);
-                warmGrip(c, found, constants);
+                rows.fill(c, lowerSlot(c), higherSlot(c), 1f);
+                rows.warmStart(c, found, constants.warmScale);
             }
             if (touches != null) {
                 touches.follow(worker, c, found);
@@ -331,55 +331,10 @@ public final class Contacts {
             float share = cross.share(c - firstCross);
             contact[o + MASS] = CrossRule.crossMass(inverseMass(light), inverseMass(heavy), share);
             if (constants.turning) {
-                fillGrip(c, light, heavy, share);
-                warmGrip(c, found, constants);
+                rows.fill(c, light, heavy, share);
+                rows.warmStart(c, found, constants.warmScale);
             }
         }
-    }
-
-    /** Fills the grip of a contact; share: of the second circle if it is heavy in a cross contact, else 1. */
-    private void fillGrip(int c, int first, int second, float share) {
-        int a = CircleRow.of(first);
-        int b = CircleRow.of(second);
-        float[] spin = state.turning.spin;
-        int o = fillSurfaces(c, a, b);
-        float iA = spin[a + CircleRow.INVERSE_INERTIA];
-        float iB = spin[b + CircleRow.INVERSE_INERTIA];
-        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(first), iA, inverseMass(second), iB, share);
-        if (grip[o + GripRow.REACH] > 0f) {
-            float rA = state.circle[a + CircleRow.RADIUS];
-            setRollingMass(o, Surface.rollingMass(rA, iA, state.circle[b + CircleRow.RADIUS], iB, share));
-        }
-    }
-
-    /** What does not depend on the order of the circles; returns where the row begins. */
-    private int fillSurfaces(int c, int a, int b) {
-        float[] skin = state.turning.skin;
-        float[] circle = state.circle;
-        int o = GripRow.of(c);
-        float radius = CircleMath.max(circle[a + CircleRow.RADIUS], circle[b + CircleRow.RADIUS]);
-        float resistance =
-                CircleMath.max(skin[a + CircleRow.ROLLING_RESISTANCE], skin[b + CircleRow.ROLLING_RESISTANCE]);
-        grip[o + GripRow.FRICTION] = Surface.friction(skin[a + CircleRow.FRICTION], skin[b + CircleRow.FRICTION]);
-        grip[o + GripRow.REACH] = resistance * radius;
-        grip[o + GripRow.BELT] = skin[a + CircleRow.BELT] + skin[b + CircleRow.BELT];
-        return o;
-    }
-
-    /** If nothing turns the circles, rolling resistance has nothing to do. */
-    private void setRollingMass(int o, float mass) {
-        boolean turns = mass <= Float.MAX_VALUE;
-        grip[o + GripRow.ROLLING_MASS] = mass;
-        grip[o + GripRow.REACH] = turns ? grip[o + GripRow.REACH] : 0f;
-    }
-
-    /** Lets the grip of a contact begin with what an entry of the step before ended with, or -1. */
-    private void warmGrip(int c, int entry, StepConstants k) {
-        int o = GripRow.of(c);
-        float friction = impulseCache.friction(entry) * k.warmScale;
-        float rolling = impulseCache.rolling(entry) * k.warmScale;
-        grip[o + GripRow.FRICTION_IMPULSE] = grip[o + GripRow.FRICTION] > 0f ? friction : 0f;
-        grip[o + GripRow.ROLLING_IMPULSE] = grip[o + GripRow.REACH] > 0f ? rolling : 0f;
     }
 
     private float inverseMass(int slot) {
@@ -497,7 +452,8 @@ public final class Contacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (rowStart.length + pair.length + contact.length + grip.length + heavyAndSide.length)
+        long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
+                + rows.bytes()
                 + candidates.bytes()
                 + cross.bytes();
         for (FoundPairs f : found) {

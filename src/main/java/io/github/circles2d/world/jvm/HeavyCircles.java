@@ -60,10 +60,10 @@ final class HeavyCircles {
     /** By worker, by number: what its contacts give, as {@link CrossRule} counts it; 0 between the passes. */
     private final long[][] sums;
 
-    /** By number, where circles turn: the surface speed in a pass. */
+    /** By number, if circles can rotate: the surface speed in a pass. */
     float[] seenSurfaceSpeed = new float[0];
 
-    /** As {@link #sums}, where circles turn. */
+    /** As {@link #sums}, if circles can rotate. */
     private final long[][] spinSums;
 
     /** By number: of the light circles that wait to bounce off it, 1 + the highest id; 0 if there are none. */

@@ -2,11 +2,12 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.jvm.threads.SharedInts;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**
- * The normal impulses at the end of a step, from which the next step warm-starts. They have the numbers that the contacts had in
+ * The impulses of contacts at the end of a step, from which the next step warm-starts. They have the numbers that the contacts had in
  * that step. Each circle of lower id has a chain of those that press, which begins at {@link State#firstCached}. An entry names the
  * circles by their ids, so slots may change in between.
  *
@@ -31,11 +32,11 @@ final class ImpulseCache {
     /** By contact of the step before: its impulse, 0 if it did not press. */
     private float[] impulseBefore = new float[0];
 
-    /** By contact: the impulses of friction and of rolling, where circles turn. */
-    private float[] grips = new float[0];
+    /** By contact, if circles can rotate: the impulses of its rows, by {@link ContactRows}. */
+    private float[] rows = new float[0];
 
     /** By contact of the step before: the same. */
-    private float[] gripsBefore = new float[0];
+    private float[] rowsBefore = new float[0];
 
     /** By contact that presses, of the step before until the first is stored: the next with the same circle of lower id, or -1. */
     private int[] next = new int[0];
@@ -62,23 +63,23 @@ final class ImpulseCache {
             next = newNext;
         }
         if (state.turning != null) {
-            ensureGrips();
+            ensureRows();
         }
     }
 
-    /** Makes room for the grips of the contacts for which there is room, so that circles can turn. */
-    void ensureGrips() {
-        if (grips.length < 2 * next.length) {
-            float[] newGripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
-            float[] newGrips = Arrays.copyOf(grips, 2 * next.length);
-            gripsBefore = newGripsBefore;
-            grips = newGrips;
+    /** Makes room for the rows of the contacts for which there is room, so that circles can rotate. */
+    void ensureRows() {
+        if (rows.length < ContactRows.of(next.length)) {
+            float[] newRowsBefore = Arrays.copyOf(rowsBefore, ContactRows.of(next.length));
+            float[] newRows = Arrays.copyOf(rows, ContactRows.of(next.length));
+            rowsBefore = newRowsBefore;
+            rows = newRows;
         }
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 28L * next.length + 8L * grips.length;
+        return 28L * next.length + 8L * rows.length;
     }
 
     /** What has been stored, of so many contacts, is of the step before. */
@@ -89,9 +90,9 @@ final class ImpulseCache {
         float[] impulse = normalImpulse;
         normalImpulse = impulseBefore;
         impulseBefore = impulse;
-        impulse = grips;
-        grips = gripsBefore;
-        gripsBefore = impulse;
+        impulse = rows;
+        rows = rowsBefore;
+        rowsBefore = impulse;
         filledBefore = filled;
     }
 
@@ -100,7 +101,7 @@ final class ImpulseCache {
         ids[c] = pair;
         normalImpulse[c] = 0f;
         if (state.turning != null) {
-            storeGrips(c, 0f, 0f);
+            ContactRows.clear(rows, ContactRows.of(c), 1);
         }
         int end = Math.min(guess + NEAR, filledBefore);
         for (int entry = guess; entry < end; entry++) {
@@ -127,20 +128,14 @@ final class ImpulseCache {
         return entry < 0 ? 0f : impulseBefore[entry];
     }
 
-    /** The impulse of friction of an entry of the step before; 0 of -1. */
-    float friction(int entry) {
-        return entry < 0 ? 0f : gripsBefore[2 * entry];
+    /** The same of a row. */
+    float rowImpulse(int entry, int row) {
+        return entry < 0 ? 0f : rowsBefore[ContactRows.of(entry) + row];
     }
 
-    /** The rolling impulse of an entry of the step before; 0 of -1. */
-    float rolling(int entry) {
-        return entry < 0 ? 0f : gripsBefore[2 * entry + 1];
-    }
-
-    /** Stores the grips of contact c, whose impulse is stored too. */
-    void storeGrips(int c, float friction, float rolling) {
-        grips[2 * c] = friction;
-        grips[2 * c + 1] = rolling;
+    /** Stores the impulses of the rows of contact c, from a place of an array on; its normal impulse is stored too. */
+    void storeRows(int c, float[] impulses, int at) {
+        ContactRows.copy(impulses, at, rows, ContactRows.of(c));
     }
 
     /** Stores the impulse of contact c. No two contacts with a circle in common at once. */
@@ -168,10 +163,7 @@ final class ImpulseCache {
     void save(int slot, SavedState into) {
         for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
-                boolean turns = state.turning != null;
-                float friction = turns ? grips[2 * c] : 0f;
-                float rolling = turns ? grips[2 * c + 1] : 0f;
-                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c], friction, rolling);
+                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c], rows, ContactRows.of(c));
             }
         }
     }
@@ -181,7 +173,11 @@ final class ImpulseCache {
         for (int c = 0; c < from.impulses; c++) {
             store(c, state.slotOf[from.lo[c]], from.hi[c], from.normalImpulse[c]);
             if (state.turning != null) {
-                storeGrips(c, from.turns ? from.friction[c] : 0f, from.turns ? from.rolling[c] : 0f);
+                if (from.turns) {
+                    storeRows(c, from.rows, ContactRows.of(c));
+                } else {
+                    ContactRows.clear(rows, ContactRows.of(c), 1);
+                }
             }
         }
     }
@@ -194,7 +190,7 @@ final class ImpulseCache {
                 long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), (int) ids[c]);
                 sum += StateHash.absorb(h, normalImpulse[c]);
                 if (state.turning != null) {
-                    sum += StateHash.grip(state.id[slot], (int) ids[c], grips[2 * c], grips[2 * c + 1]);
+                    sum += StateHash.rows(state.id[slot], (int) ids[c], rows, ContactRows.of(c));
                 }
             }
         }

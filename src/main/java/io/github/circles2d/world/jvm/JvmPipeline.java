@@ -113,7 +113,7 @@ public final class JvmPipeline implements Pipeline {
     }
 
     private void startTurning() {
-        contacts.impulseCache().ensureGrips();
+        contacts.impulseCache().ensureRows();
         state.startTurning();
     }
 
@@ -147,7 +147,7 @@ public final class JvmPipeline implements Pipeline {
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         if (constants.turning) {
-            state.turning.kinds = input.surfaces.rows;
+            state.turning.surfaces = input.surfaces.rows;
         }
         Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
@@ -385,7 +385,7 @@ public final class JvmPipeline implements Pipeline {
         }
         contacts.impulseCache().ensure(from.impulses);
         if (from.turns) {
-            contacts.impulseCache().ensureGrips();
+            contacts.impulseCache().ensureRows();
         }
         state.makeRoom(from);
     }

@@ -45,10 +45,8 @@ final class PairVisits {
     /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
     Touches touches;
 
-    /** What surfaces do; null if nothing grips. */
-    private GripVisits grips;
-
-    private final GripVisits ownGrips;
+    /** The rows behind the normal one; null if circles cannot rotate. */
+    private PairRows rows;
 
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
@@ -68,12 +66,11 @@ final class PairVisits {
         this.contacts = contacts;
         like = new LikeBodies(state, contacts);
         this.cross = cross;
-        ownGrips = new GripVisits(state, contacts, like, cross);
     }
 
-    /** For the steps to come. */
+    /** For the steps to come; turning: whether circles can rotate. */
     void turn(boolean turning) {
-        grips = turning ? ownGrips : null;
+        rows = turning ? contacts.rows : null;
     }
 
     /** Visits contacts of circles of one level. */
@@ -95,6 +92,11 @@ final class PairVisits {
         return cross == null ? like.normalSpeed(a, b, nx, ny) : cross.normalSpeed(c, nx, ny);
     }
 
+    /** The speed of B relative to A along the tangent. */
+    private float along(CrossBodies cross, int c, int a, int b, float nx, float ny) {
+        return normalSpeed(cross, c, a, b, -ny, nx);
+    }
+
     private void apply(CrossBodies cross, int c, int a, int b, float nx, float ny, float impulse) {
         if (cross == null) {
             like.apply(c, a, b, nx, ny, impulse);
@@ -103,16 +105,14 @@ final class PairVisits {
         }
     }
 
-    /** Adds what a contact pushes with, and grips with, to the sums of its circles for the next sub-step. */
-    private void addToSums(
-            CrossBodies cross, GripVisits grips, int c, int a, int b, float nx, float ny, float impulse) {
+    /** Adds the impulses of a contact to the sums of its circles for the next sub-step. */
+    private void addToSums(CrossBodies cross, PairRows rows, int c, int a, int b, float nx, float ny, float impulse) {
         float x = nx * impulse;
         float y = ny * impulse;
-        if (grips != null && grips.grips(c)) {
-            float friction = grips.friction(c);
-            x += -ny * friction;
-            y += nx * friction;
-            grips.addToSpinSums(c, a, b);
+        if (rows != null && rows.act(c)) {
+            x += rows.impulseX(c, nx, ny);
+            y += rows.impulseY(c, nx, ny);
+            rows.addToSpinSums(like, cross, c, a, b);
         }
         if (cross == null) {
             like.addToSums(a, b, x, y);
@@ -126,7 +126,7 @@ final class PairVisits {
 
     /** Measures contacts for the first sub-step, and adds their impulses to the sums of their circles. */
     void prepare(int from, int to) {
-        GripVisits grips = this.grips;
+        PairRows rows = this.rows;
         CrossBodies cross = this.cross;
         for (int c = from; c < to; c++) {
             measure(c);
@@ -137,7 +137,7 @@ final class PairVisits {
             int b = contacts.pair[ContactRow.b(c)];
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
-            addToSums(cross, grips, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
+            addToSums(cross, rows, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
             if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
@@ -258,10 +258,10 @@ final class PairVisits {
         int o = ContactRow.of(c);
         float mass = 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
         float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, mass);
-        float along = grips == null ? 0f : grips.along(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+        float along = rows == null ? 0f : along(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
         apply(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
-        if (grips != null) {
-            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, impulse, false);
+        if (rows != null) {
+            rows.visit(like, cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, impulse, false);
         }
         if (touches != null) {
             touches.add(c, impulse);
@@ -291,7 +291,7 @@ final class PairVisits {
 
     /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
     private int measureAll(int from, int to) {
-        GripVisits grips = this.grips;
+        PairRows rows = this.rows;
         float[] q = contacts.contact;
         int open = 0;
         for (int c = from; c < to; c++) {
@@ -299,14 +299,14 @@ final class PairVisits {
             int o = ContactRow.of(c);
             listed[open] = c;
             int idle = Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
-            open += 1 + (grips == null ? idle : idle & ~grips.holds(c));
+            open += 1 + (rows == null ? idle : idle & ~rows.hold(c));
         }
         return open;
     }
 
     /** Visits the contacts that are listed, and lists those of them that carry; returns their number. */
     private int relaxOpen(int open, StepConstants k) {
-        GripVisits grips = this.grips;
+        PairRows rows = this.rows;
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -333,10 +333,10 @@ final class PairVisits {
             float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
             float applied = next - impulse;
             float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
-            float along = grips == null ? 0f : grips.along(c, a, b, nx, ny);
+            float along = rows == null ? 0f : along(cross, c, a, b, nx, ny);
             apply(cross, c, a, b, nx, ny, applied);
-            if (grips != null) {
-                grips.visit(c, a, b, nx, ny, along, next, !(bounce > 0f));
+            if (rows != null) {
+                rows.visit(like, cross, c, a, b, nx, ny, along, next, !(bounce > 0f));
             }
             if (bounce > 0f) {
                 next = 0f;
@@ -359,18 +359,18 @@ final class PairVisits {
                 && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
             bounce(c, a, b, vn);
             unkeptOnes[unkept++] = c;
-        } else if (grips != null && visit != Constraints.SOLVE) {
+        } else if (rows != null && visit != Constraints.SOLVE) {
             float[] q = contacts.contact;
             int o = ContactRow.of(c);
-            float along = grips.along(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
-            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, 0f, false);
+            float along = along(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+            rows.visit(like, cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], along, 0f, false);
         }
         return visit != Constraints.SOLVE;
     }
 
     /** Adds the impulses of the contacts that carry, which are listed, to the sums of their circles, and marks these as loaded. */
     private void warmStart(int carrying) {
-        GripVisits grips = this.grips;
+        PairRows rows = this.rows;
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -379,7 +379,7 @@ final class PairVisits {
             int o = ContactRow.of(c);
             int a = pair[ContactRow.a(c)];
             int b = pair[ContactRow.b(c)];
-            addToSums(cross, grips, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
+            addToSums(cross, rows, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
             load(a, b);
         }
     }
@@ -390,8 +390,8 @@ final class PairVisits {
             float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
             if (impulse > 0f) {
                 contacts.storeImpulse(listed[n], impulse);
-                if (grips != null) {
-                    grips.store(listed[n]);
+                if (rows != null) {
+                    rows.store(listed[n]);
                 }
             }
         }

@@ -1,8 +1,11 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.model.ContactRows;
+import io.github.circles2d.world.model.OneBodyRows;
+
 /** The numbers of a piece contact, of a circle and a piece of terrain near it. */
 final class PieceContactRow {
-    static final int STRIDE = 16;
+    static final int STRIDE = 14 + ContactRows.COUNT;
 
     /** 1 or -1: where the circle is; 0: it is behind a piece that has a front. */
     static final int SIDE = 0;
@@ -10,33 +13,36 @@ final class PieceContactRow {
     /** Accumulated; impulses are speeds. */
     static final int IMPULSE = 1;
 
-    static final int FRICTION = 2;
-    static final int ROLLING = 3;
+    /** The accumulated impulses of the other rows, by {@link ContactRows}. */
+    static final int ROWS = 2;
+
+    /** Floats from the start on that stay from step to step. */
+    static final int KEPT = ROWS + ContactRows.COUNT;
 
     // within a step: as measured last
-    static final int NX = 4;
-    static final int NY = 5;
-    static final int GAP = 6;
-    static final int CURVE = 7;
+    static final int NX = KEPT;
+    static final int NY = NX + 1;
+    static final int GAP = NX + 2;
+    static final int CURVE = NX + 3;
 
     /** Within a sub-step: target speed of a bounce. */
-    static final int BOUNCE = 8;
+    static final int BOUNCE = NX + 4;
 
     /** Within a step: the centre against (X, Y) of the piece, in the frame of the start of the step. */
-    static final int OX = 9;
+    static final int OX = NX + 5;
 
-    static final int OY = 10;
+    static final int OY = NX + 6;
 
     /** Within a sub-step: the gap at its start, if the circle is deep in the piece, else 0. */
-    static final int ALLOWED = 11;
+    static final int ALLOWED = NX + 7;
 
     /** Within a step: the base of the circle against (X, Y) of the piece. */
-    static final int BASE_X = 12;
+    static final int BASE_X = NX + 8;
 
-    static final int BASE_Y = 13;
+    static final int BASE_Y = NX + 9;
 
     /** Within a step: of the circle and the piece. */
-    static final int RESTITUTION = 14;
+    static final int RESTITUTION = NX + 10;
 
     // the whole numbers
     static final int NUMBERS = 6;
@@ -54,13 +60,6 @@ final class PieceContactRow {
 
     static final int MOTION = 5;
 
-    // the surfaces, within a step in which circles turn: as OneBodyGrip has them, and the belts
-    static final int SURFACES = 4;
-    static final int MU = 0;
-    static final int RESISTANCE = 1;
-    static final int INERTIA = 2;
-    static final int BELT = 3;
-
     private PieceContactRow() {}
 
     static int of(int contact) {
@@ -71,7 +70,8 @@ final class PieceContactRow {
         return NUMBERS * contact;
     }
 
+    /** The surfaces, within a step in which circles can rotate: what {@link OneBodyRows} keeps. */
     static int surfaces(int contact) {
-        return SURFACES * contact;
+        return OneBodyRows.KEPT * contact;
     }
 }

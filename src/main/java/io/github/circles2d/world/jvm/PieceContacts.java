@@ -4,6 +4,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SERIAL;
 
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.util.Arrays;
@@ -27,7 +28,7 @@ final class PieceContacts {
     /** By contact, within a step: the row of the piece. The pieces themselves lie in another order than circles. */
     float[] pieces = new float[0];
 
-    /** By contact, within a step in which circles turn. */
+    /** By contact, within a step in which circles can rotate: what {@link PieceContactRow#surfaces} has. */
     float[] surfaces = new float[0];
 
     /** By slot, within a step: the displacement x, y at which the contacts were measured last. */
@@ -148,8 +149,8 @@ final class PieceContacts {
                     serial(c),
                     (int) rows[row + PieceContactRow.SIDE],
                     rows[row + PieceContactRow.IMPULSE],
-                    rows[row + PieceContactRow.FRICTION],
-                    rows[row + PieceContactRow.ROLLING]);
+                    rows,
+                    row + PieceContactRow.ROWS);
         }
     }
 
@@ -164,8 +165,7 @@ final class PieceContacts {
                 numbers[PieceContactRow.numbers(c) + SERIAL] = from.serial[c];
                 rows[row + PieceContactRow.SIDE] = from.side[c];
                 rows[row + PieceContactRow.IMPULSE] = from.impulse[c];
-                rows[row + PieceContactRow.FRICTION] = from.friction[c];
-                rows[row + PieceContactRow.ROLLING] = from.rolling[c];
+                ContactRows.copy(from.rows, ContactRows.of(c), rows, row + PieceContactRow.ROWS);
             }
             count[slot] = c - first[slot];
         }

@@ -14,7 +14,7 @@ import static io.github.circles2d.world.jvm.PieceContactRow.OX;
 import static io.github.circles2d.world.jvm.PieceContactRow.OY;
 import static io.github.circles2d.world.jvm.PieceContactRow.PIECE;
 import static io.github.circles2d.world.jvm.PieceContactRow.RESPONSE;
-import static io.github.circles2d.world.jvm.PieceContactRow.ROLLING;
+import static io.github.circles2d.world.jvm.PieceContactRow.ROWS;
 import static io.github.circles2d.world.jvm.PieceContactRow.SHAPE;
 import static io.github.circles2d.world.jvm.PieceContactRow.SIDE;
 import static io.github.circles2d.world.model.CircleRow.DX;
@@ -26,6 +26,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceGap;
@@ -150,8 +151,7 @@ final class PieceMeasure {
         int k = PieceContactRow.of(c);
         contacts.numbers[PieceContactRow.numbers(c) + FEATURE] = PieceGap.NONE;
         contacts.rows[k + IMPULSE] = 0f;
-        contacts.rows[k + PieceContactRow.FRICTION] = 0f;
-        contacts.rows[k + ROLLING] = 0f;
+        ContactRows.clear(contacts.rows, k + ROWS, 1);
         contacts.rows[k + BOUNCE] = 0f;
     }
 

@@ -235,7 +235,7 @@ final class PieceSearch {
                 int serial = terrain.traits[PieceRow.traits(piece) + PieceRow.SERIAL];
                 boolean kept = old < end && contacts.piece(old) == piece && contacts.serial(old) == serial;
                 int before = PieceContactRow.of(old);
-                for (int i = PieceContactRow.SIDE; i <= PieceContactRow.ROLLING; i++) {
+                for (int i = 0; i < PieceContactRow.KEPT; i++) {
                     rows[row + i] = kept ? contacts.rows[before + i] : 0f;
                 }
                 float ofKind = terrain.kinds.rows[KindTerrain.of(kind(piece, terrain)) + KindTerrain.RESTITUTION];

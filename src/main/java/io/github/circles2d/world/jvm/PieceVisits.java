@@ -7,10 +7,9 @@ import static io.github.circles2d.world.jvm.PieceContactRow.GAP;
 import static io.github.circles2d.world.jvm.PieceContactRow.IMPULSE;
 import static io.github.circles2d.world.jvm.PieceContactRow.NX;
 import static io.github.circles2d.world.jvm.PieceContactRow.NY;
-import static io.github.circles2d.world.jvm.PieceContactRow.ROLLING;
+import static io.github.circles2d.world.jvm.PieceContactRow.ROWS;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
-import static io.github.circles2d.world.model.CircleRow.BELT;
 import static io.github.circles2d.world.model.CircleRow.DX;
 import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
@@ -25,13 +24,13 @@ import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.OneBody;
-import io.github.circles2d.world.model.OneBodyGrip;
+import io.github.circles2d.world.model.OneBodyRows;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 
@@ -42,7 +41,7 @@ final class PieceVisits {
     private final PieceMeasure measure;
     private final PieceMoves moves;
     private final OneBody visit = new OneBody();
-    private final OneBodyGrip grip = new OneBodyGrip();
+    private final OneBodyRows otherRows = new OneBodyRows();
 
     /** What is told of visits; null if they are not recorded. */
     PieceTouches touches;
@@ -100,14 +99,13 @@ final class PieceVisits {
             if (measure.isConstraint(c) && rows[row + IMPULSE] > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
-                if (k.turning && (rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f)) {
-                    takeGrip(s, c);
-                    grip.warmStart();
-                    giveGrip(s, c);
+                if (k.turning && ContactRows.any(rows, row + ROWS, 1)) {
+                    takeRows(s, c);
+                    otherRows.warmStart();
+                    giveRows(s, c);
                 }
             } else {
-                rows[row + PieceContactRow.FRICTION] = 0f;
-                rows[row + ROLLING] = 0f;
+                ContactRows.clear(rows, row + ROWS, 1);
             }
         }
         for (int c = from; c < to; c++) {
@@ -180,7 +178,7 @@ final class PieceVisits {
         m[s + VY] += ny * visit.impulse;
         rows[row + IMPULSE] = visit.normalImpulse;
         if (visit.bounced && k.turning) {
-            grip(s, c, visit.impulse, along, false);
+            visitRows(s, c, visit.impulse, along, false);
         }
     }
 
@@ -203,7 +201,7 @@ final class PieceVisits {
         float gap = rows[row + GAP];
         float impulse = rows[row + IMPULSE];
         float bounce = rows[row + BOUNCE];
-        boolean held = rows[row + PieceContactRow.FRICTION] != 0f || rows[row + ROLLING] != 0f;
+        boolean held = ContactRows.any(rows, row + ROWS, 1);
         if (Constraints.isIdle(gap, impulse, bounce) != 0 && !held) {
             return;
         }
@@ -236,7 +234,7 @@ final class PieceVisits {
         }
         if (k.turning) {
             float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
-            grip(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
+            visitRows(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
         }
     }
 
@@ -247,65 +245,54 @@ final class PieceVisits {
         touches.visited(slot, c, vn, impulse, slip, surface);
     }
 
-    // ---- grips
+    // ---- other rows than the normal one
     // ----------------------------------------------------------------------------------------------------------
 
-    private void grip(int s, int c, float normalImpulse, float along, boolean keep) {
-        takeGrip(s, c);
-        if (grip.acts()) {
-            float belt = contacts.surfaces[PieceContactRow.surfaces(c) + PieceContactRow.BELT];
-            grip.visit(normalImpulse, along, belt, keep);
-            giveGrip(s, c);
+    private void visitRows(int s, int c, float normalImpulse, float along, boolean keep) {
+        takeRows(s, c);
+        if (otherRows.act()) {
+            otherRows.visit(normalImpulse, along, keep);
+            giveRows(s, c);
         }
     }
 
-    /** How fast surfaces slide, if they grip; along: against the surface, spin: surface speed of the circle. */
+    /** How fast surfaces slide, if they have friction; along: against the surface, spin: surface speed of the circle. */
     private float slip(int c, float along, float spin, StepConstants k) {
-        int surfaces = PieceContactRow.surfaces(c);
-        return k.turning
-                ? Surface.hitSlip(
-                        contacts.surfaces[surfaces + PieceContactRow.MU],
-                        along,
-                        0f,
-                        spin,
-                        contacts.surfaces[surfaces + PieceContactRow.BELT])
-                : 0f;
+        if (!k.turning) {
+            return 0f;
+        }
+        otherRows.recall(contacts.surfaces, PieceContactRow.surfaces(c));
+        return otherRows.slip(along, spin);
     }
 
     /** What the surfaces of a contact are in this step. */
     private void findSurfaces(int s, int c) {
         Turning t = state.turning;
         int kind = KindSurface.of(measure.terrain.traits[PieceRow.traits(contacts.piece(c)) + PieceRow.KIND]);
-        grip.between(
-                t.skin[s + CircleRow.FRICTION],
-                t.kinds[kind + KindSurface.FRICTION],
-                t.skin[s + CircleRow.ROLLING_RESISTANCE],
-                t.kinds[kind + KindSurface.ROLLING_RESISTANCE],
-                t.spin[s + INVERSE_INERTIA] / state.traits[s + INVERSE_MASS]);
-        int surfaces = PieceContactRow.surfaces(c);
-        contacts.surfaces[surfaces + PieceContactRow.MU] = grip.mu;
-        contacts.surfaces[surfaces + PieceContactRow.RESISTANCE] = grip.resistance;
-        contacts.surfaces[surfaces + PieceContactRow.INERTIA] = grip.inertia;
-        contacts.surfaces[surfaces + PieceContactRow.BELT] = t.kinds[kind + KindSurface.BELT] + t.skin[s + BELT];
+        int own = KindSurface.of(CircleRow.slot(s));
+        float belts = t.surfaces[kind + KindSurface.BELT] + t.circleSurfaces[own + KindSurface.BELT];
+        otherRows.between(
+                t.circleSurfaces,
+                own,
+                t.surfaces,
+                kind,
+                belts,
+                t.spin[s + INVERSE_INERTIA],
+                state.traits[s + INVERSE_MASS]);
+        otherRows.keep(contacts.surfaces, PieceContactRow.surfaces(c));
     }
 
-    private void takeGrip(int s, int c) {
-        int row = PieceContactRow.of(c);
-        int surfaces = PieceContactRow.surfaces(c);
-        grip.mu = contacts.surfaces[surfaces + PieceContactRow.MU];
-        grip.resistance = contacts.surfaces[surfaces + PieceContactRow.RESISTANCE];
-        grip.inertia = contacts.surfaces[surfaces + PieceContactRow.INERTIA];
-        grip.surfaceSpeed = state.turning.spin[s + SURFACE_SPEED];
-        grip.friction = contacts.rows[row + PieceContactRow.FRICTION];
-        grip.rolling = contacts.rows[row + ROLLING];
+    private void takeRows(int s, int c) {
+        otherRows.recall(contacts.surfaces, PieceContactRow.surfaces(c));
+        otherRows.surfaceSpeed = state.turning.spin[s + SURFACE_SPEED];
+        otherRows.take(contacts.rows, PieceContactRow.of(c) + ROWS, 1);
     }
 
-    private void giveGrip(int s, int c) {
+    private void giveRows(int s, int c) {
         int row = PieceContactRow.of(c);
-        state.turning.spin[s + SURFACE_SPEED] = grip.surfaceSpeed;
-        contacts.rows[row + PieceContactRow.FRICTION] = grip.friction;
-        contacts.rows[row + ROLLING] = grip.rolling;
-        state.motion[s + VX] += -1f * contacts.rows[row + NY] * grip.impulse;
-        state.motion[s + VY] += contacts.rows[row + NX] * grip.impulse;
+        state.turning.spin[s + SURFACE_SPEED] = otherRows.surfaceSpeed;
+        otherRows.give(contacts.rows, row + ROWS, 1);
+        state.motion[s + VX] += -1f * contacts.rows[row + NY] * otherRows.gain;
+        state.motion[s + VY] += contacts.rows[row + NX] * otherRows.gain;
     }
 }

@@ -103,7 +103,7 @@ public final class State {
     /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
     int[] responses;
 
-    /** What circles turn by; null as long as nothing has turned or gripped. */
+    /** What circles need to rotate; null as long as they cannot. */
     Turning turning;
 
     /** The pieces of terrain that circles are near to; null as long as there has been no terrain. */
@@ -176,7 +176,7 @@ public final class State {
         }
     }
 
-    /** Makes room for what circles turn by. */
+    /** Makes room for what circles need to rotate. */
     void startTurning() {
         if (turning == null) {
             Turning all = new Turning(this);

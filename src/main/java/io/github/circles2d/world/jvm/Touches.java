@@ -22,7 +22,6 @@ import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
@@ -113,7 +112,7 @@ final class Touches {
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
     private float[] places = new float[0];
 
-    /** By contact: how fast its surfaces slide; null unless circles turn. */
+    /** By contact: how fast its surfaces slide; null unless circles can rotate. */
     private float[] slips;
 
     Touches(State state, Contacts contacts, Team team, ContactEvents events, TouchRecords[] records) {
@@ -254,25 +253,19 @@ final class Touches {
     /** Notes how fast surfaces slide, by the speeds before any impulse of the sub-step. */
     private void noteSlips(int from, int to) {
         float[] q = contacts.contact;
-        float[] g = contacts.grip;
+        PairRows pairRows = contacts.rows;
         int[] pair = contacts.pair;
         float[] load = state.load;
         float[] spin = state.turning.spin;
         float[] slide = slips;
         for (int c = from; c < to; c++) {
             int o = ContactRow.of(c);
-            int grip = GripRow.of(c);
             int a = pair[ContactRow.a(c)];
             int b = pair[ContactRow.b(c)];
             float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
             float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
             float along = CircleMath.dot(-q[o + ContactRow.NORMAL_Y], q[o + ContactRow.NORMAL_X], beforeX, beforeY);
-            slide[SLIPS * c + SLIP_NOW] = Surface.hitSlip(
-                    g[grip + GripRow.FRICTION],
-                    along,
-                    spin[a + SPIN_IMPULSE],
-                    spin[b + SPIN_IMPULSE],
-                    g[grip + GripRow.BELT]);
+            slide[SLIPS * c + SLIP_NOW] = pairRows.slip(c, along, spin[a + SPIN_IMPULSE], spin[b + SPIN_IMPULSE]);
         }
     }
 

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import static io.github.circles2d.world.model.CircleRow.ANGULAR_FACTOR;
-import static io.github.circles2d.world.model.CircleRow.BELT;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -12,6 +10,7 @@ import static io.github.circles2d.world.model.CircleRow.TURNED;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
@@ -19,7 +18,7 @@ import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
-/** What the circles of a {@link State} turn by. Worlds in which nothing has turned or gripped have none. Arrays are by slot. */
+/** What circles of a {@link State} need if they can rotate. Arrays are by slot. */
 final class Turning {
     private final State state;
 
@@ -28,21 +27,21 @@ final class Turning {
 
     float[] angularVelocity = new float[0];
 
-    /** Friction and rolling resistance of the walls; {@link CircleRow} numbers the elements of each array. */
-    float[] wallGrip = new float[0];
+    /** The impulses of the walls' rows, by {@link ContactRows}; {@link CircleRow} numbers the elements of the other arrays. */
+    float[] wallRows = new float[0];
 
-    /** Within a step: how circles turn. */
+    /** Within a step: how circles rotate. */
     float[] spin = new float[0];
 
-    /** Within a step: what circles touch others with. */
-    float[] skin = new float[0];
+    /** Within a step: the circles' own, rows as those of kinds. */
+    float[] circleSurfaces = new float[0];
 
-    /** Within a step: the surfaces of kinds, by {@link KindSurface}. */
-    float[] kinds;
+    /** Within a step: the surfaces of kinds and walls, by {@link KindSurface}. */
+    float[] surfaces;
 
     private int[] angleSpare = new int[0];
     private float[] angularVelocitySpare = new float[0];
-    private float[] wallGripSpare = new float[0];
+    private float[] wallRowsSpare = new float[0];
 
     Turning(State state) {
         this.state = state;
@@ -50,28 +49,28 @@ final class Turning {
 
     /** Memory of the arrays. */
     long bytes() {
-        return (2 * (4 + 4 + 16) + 16 + 16L) * angle.length;
+        return (2 * (4 + 4 + 4 * ContactRows.OF_WALLS) + 16 + 4L * KindSurface.STRIDE) * angle.length;
     }
 
     /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int circles) {
-        if (circles > skin.length / CircleRow.STRIDE) {
+        if (KindSurface.of(circles) > circleSurfaces.length) {
             int[] newAngle = Arrays.copyOf(angle, circles);
             float[] newAngularVelocity = Arrays.copyOf(angularVelocity, circles);
-            float[] newWallGrip = Arrays.copyOf(wallGrip, CircleRow.of(circles));
+            float[] newWallRows = Arrays.copyOf(wallRows, ContactRows.ofWalls(circles));
             int[] newAngleSpare = new int[circles];
             float[] newAngularVelocitySpare = new float[circles];
-            float[] newWallGripSpare = new float[CircleRow.of(circles)];
+            float[] newWallRowsSpare = new float[ContactRows.ofWalls(circles)];
             float[] newSpin = new float[CircleRow.of(circles)];
-            float[] newSkin = new float[CircleRow.of(circles)];
+            float[] newCircleSurfaces = new float[KindSurface.of(circles)];
             angle = newAngle;
             angularVelocity = newAngularVelocity;
-            wallGrip = newWallGrip;
+            wallRows = newWallRows;
             angleSpare = newAngleSpare;
             angularVelocitySpare = newAngularVelocitySpare;
-            wallGripSpare = newWallGripSpare;
+            wallRowsSpare = newWallRowsSpare;
             spin = newSpin;
-            skin = newSkin;
+            circleSurfaces = newCircleSurfaces;
         }
     }
 
@@ -84,13 +83,17 @@ final class Turning {
 
     /** The impulses of walls. */
     void forget(int slot) {
-        Arrays.fill(wallGrip, CircleRow.of(slot), CircleRow.of(slot + 1), 0f);
+        Arrays.fill(wallRows, ContactRows.ofWalls(slot), ContactRows.ofWalls(slot + 1), 0f);
     }
 
     void move(int from, int to) {
         angle[to] = angle[from];
         angularVelocity[to] = angularVelocity[from];
-        System.arraycopy(wallGrip, CircleRow.of(from), wallGrip, CircleRow.of(to), CircleRow.STRIDE);
+        copyWalls(wallRows, from, wallRows, to);
+    }
+
+    private static void copyWalls(float[] from, int slot, float[] to, int toSlot) {
+        System.arraycopy(from, ContactRows.ofWalls(slot), to, ContactRows.ofWalls(toSlot), ContactRows.OF_WALLS);
     }
 
     /** An angular impulse; inertia: the inverse inertia of the circle's kind by its inverse mass. */
@@ -106,18 +109,19 @@ final class Turning {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             int id = state.id[slot];
-            int row = KindSurface.of(state.fields.getInt(CircleField.KIND, id));
+            int kind = state.fields.getInt(CircleField.KIND, id);
             float friction = state.fields.getFloat(CircleField.FRICTION, id);
             float resistance = state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
+            int own = KindSurface.of(slot);
+            KindSurface.copy(surfaces, kind, circleSurfaces, slot);
+            circleSurfaces[own + KindSurface.FRICTION] =
+                    Surface.orOfKind(friction, circleSurfaces[own + KindSurface.FRICTION]);
+            circleSurfaces[own + KindSurface.ROLLING_RESISTANCE] =
+                    Surface.orOfKind(resistance, circleSurfaces[own + KindSurface.ROLLING_RESISTANCE]);
             spin[s + SURFACE_SPEED] = angularVelocity[slot] * state.circle[s + RADIUS];
             spin[s + SPIN_IMPULSE] = 0f;
             spin[s + TURNED] = 0f;
-            spin[s + INVERSE_INERTIA] = state.traits[s + INVERSE_MASS] * kinds[row + KindSurface.INERTIA];
-            skin[s + CircleRow.FRICTION] = Surface.orOfKind(friction, kinds[row + KindSurface.FRICTION]);
-            skin[s + CircleRow.ROLLING_RESISTANCE] =
-                    Surface.orOfKind(resistance, kinds[row + KindSurface.ROLLING_RESISTANCE]);
-            skin[s + BELT] = kinds[row + KindSurface.BELT];
-            skin[s + ANGULAR_FACTOR] = kinds[row + KindSurface.DAMPING_FACTOR];
+            spin[s + INVERSE_INERTIA] = state.traits[s + INVERSE_MASS] * circleSurfaces[own + KindSurface.INERTIA];
         }
     }
 
@@ -127,9 +131,13 @@ final class Turning {
      */
     void start(int slot, StepConstants k) {
         int s = CircleRow.of(slot);
-        float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
-        float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
-        float before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, skin[s + ANGULAR_FACTOR]);
+        float before = spin[s + SURFACE_SPEED] + 0f;
+        if (surfaces[KindSurface.DRIVES] != 0f) {
+            float torque = state.fields.getFloat(CircleField.TORQUE, state.id[slot]);
+            float gain = Surface.torqueGain(torque, spin[s + INVERSE_INERTIA], state.circle[s + RADIUS], k.h);
+            float factor = circleSurfaces[KindSurface.of(slot) + KindSurface.DAMPING_FACTOR];
+            before = Surface.beforeImpulse(spin[s + SURFACE_SPEED], gain, factor);
+        }
         spin[s + SURFACE_SPEED] = Velocity.limitSpeed(before + spin[s + INVERSE_INERTIA] * spin[s + SPIN_IMPULSE]);
         spin[s + SPIN_IMPULSE] = before;
     }
@@ -169,7 +177,7 @@ final class Turning {
     void save(int slot, SavedState into, int k) {
         into.angle[k] = angle[slot];
         into.angularVelocity[k] = angularVelocity[slot];
-        System.arraycopy(wallGrip, CircleRow.of(slot), into.wallGrip, CircleRow.of(k), CircleRow.STRIDE);
+        copyWalls(wallRows, slot, into.wallRows, k);
     }
 
     /** Takes over saved circles, for which there is room; slots are in the order of the ids. */
@@ -177,23 +185,23 @@ final class Turning {
         if (from.turns) {
             System.arraycopy(from.angle, 0, angle, 0, from.circles);
             System.arraycopy(from.angularVelocity, 0, angularVelocity, 0, from.circles);
-            System.arraycopy(from.wallGrip, 0, wallGrip, 0, CircleRow.of(from.circles));
+            System.arraycopy(from.wallRows, 0, wallRows, 0, ContactRows.ofWalls(from.circles));
         } else {
             Arrays.fill(angle, 0, from.circles, 0);
             Arrays.fill(angularVelocity, 0, from.circles, 0f);
-            Arrays.fill(wallGrip, 0, CircleRow.of(from.circles), 0f);
+            Arrays.fill(wallRows, 0, ContactRows.ofWalls(from.circles), 0f);
         }
     }
 
     long hash(int slot) {
-        return StateHash.turn(state.id[slot], angle[slot], angularVelocity[slot], wallGrip, CircleRow.of(slot));
+        return StateHash.turn(state.id[slot], angle[slot], angularVelocity[slot], wallRows, ContactRows.ofWalls(slot));
     }
 
     /** As {@link State#permute}. */
     void permute(int old, int slot) {
         angleSpare[slot] = angle[old];
         angularVelocitySpare[slot] = angularVelocity[old];
-        System.arraycopy(wallGrip, CircleRow.of(old), wallGripSpare, CircleRow.of(slot), CircleRow.STRIDE);
+        copyWalls(wallRows, old, wallRowsSpare, slot);
     }
 
     void swap() {
@@ -203,8 +211,8 @@ final class Turning {
         float[] f = angularVelocity;
         angularVelocity = angularVelocitySpare;
         angularVelocitySpare = f;
-        f = wallGrip;
-        wallGrip = wallGripSpare;
-        wallGripSpare = f;
+        f = wallRows;
+        wallRows = wallRowsSpare;
+        wallRowsSpare = f;
     }
 }

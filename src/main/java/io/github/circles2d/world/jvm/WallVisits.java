@@ -25,14 +25,14 @@ import io.github.circles2d.world.model.Walls;
 final class WallVisits {
     private final State state;
     private final OneBody visit = new OneBody();
-    final WallGrips grips;
+    final WallRows rows;
 
     /** What is told of visits; null if they are not recorded. */
     WallTouches touches;
 
     WallVisits(State state) {
         this.state = state;
-        grips = new WallGrips(state);
+        rows = new WallRows(state);
     }
 
     /** As {@link #solve}, of a circle that stays clear of both walls: their impulses and bounces end. */
@@ -89,7 +89,7 @@ final class WallVisits {
         m[s + VX + axis] = v + side * visit.impulse;
         traits[s + WALL_X + axis] = side * visit.normalImpulse;
         if (visit.bounced && k.turning) {
-            grips.visit(slot, axis, side, visit.impulse, false, k);
+            rows.visit(slot, axis, side, visit.impulse, false);
         }
     }
 
@@ -105,14 +105,14 @@ final class WallVisits {
         float gap = Walls.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
         float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
-        if (Constraints.isIdle(gap, impulse, bounce) != 0 && !(k.turning && grips.hold(slot, axis))) {
+        if (Constraints.isIdle(gap, impulse, bounce) != 0 && !(k.turning && rows.hold(slot, axis))) {
             return;
         }
         float v = m[s + VX + axis];
         float vn = side * v - k.walls.speedFor(wall, r);
         float slip = touches == null || !k.turning
                 ? 0f
-                : grips.slip(slot, axis, side, m[s + VX + Y - axis], state.turning.spin[s + SURFACE_SPEED], k);
+                : rows.slip(slot, axis, side, m[s + VX + Y - axis], state.turning.spin[s + SURFACE_SPEED]);
         visit.relax(
                 gap,
                 r,
@@ -130,7 +130,7 @@ final class WallVisits {
         }
         if (k.turning) {
             float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
-            grips.visit(slot, axis, side, normal, !(visit.bounced || visit.leaves || bounce > 0f), k);
+            rows.visit(slot, axis, side, normal, !(visit.bounced || visit.leaves || bounce > 0f));
         }
         if (touches != null) {
             touches.relaxed(slot, axis, side, v, gap, slip, k);

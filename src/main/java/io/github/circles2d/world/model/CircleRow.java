@@ -40,25 +40,12 @@ public final class CircleRow {
     public static final int ALLOWANCE = 2;
     public static final int LIMIT = 3;
 
-    // grips of walls, as speeds: of the wall across x, along y; of the wall across y, along x; what stops the rolling
-    // on each
-    public static final int FRICTION_X = 0;
-    public static final int FRICTION_Y = 1;
-    public static final int ROLLING_X = 2;
-    public static final int ROLLING_Y = 3;
-
     // spin, within a step: surface speed; sum of impulses on it; sum of the surface speeds of sub-steps; inverse
     // inertia
     public static final int SURFACE_SPEED = 0;
     public static final int SPIN_IMPULSE = 1;
     public static final int TURNED = 2;
     public static final int INVERSE_INERTIA = 3;
-
-    // skin, within a step
-    public static final int FRICTION = 0;
-    public static final int ROLLING_RESISTANCE = 1;
-    public static final int BELT = 2;
-    public static final int ANGULAR_FACTOR = 3; // the share of angular velocity that a sub-step leaves
 
     private CircleRow() {}
 

@@ -1,11 +1,14 @@
 package io.github.circles2d.world.model;
 
-/** What turns the circles of each kind: a row of floats a kind. */
+/**
+ * Surfaces: a row of floats for each kind, and behind these for each wall, which has a belt, friction and rolling resistance alone. The
+ * surface of a circle is such a row too: that of its kind, with the circle's own values in it.
+ */
 public final class KindSurface {
-    /** Surface speed that the surface has besides that of turning, positive anticlockwise. */
+    /** Speed of the surface besides that of its rotation, positive anticlockwise. */
     public static final int BELT = 0;
 
-    /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not turn. */
+    /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not rotate. */
     public static final int INERTIA = 1;
 
     /** Share of angular velocity that a sub-step leaves. */
@@ -24,8 +27,10 @@ public final class KindSurface {
 
     public static final int STRIDE = 8;
 
-    /** Meaningless unless {@link StepConstants#turning}. */
-    public final float[] rows = new float[of(PairTable.KINDS)];
+    public static final int FLOATS = STRIDE * (PairTable.KINDS + WallMotion.COUNT);
+
+    /** Meaningless unless circles can rotate, as {@link StepConstants#turning} says. */
+    public final float[] rows = new float[FLOATS];
 
     public int version;
 
@@ -56,6 +61,16 @@ public final class KindSurface {
         return STRIDE * kind;
     }
 
+    /** Gives a circle the surface of its kind. */
+    public static void copy(float[] from, int kind, float[] to, int circle) {
+        System.arraycopy(from, of(kind), to, of(circle), STRIDE);
+    }
+
+    /** The row of a wall, by {@link WallMotion#of}. */
+    public static int ofWall(int wall) {
+        return of(PairTable.KINDS + wall);
+    }
+
     /** Does nothing if nothing has changed. The last two: whether circles have surfaces, and torques, of their own. */
     public void update(StepConstants k, Values kinds, int ofVersion, boolean ofCircles, boolean someTorques) {
         if (kindsVersion == ofVersion
@@ -77,6 +92,12 @@ public final class KindSurface {
             rows[row + FRICTION] = Surface.orOfKind(kinds.friction(kind), k.surfaces.friction);
             rows[row + ROLLING_RESISTANCE] =
                     Surface.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+        }
+        for (int wall = 0; wall < WallMotion.COUNT; wall++) {
+            int row = ofWall(wall);
+            rows[row + BELT] = k.surfaces.wallBelt(wall);
+            rows[row + FRICTION] = k.surfaces.wallFriction(wall);
+            rows[row + ROLLING_RESISTANCE] = k.surfaces.wallRollingResistance(wall);
         }
         rows[OWN] = own ? 1f : 0f;
         rows[DRIVES] = drives ? 1f : 0f;

@@ -1,7 +1,7 @@
 package io.github.circles2d.world.model;
 
 /**
- * Friction, rolling resistance and turning of discs.
+ * Friction, rolling resistance and rotation of discs.
  *
  * <p>The tangent t is the normal rotated 90 degrees anticlockwise. A surface speed is an angular velocity times a radius, positive anticlockwise. An
  * inverse inertia is the square of the radius over the angular inertia: what a surface speed gains by an impulse along the surface. Of a
@@ -31,14 +31,12 @@ public final class Surface {
         return (float) Math.sqrt(a * b);
     }
 
-    /** What friction of 1 takes from the speed along the surfaces; w, i: the inverse masses and inertias. */
-    public static float tangentMass(float wA, float iA, float wB, float iB) {
-        return 1f / ((wA + iA) + (wB + iB));
-    }
-
-    /** Of a light circle and a heavy one that counts as lighter by its share ({@link CrossRule}). */
-    public static float tangentMass(float wLight, float iLight, float wHeavy, float iHeavy, float share) {
-        return 1f / ((wLight + iLight) + share * (wHeavy + iHeavy));
+    /**
+     * The effective mass along the surfaces; w, i: inverse masses and inertias; share: 1, or of B if it is heavy, and counts as lighter
+     * ({@link CrossRule}).
+     */
+    public static float tangentMass(float wA, float iA, float wB, float iB, float share) {
+        return 1f / ((wA + iA) + share * (wB + iB));
     }
 
     /** The speed of B's surface against A's along t: along: t . (vB - vA); s: surface speeds; belt: the sum of both. */

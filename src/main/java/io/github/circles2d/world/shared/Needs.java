@@ -84,7 +84,7 @@ public final class Needs {
                 || s.fields.used(CircleField.ROLLING_RESISTANCE) > 0
                 || s.fields.used(CircleField.TORQUE) > 0
                 || s.fields.used(CircleField.APPLIED_TORQUE) > 0
-                || s.pieceContacts.grip()
+                || s.pieceContacts.hold()
                 || s.joints.turn();
     }
 

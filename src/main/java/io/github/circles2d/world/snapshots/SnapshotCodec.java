@@ -233,7 +233,7 @@ public final class SnapshotCodec {
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
         decode(in, s, null);
         checkPairs(s);
-        TurnSections.checkRollingImpulses(s);
+        TurnSections.checkImpulses(s);
         checkTargets(s);
         checkGrowth(s);
         TerrainSection.checkChains(s.terrain);

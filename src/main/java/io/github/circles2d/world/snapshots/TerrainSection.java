@@ -2,6 +2,7 @@ package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.TerrainLimits;
@@ -21,7 +22,7 @@ import java.util.Arrays;
  *            thickness; of an arc float x, y, direction of the middle x, y, radius, int half of the opening
  *            of contacts: int number of contacts; for each, ascending: varint id of the circle minus that of the contact before (0 at first),
  *            varint id of the piece minus that of the contact before if the circle is the same; byte flags, of which the lowest two are the side
- *            plus 1; for each flag: float normal impulse, friction, rolling impulse
+ *            plus 1; for each flag: float normal impulse, impulses by {@link ContactRows}
  * </pre>
  */
 final class TerrainSection {
@@ -54,8 +55,8 @@ final class TerrainSection {
     // flags of a contact, above its side
     private static final int SIDE = 3;
     private static final int HAS_IMPULSE = 4;
-    private static final int HAS_FRICTION = 8;
-    private static final int HAS_ROLLING = 16;
+    private static final int ROW_SHIFT = 3;
+    private static final int CONTACT_FLAGS = (1 << ROW_SHIFT + ContactRows.COUNT) - 1;
     private static final int LEAST_CONTACT = 3;
 
     private TerrainSection() {}
@@ -196,10 +197,11 @@ final class TerrainSection {
     }
 
     private static int flags(SavedPieceContacts c, int k) {
-        return c.side[k] + 1
-                | (isZero(c.impulse[k]) ? 0 : HAS_IMPULSE)
-                | (isZero(c.friction[k]) ? 0 : HAS_FRICTION)
-                | (isZero(c.rolling[k]) ? 0 : HAS_ROLLING);
+        int flags = c.side[k] + 1 | (isZero(c.impulse[k]) ? 0 : HAS_IMPULSE);
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            flags |= isZero(c.rows[ContactRows.of(k) + row]) ? 0 : 1 << ROW_SHIFT + row;
+        }
+        return flags;
     }
 
     /** Writes the section of contacts behind its number. */
@@ -214,11 +216,10 @@ final class TerrainSection {
             if ((flags & HAS_IMPULSE) != 0) {
                 out.putFloat(c.impulse[k]);
             }
-            if ((flags & HAS_FRICTION) != 0) {
-                out.putFloat(c.friction[k]);
-            }
-            if ((flags & HAS_ROLLING) != 0) {
-                out.putFloat(c.rolling[k]);
+            for (int row = 0; row < ContactRows.COUNT; row++) {
+                if ((flags >> ROW_SHIFT + row & 1) != 0) {
+                    out.putFloat(c.rows[ContactRows.of(k) + row]);
+                }
             }
         }
     }
@@ -390,6 +391,7 @@ final class TerrainSection {
         }
         SavedPieceContacts c = s.pieceContacts;
         c.ensure(count);
+        float[] rows = new float[ContactRows.COUNT];
         long circle = 0;
         long piece = -1;
         for (int k = 0; k < count; k++) {
@@ -399,11 +401,12 @@ final class TerrainSection {
             SnapshotCodec.require(!same || key > 0, "its contacts with terrain are not in order");
             circle += more;
             piece = same ? piece + key : key;
-            readContact(in, s, circle, piece);
+            readContact(in, s, circle, piece, rows);
         }
     }
 
-    private static void readContact(ByteBuffer in, SavedState s, long circle, long piece) {
+    /** rows: room for the impulses of its rows. */
+    private static void readContact(ByteBuffer in, SavedState s, long circle, long piece, float[] rows) {
         int index = circle < s.ids ? Arrays.binarySearch(s.id, 0, s.circles, (int) circle) : -1;
         SnapshotCodec.require(
                 index >= 0 && s.traits[CircleRow.of(index) + CircleRow.INVERSE_MASS] != 0f,
@@ -414,16 +417,14 @@ final class TerrainSection {
         int side = (flags & SIDE) - 1;
         boolean twoSided = PieceRow.form(s.terrain.shape[(int) piece]) == PieceRow.SEGMENT;
         SnapshotCodec.require(
-                flags <= (SIDE | HAS_IMPULSE | HAS_FRICTION | HAS_ROLLING)
-                        && side <= 1
-                        && (twoSided || side >= 0)
-                        && (side != 0 || (flags & ~SIDE) == 0),
+                flags <= CONTACT_FLAGS && side <= 1 && (twoSided || side >= 0) && (side != 0 || (flags & ~SIDE) == 0),
                 "a contact with terrain has no such flags");
         room(in, Float.BYTES * Integer.bitCount(flags & ~SIDE));
         float impulse = (flags & HAS_IMPULSE) == 0 ? 0f : value(in, 0f);
-        float friction = (flags & HAS_FRICTION) == 0 ? 0f : value(in, -Limits.WALL_IMPULSE);
-        float rolling = (flags & HAS_ROLLING) == 0 ? 0f : value(in, -Limits.WALL_IMPULSE);
-        s.pieceContacts.add((int) circle, (int) piece, 0, side, impulse, friction, rolling);
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            rows[row] = (flags >> ROW_SHIFT + row & 1) == 0 ? 0f : value(in, -Limits.WALL_IMPULSE);
+        }
+        s.pieceContacts.add((int) circle, (int) piece, 0, side, impulse, rows, 0);
     }
 
     private static float value(ByteBuffer in, float least) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
@@ -11,9 +12,9 @@ import java.util.Arrays;
  *
  * <pre>
  * section    of circles: int number of circles that have something; for each, ascending: varint of the id minus the one before (-1 at
- *            first), byte flags; for each flag from bit 0 on: int angle, float angular velocity, four floats of walls by {@link CircleRow}
+ *            first), byte flags; for each flag from bit 0 on: int angle, float angular velocity, floats of walls by {@link ContactRows}
  *            of impulses: int number of impulses that have something; for each, ascending: varint of four times the number of the impulse
- *            minus the one before (-1 at first), plus flags; for each flag: float friction, float rolling impulse
+ *            minus the one before (-1 at first), plus flags; for each flag: float impulse of the row
  * </pre>
  */
 final class TurnSections {
@@ -22,14 +23,12 @@ final class TurnSections {
     private static final int HAS_ANGLE = 1;
     private static final int HAS_VELOCITY = 2;
     private static final int WALL_SHIFT = 2;
-    private static final int CIRCLE_FLAGS = (1 << WALL_SHIFT + CircleRow.STRIDE) - 1;
+    private static final int CIRCLE_FLAGS = (1 << WALL_SHIFT + ContactRows.OF_WALLS) - 1;
     private static final int LEAST_CIRCLE = 2 + Float.BYTES;
 
-    private static final int HAS_FRICTION = 1;
-    private static final int HAS_ROLLING = 2;
-    private static final int GRIP_BITS = 2;
-    private static final int GRIP_FLAGS = (1 << GRIP_BITS) - 1;
-    private static final int LEAST_GRIP = 1 + Float.BYTES;
+    private static final int ROW_BITS = ContactRows.COUNT;
+    private static final int ROW_FLAGS = (1 << ROW_BITS) - 1;
+    private static final int LEAST_IMPULSE = 1 + Float.BYTES;
 
     private TurnSections() {}
 
@@ -56,14 +55,18 @@ final class TurnSections {
 
     private static int flagsOfCircle(SavedState s, int k) {
         int flags = (s.angle[k] == 0 ? 0 : HAS_ANGLE) | (isZero(s.angularVelocity[k]) ? 0 : HAS_VELOCITY);
-        for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
-            flags |= isZero(s.wallGrip[CircleRow.of(k) + wall]) ? 0 : 1 << WALL_SHIFT + wall;
+        for (int wall = 0; wall < ContactRows.OF_WALLS; wall++) {
+            flags |= isZero(s.wallRows[ContactRows.ofWalls(k) + wall]) ? 0 : 1 << WALL_SHIFT + wall;
         }
         return flags;
     }
 
     private static int flagsOfImpulse(SavedState s, int k) {
-        return (isZero(s.friction[k]) ? 0 : HAS_FRICTION) | (isZero(s.rolling[k]) ? 0 : HAS_ROLLING);
+        int flags = 0;
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            flags |= isZero(s.rows[ContactRows.of(k) + row]) ? 0 : 1 << row;
+        }
+        return flags;
     }
 
     private static boolean isZero(float value) {
@@ -98,7 +101,7 @@ final class TurnSections {
     }
 
     private static int key(int more, int flags) {
-        return more << GRIP_BITS | flags;
+        return more << ROW_BITS | flags;
     }
 
     /** Writes the section of circles behind its number. */
@@ -117,9 +120,9 @@ final class TurnSections {
                 if ((flags & HAS_VELOCITY) != 0) {
                     out.putFloat(s.angularVelocity[k]);
                 }
-                for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
+                for (int wall = 0; wall < ContactRows.OF_WALLS; wall++) {
                     if ((flags >> WALL_SHIFT + wall & 1) != 0) {
-                        out.putFloat(s.wallGrip[CircleRow.of(k) + wall]);
+                        out.putFloat(s.wallRows[ContactRows.ofWalls(k) + wall]);
                     }
                 }
             }
@@ -135,11 +138,10 @@ final class TurnSections {
             if (flags != 0) {
                 Varint.put(out, key(k - previous, flags));
                 previous = k;
-                if ((flags & HAS_FRICTION) != 0) {
-                    out.putFloat(s.friction[k]);
-                }
-                if ((flags & HAS_ROLLING) != 0) {
-                    out.putFloat(s.rolling[k]);
+                for (int row = 0; row < ContactRows.COUNT; row++) {
+                    if ((flags >> row & 1) != 0) {
+                        out.putFloat(s.rows[ContactRows.of(k) + row]);
+                    }
                 }
             }
         }
@@ -159,9 +161,8 @@ final class TurnSections {
             s.ensureImpulses(s.impulses);
             Arrays.fill(s.angle, 0, s.circles, 0);
             Arrays.fill(s.angularVelocity, 0, s.circles, 0f);
-            Arrays.fill(s.wallGrip, 0, CircleRow.of(s.circles), 0f);
-            Arrays.fill(s.friction, 0, s.impulses, 0f);
-            Arrays.fill(s.rolling, 0, s.impulses, 0f);
+            Arrays.fill(s.wallRows, 0, ContactRows.ofWalls(s.circles), 0f);
+            Arrays.fill(s.rows, 0, ContactRows.of(s.impulses), 0f);
         }
     }
 
@@ -186,33 +187,33 @@ final class TurnSections {
                 SnapshotCodec.require(s.angle[circle] != 0, "it has an angle of 0");
             }
             if ((flags & HAS_VELOCITY) != 0) {
-                s.angularVelocity[circle] = value(in, "an angular velocity", Limits.ANGULAR_VELOCITY);
+                s.angularVelocity[circle] = within("an angular velocity", value(in), Limits.ANGULAR_VELOCITY);
             }
-            for (int wall = 0; wall < CircleRow.STRIDE; wall++) {
+            for (int wall = 0; wall < ContactRows.OF_WALLS; wall++) {
                 if ((flags >> WALL_SHIFT + wall & 1) != 0) {
-                    s.wallGrip[CircleRow.of(circle) + wall] = value(in, "a wall's grip", Limits.WALL_IMPULSE);
+                    s.wallRows[ContactRows.ofWalls(circle) + wall] =
+                            within("an impulse along a wall", value(in), Limits.WALL_IMPULSE);
                 }
             }
         }
     }
 
-    /** Reads the section of impulses behind its number, and checks it likewise. */
+    /** The same of impulses, whose ranges {@link #checkImpulses} checks. */
     static void readImpulses(ByteBuffer in, SavedState s) {
-        int count = count(in, s.impulses, LEAST_GRIP);
+        int count = count(in, s.impulses, LEAST_IMPULSE);
         begin(s);
         long impulse = -1;
         for (int k = 0; k < count; k++) {
             long key = Integer.toUnsignedLong(Varint.get(in));
-            long more = key >> GRIP_BITS;
-            int flags = (int) key & GRIP_FLAGS;
+            long more = key >> ROW_BITS;
+            int flags = (int) key & ROW_FLAGS;
             impulse += more;
-            SnapshotCodec.require(more > 0 && impulse < s.impulses && flags != 0, "a grip has no impulse");
+            SnapshotCodec.require(more > 0 && impulse < s.impulses && flags != 0, "rows have no impulse");
             SnapshotCodec.require(in.remaining() >= values(flags), "it ends early");
-            if ((flags & HAS_FRICTION) != 0) {
-                s.friction[(int) impulse] = value(in, "friction", Limits.CACHED_IMPULSE);
-            }
-            if ((flags & HAS_ROLLING) != 0) {
-                s.rolling[(int) impulse] = value(in, "a rolling impulse", Float.MAX_VALUE);
+            for (int row = 0; row < ContactRows.COUNT; row++) {
+                if ((flags >> row & 1) != 0) {
+                    s.rows[ContactRows.of((int) impulse) + row] = value(in);
+                }
             }
         }
     }
@@ -226,19 +227,24 @@ final class TurnSections {
         return count;
     }
 
-    private static float value(ByteBuffer in, String what, float most) {
+    private static float value(ByteBuffer in) {
         float value = in.getFloat();
         SnapshotCodec.require(!isZero(value), "it has a 0 of what turns");
+        return value;
+    }
+
+    private static float within(String what, float value, float most) {
         return Limits.within(what, value, -most, most);
     }
 
-    /** Its range depends on the radii of its circles. All impulses belong to two circles that are there. */
-    static void checkRollingImpulses(SavedState s) {
+    /** Their ranges depend on the radii of their circles. All impulses belong to two circles that are there. */
+    static void checkImpulses(SavedState s) {
         for (int k = 0; s.turns && k < s.impulses; k++) {
-            if (!isZero(s.rolling[k])) {
+            if (flagsOfImpulse(s, k) != 0) {
                 float r = Math.min(radius(s, s.lo[k]), radius(s, s.hi[k]));
-                Limits.within(
-                        "a rolling impulse by radius", s.rolling[k] / r, -Limits.CACHED_ROLLING, Limits.CACHED_ROLLING);
+                for (int row = 0; row < ContactRows.COUNT; row++) {
+                    ContactRows.check(row, s.rows[ContactRows.of(k) + row], r);
+                }
             }
         }
     }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.terrain;
 
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.ContactRows;
 import java.util.Arrays;
 
 /**
@@ -25,11 +26,8 @@ public final class SavedPieceContacts {
     /** By contact: the normal impulse, at least 0. */
     public float[] impulse = new float[0];
 
-    /** By contact: the impulse of friction. */
-    public float[] friction = new float[0];
-
-    /** By contact: the rolling impulse. */
-    public float[] rolling = new float[0];
+    /** By contact: the impulses of its other rows, by {@link ContactRows}. */
+    public float[] rows = new float[0];
 
     public SavedPieceContacts() {}
 
@@ -39,42 +37,33 @@ public final class SavedPieceContacts {
 
     /** Makes room without changing the number. */
     public void ensure(int contacts) {
-        if (rolling.length < contacts) {
+        if (impulse.length < contacts) {
             // All arrays are made before one is assigned: a growth that fails changes nothing.
-            int c = Math.max(contacts, rolling.length + (rolling.length >> 1));
+            int c = Math.max(contacts, impulse.length + (impulse.length >> 1));
             int[] newCircle = Arrays.copyOf(circle, c);
             int[] newPiece = Arrays.copyOf(piece, c);
             int[] newSerial = Arrays.copyOf(serial, c);
             byte[] newSide = Arrays.copyOf(side, c);
             float[] newImpulse = Arrays.copyOf(impulse, c);
-            float[] newFriction = Arrays.copyOf(friction, c);
-            float[] newRolling = Arrays.copyOf(rolling, c);
+            float[] newRows = Arrays.copyOf(rows, ContactRows.of(c));
             circle = newCircle;
             piece = newPiece;
             serial = newSerial;
             side = newSide;
+            rows = newRows;
             impulse = newImpulse;
-            friction = newFriction;
-            rolling = newRolling;
         }
     }
 
-    /** Adds a contact behind those that there are; there is room. */
+    /** Adds a contact behind those that there are, with the impulses of its rows from a place of an array on; there is room. */
     public void add(
-            int ofCircle,
-            int ofPiece,
-            int serialOfPiece,
-            int onSide,
-            float normalImpulse,
-            float ofFriction,
-            float ofRolling) {
+            int ofCircle, int ofPiece, int serialOfPiece, int onSide, float normalImpulse, float[] ofRows, int at) {
         circle[count] = ofCircle;
         piece[count] = ofPiece;
         serial[count] = serialOfPiece;
         side[count] = (byte) onSide;
         impulse[count] = normalImpulse;
-        friction[count] = ofFriction;
-        rolling[count++] = ofRolling;
+        ContactRows.copy(ofRows, at, rows, ContactRows.of(count++));
     }
 
     /** Copies a contact to a place at or before its own. */
@@ -84,14 +73,13 @@ public final class SavedPieceContacts {
         serial[to] = serial[from];
         side[to] = side[from];
         impulse[to] = impulse[from];
-        friction[to] = friction[from];
-        rolling[to] = rolling[from];
+        ContactRows.copy(rows, ContactRows.of(from), rows, ContactRows.of(to));
     }
 
-    /** Whether a piece holds a circle. */
-    public boolean grip() {
+    /** Whether some row has acted. */
+    public boolean hold() {
         for (int k = 0; k < count; k++) {
-            if (friction[k] != 0f || rolling[k] != 0f) {
+            if (ContactRows.any(rows, ContactRows.of(k), 1)) {
                 return true;
             }
         }
@@ -102,7 +90,7 @@ public final class SavedPieceContacts {
     public long hash() {
         long sum = 0;
         for (int k = 0; k < count; k++) {
-            sum += StateHash.pieceContact(circle[k], piece[k], side[k], impulse[k], friction[k], rolling[k]);
+            sum += StateHash.pieceContact(circle[k], piece[k], side[k], impulse[k], rows, ContactRows.of(k));
         }
         return sum;
     }

@@ -97,10 +97,6 @@ class CircleMathOnDevicesTest {
             "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
             "flightThreshold", "flightThreshold(&k, p0, p1)");
 
-    /** The same of functions of five parameters that have the name of another. */
-    private static final Map<String, String> TWINS_OF_FIVE =
-            Map.of("tangentMass", "crossTangentMass(p0, p1, p2, p3, p4)");
-
     /** Statements before these expressions. */
     private static final Map<String, String> SETUPS = Map.of(
             "bounceThreshold", "StepConstants k; k.restRate = p3; k.fixedThreshold = p4;",
@@ -233,8 +229,7 @@ class CircleMathOnDevicesTest {
                     .append(";\n");
             plain.append(p == 0 ? "p" : ", p").append(p);
         }
-        String call = (types.length == 5 ? TWINS_OF_FIVE : TWINS)
-                .getOrDefault(function.getName(), TWINS.getOrDefault(function.getName(), plain + ")"));
+        String call = TWINS.getOrDefault(function.getName(), plain + ")");
         String result = function.getReturnType() == float.class ? "as_int(" + call + ")" : "(int) " + call;
         return KernelSource.ofText(
                 name,

@@ -218,7 +218,7 @@ class SurfacesAgreeTest {
             long still = pipeline.bytesHeld();
             pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, false, false));
             long turning = pipeline.bytesHeld();
-            // at home: angle, angular velocity, grips of walls, fields; in a step: as at home, spin and skin; by
+            // at home: angle, angular velocity, rows of walls, fields; in a step: as at home, spin and surface; by
             // contact
             assertThat(turning - still).isGreaterThan((2 * (8 + 16 + 16) + 16 + 16 + 16 + 16 + 8) * 1024);
             pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, false, false));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
@@ -17,6 +18,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 
@@ -86,7 +88,8 @@ final class TerrainTwins {
         List<String> contacts = new ArrayList<>();
         for (int k = 0; k < saved.count; k++) {
             contacts.add(saved.circle[k] + " " + saved.piece[k] + " " + saved.serial[k] + " " + saved.side[k] + " "
-                    + saved.impulse[k] + " " + saved.friction[k] + " " + saved.rolling[k]);
+                    + saved.impulse[k]
+                    + Arrays.toString(Arrays.copyOfRange(saved.rows, ContactRows.of(k), ContactRows.of(k + 1))));
         }
         return contacts;
     }

@@ -7,6 +7,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
 import java.nio.ByteBuffer;
@@ -70,7 +71,12 @@ final class JvmWorld implements AutoCloseable {
             if (sorted.turns) {
                 permuted.angle[slot] = sorted.angle[order[slot]];
                 permuted.angularVelocity[slot] = sorted.angularVelocity[order[slot]];
-                copyRow(sorted.wallGrip, order[slot], permuted.wallGrip, slot);
+                System.arraycopy(
+                        sorted.wallRows,
+                        ContactRows.ofWalls(order[slot]),
+                        permuted.wallRows,
+                        ContactRows.ofWalls(slot),
+                        ContactRows.OF_WALLS);
             }
         }
         pipeline.makeRoom(permuted);

@@ -185,7 +185,7 @@ class TerrainSectionTest {
     private static void contact(
             SavedState s, int circle, int piece, int side, float impulse, float friction, float rolling) {
         s.pieceContacts.ensure(s.pieceContacts.count + 1);
-        s.pieceContacts.add(circle, piece, 0, side, impulse, friction, rolling);
+        s.pieceContacts.add(circle, piece, 0, side, impulse, new float[] {friction, rolling}, 0);
     }
 
     @Test

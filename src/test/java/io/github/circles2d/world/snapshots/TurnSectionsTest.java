@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.model.ContactRows;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.function.Consumer;
@@ -62,7 +63,7 @@ class TurnSectionsTest {
 
     /** Of two circles on each other, both sections of which are known: numbers, counts, what is in them. */
     @Test
-    void gripsThatNoCallsLeadToAreRefused() {
+    void impulsesOfRowsThatNoCallsLeadToAreRefused() {
         try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 10, 10)
                 .gravity(2, -9)
@@ -77,13 +78,13 @@ class TurnSectionsTest {
             SnapshotCodec.read(snapshot(world), state);
             assertThat(state.turns).isTrue();
             assertThat(state.impulses).isOne();
-            assertThat(state.friction[0]).isNotZero();
-            assertThat(state.rolling[0]).isNotZero();
-            refusedOf(state, "friction is", s -> s.friction[0] = Float.POSITIVE_INFINITY);
-            refusedOf(state, "friction is", s -> s.friction[0] = -2e24f);
-            refusedOf(state, "a rolling impulse is", s -> s.rolling[0] = Float.NaN);
-            refusedOf(state, "a rolling impulse by radius is", s -> s.rolling[0] = 2e33f);
-            refusedOf(state, "a wall's grip is", s -> s.wallGrip[4] = 2e15f);
+            assertThat(state.rows[ContactRows.FRICTION]).isNotZero();
+            assertThat(state.rows[ContactRows.ROLLING]).isNotZero();
+            refusedOf(state, "a friction impulse is", s -> s.rows[ContactRows.FRICTION] = Float.POSITIVE_INFINITY);
+            refusedOf(state, "a friction impulse is", s -> s.rows[ContactRows.FRICTION] = -2e24f);
+            refusedOf(state, "a rolling impulse by radius is", s -> s.rows[ContactRows.ROLLING] = Float.NaN);
+            refusedOf(state, "a rolling impulse by radius is", s -> s.rows[ContactRows.ROLLING] = 2e33f);
+            refusedOf(state, "an impulse along a wall is", s -> s.wallRows[ContactRows.ofWalls(1)] = 2e15f);
             ByteBuffer good = bytes(state);
             int grip = good.limit() - 9; // the varint, friction, rolling impulse
             refused(good, "no impulse", b -> b.put(grip, (byte) (2 << 2 | 3)));

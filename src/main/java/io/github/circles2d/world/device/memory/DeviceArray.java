@@ -1,7 +1,9 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 
@@ -120,45 +122,37 @@ public enum DeviceArray {
 
     // From here on up to SURFACES: if circles can rotate, behind the others of their blocks.
     HOME_TURN("int2", "homeTurn", Index.HOME_SLOT, "angle, bits of the angular velocity"),
-    HOME_WALL_GRIP("float4", "homeWallGrip", Index.HOME_SLOT, "impulses of walls: friction x, y, rolling x, y"),
+    HOME_WALL_ROWS(WorldTables.WALL_ROWS, "homeWallRows", Index.HOME_SLOT, "impulses of the rows of walls x, y"),
     HOME_OWN(
             "float4",
             "homeOwn",
             Index.HOME_SLOT,
             "fields: own friction and rolling resistance, NaN for that of the kind; torque"),
     TURN("int2", "turn", Index.SLOT, "as homeTurn"),
-    WALL_GRIP("float4", "wallGrip", Index.SLOT, "as homeWallGrip"),
+    WALL_ROWS(WorldTables.WALL_ROWS, "wallRows", Index.SLOT, "as homeWallRows"),
     OWN("float4", "own", Index.SLOT, "as homeOwn"),
     SURFACE_SPEED("float", "surfaceSpeed", Index.SLOT, "angular velocity times radius"),
     SPIN_IMPULSE("float", "spinImpulse", Index.SLOT, "sum of impulses on it"),
     TURNED("float", "turned", Index.SLOT, "sum of the surface speeds of sub-steps"),
     INVERSE_INERTIA("float", "inverseInertia", Index.SLOT, "what a surface speed gains by an impulse"),
-    SKIN(
-            "float4",
-            "skin",
-            Index.SLOT,
-            "friction, rolling resistance, belt speed, share of angular velocity that stays"),
+    CIRCLE_SURFACE("float8", "circleSurface", Index.SLOT, "a row as those of surfaces, see surfaceOfCircle"),
     HEAVY_SPIN("long2", "heavySpin", Index.SLOT, "as heavySum: surface speed, impulse on it"),
     LIGHT_SPIN("float", "lightSpin", Index.SLOT, "as lightVelocity: surface speed"),
     START_SPIN("float", "startSpin", Index.TILED_SLOT, "as drive: surface speed"),
     SOLVED_SPIN("float", "solvedSpin", Index.TILED_SLOT, "as solvedMotion: surface speed"),
-    PAIR_SKIN("float4", "pairSkin", Index.CONTACT, "friction, belt speed, tangent mass, reach of rolling resistance"),
-    GRIP("float4", "grip", Index.CONTACT, "accumulated impulses of friction and rolling, rolling mass"),
+    PAIR_SURFACE("float2", "pairSurface", Index.CONTACT, "friction, tangent mass; negative if pairRest has something"),
+    ROW_IMPULSES(WorldTables.ROWS, "rowImpulses", Index.CONTACT, "accumulated impulses of rows"),
+    PAIR_REST("float4", "pairRest", Index.CONTACT, "belt speed, reach of rolling resistance, rolling mass"),
     START_SPINS("float2", "startSpins", Index.TILED_CONTACT, "as startImpulses: impulses on surface speeds"),
-    HELD_GRIP(
-            "float2",
-            "heldGrip",
+    HELD_ROWS(WorldTables.ROWS, "heldRows", Index.TILED_CONTACT, "as held: impulses of rows; behind an even sub-step"),
+    ODD_ROWS(
+            WorldTables.ROWS,
+            "oddRows",
             Index.TILED_CONTACT,
-            "as held: impulses of friction and rolling; behind an even sub-step"),
-    ODD_GRIP("float2", "oddGrip", Index.TILED_CONTACT, "the same behind an odd one: neighbours read what was before"),
-    COPIED_GRIP(
-            "float2",
-            "copiedGrip",
-            Index.TILED_COPY,
-            "friction, tangent mass; negative where there is a belt or rolling resistance"),
-    COPIED_ROLL("float4", "copiedRoll", Index.TILED_COPY, "belt speed, reach of rolling resistance, rolling mass"),
-    CACHED_GRIP(
-            "float2", "cachedGrip", Index.OLD_CONTACT, "by entry of impulseCache: impulses of friction and rolling"),
+            "the same behind an odd one: neighbours read what was before"),
+    COPIED_SURFACE("float2", "copiedSurface", Index.TILED_COPY, "as pairSurface"),
+    COPIED_REST("float4", "copiedRest", Index.TILED_COPY, "as pairRest"),
+    ROW_CACHE(WorldTables.ROWS, "rowCache", Index.OLD_CONTACT, "by entry of impulseCache: impulses of rows"),
     SURFACES("float", "surfaces", Index.TABLE, "a row a kind, then a row a wall, of SURFACE_STRIDE floats"),
 
     // From here on up to TERRAIN: of worlds with terrain, behind all others of their blocks. There is room for as many
@@ -167,13 +161,15 @@ public enum DeviceArray {
     HOME_PIECES("int2", "homePieces", Index.HOME_SLOT, "piece contacts: the first, how many"),
     PIECES("int2", "pieces", Index.SLOT, "as homePieces; before they are found, those of the step before"),
     HOME_PIECE("int2", "homePiece", Index.OLD_CONTACT, "by piece contact: piece, serial number"),
-    HOME_PUSH("float4", "homePush", Index.OLD_CONTACT, "by piece contact: side, impulses: normal, friction, rolling"),
+    HOME_PUSH("float2", "homePush", Index.OLD_CONTACT, "by piece contact: side, normal impulse"),
+    HOME_PIECE_ROWS(WorldTables.ROWS, "homePieceRows", Index.OLD_CONTACT, "by piece contact: impulses of other rows"),
     PIECE(
             "int4",
             "piece",
             Index.CONTACT,
             "as homePiece; then PAIR_SOLID or PAIR_SENSE; where the circle is at, or AT_NOTHING if the piece is no constraint"),
-    PUSH("float4", "push", Index.CONTACT, "as homePush"),
+    PUSH("float2", "push", Index.CONTACT, "as homePush"),
+    PIECE_ROWS(WorldTables.ROWS, "pieceRows", Index.CONTACT, "as homePieceRows"),
     MEASURED("float4", "measured", Index.CONTACT, "by piece contact: normal x, y, gap, curve"),
     STANDING(
             "float4",
@@ -250,7 +246,7 @@ public enum DeviceArray {
     static final int SURFACES_AT = KindMotion.of(PairTable.KINDS);
 
     /** Floats before {@link #KIND_TERRAIN} in the same buffer. */
-    static final int KIND_TERRAIN_AT = SURFACES_AT + DeviceArrays.SURFACE_FLOATS;
+    static final int KIND_TERRAIN_AT = SURFACES_AT + KindSurface.FLOATS;
 
     /** Floats before {@link #JOINTS} in the same buffer: a multiple of 4. */
     static final int JOINTS_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;
@@ -363,9 +359,11 @@ public enum DeviceArray {
     static int bytesOf(String type) {
         return switch (type) {
             case "int", "uint", "float" -> 4;
+            case WorldTables.ROWS -> Float.BYTES * ContactRows.STRIDE;
+            case WorldTables.WALL_ROWS -> 2 * Float.BYTES * ContactRows.STRIDE;
             case "int2", "uint2", "float2", "ulong" -> 8;
             case "int4", "float4", "ulong2", "long2" -> 16;
-            case "long4" -> 32;
+            case "long4", "float8" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             case JointHead.NAME -> Integer.BYTES * JointHead.STRUCT.words();
             default -> throw new IllegalStateException(type + " has no size here");

@@ -6,11 +6,11 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
-import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -28,9 +28,8 @@ public final class DeviceArrays {
     private static final long AS_IT_IS = 0;
 
     /** Of the rows of kinds, and of those of walls behind them. */
-    static final int SURFACE_FLOATS = KindSurface.of(PairTable.KINDS + WallMotion.COUNT);
-
     private static final int LEAST_CAPACITY = 64;
+
     private static final int LEAST_BUCKETS = 16;
     private static final int LEAST_TILES = 32;
     private static final int CONTACTS_PER_CIRCLE = 4;
@@ -216,15 +215,15 @@ public final class DeviceArrays {
                     case TILED_COPY -> copyCapacity;
                     default -> AS_IT_IS;
                 });
-                growTables(DeviceArray.SURFACES_AT + SURFACE_FLOATS, jointRoom);
+                growTables(DeviceArray.SURFACES_AT + KindSurface.FLOATS, jointRoom);
             } catch (RuntimeException | Error e) {
                 set(before);
                 throw e;
             }
             fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
-            fill(DeviceArray.HOME_WALL_GRIP, slotCapacity, 0, 0, 0, 0);
+            fill(DeviceArray.HOME_WALL_ROWS, slotCapacity, new int[2 * ContactRows.STRIDE]);
             fill(DeviceArray.HOME_OWN, slotCapacity, CircleField.NONE, CircleField.NONE, 0, 0);
-            fill(DeviceArray.CACHED_GRIP, contactCapacity, 0, 0);
+            fill(DeviceArray.ROW_CACHE, contactCapacity, new int[ContactRows.STRIDE]);
         }
     }
 
@@ -377,7 +376,7 @@ public final class DeviceArrays {
         }
     }
 
-    /** Writes the rows of surfaces, {@link #SURFACE_FLOATS} floats, where there is memory for them. */
+    /** Writes the rows of surfaces, {@link KindSurface#FLOATS} floats, where there is memory for them. */
     void writeSurfaces(IntBuffer rows) {
         writeTable(DeviceArray.SURFACES_AT, rows);
     }

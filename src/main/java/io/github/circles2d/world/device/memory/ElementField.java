@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
 
 /**
  * The fields of arrays whose elements have several numbers. Kernels name them in place of the components of a vector:
@@ -100,37 +101,19 @@ enum ElementField {
     ANGLE(DeviceArray.TURN, 0, 1),
     ANGULAR_VELOCITY(DeviceArray.TURN, 1, 1),
 
-    FRICTION_X(DeviceArray.WALL_GRIP, CircleRow.FRICTION_X, 1),
-    FRICTION_Y(DeviceArray.WALL_GRIP, CircleRow.FRICTION_Y, 1),
-    ROLLING_X(DeviceArray.WALL_GRIP, CircleRow.ROLLING_X, 1),
-    ROLLING_Y(DeviceArray.WALL_GRIP, CircleRow.ROLLING_Y, 1),
-
     OWN_FRICTION(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.FRICTION), 1),
     OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
     OWN_TORQUE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.TORQUE), 1),
 
-    FRICTION(DeviceArray.SKIN, CircleRow.FRICTION, 1),
-    ROLLING_RESISTANCE(DeviceArray.SKIN, CircleRow.ROLLING_RESISTANCE, 1),
-    BELT(DeviceArray.SKIN, CircleRow.BELT, 1),
-    ANGULAR_FACTOR(DeviceArray.SKIN, CircleRow.ANGULAR_FACTOR, 1),
+    PAIR_FRICTION(DeviceArray.PAIR_SURFACE, 0, 1),
+    TANGENT_MASS(DeviceArray.PAIR_SURFACE, 1, 1),
 
-    PAIR_FRICTION(DeviceArray.PAIR_SKIN, 0, 1),
-    PAIR_BELT(DeviceArray.PAIR_SKIN, 1, 1),
-    TANGENT_MASS(DeviceArray.PAIR_SKIN, 2, 1),
-    ROLLING_REACH(DeviceArray.PAIR_SKIN, 3, 1),
+    PAIR_BELT(DeviceArray.PAIR_REST, 0, 1),
+    ROLLING_REACH(DeviceArray.PAIR_REST, 1, 1),
+    ROLLING_MASS(DeviceArray.PAIR_REST, 2, 1),
 
-    FRICTION_IMPULSE(DeviceArray.GRIP, 0, 1),
-    ROLLING_IMPULSE(DeviceArray.GRIP, 1, 1),
-    ROLLING_MASS(DeviceArray.GRIP, 2, 1),
-
-    COPIED_FRICTION(DeviceArray.COPIED_GRIP, 0, 1),
-    COPIED_TANGENT_MASS(DeviceArray.COPIED_GRIP, 1, 1),
-    COPIED_BELT(DeviceArray.COPIED_ROLL, 0, 1),
-    COPIED_REACH(DeviceArray.COPIED_ROLL, 1, 1),
-    COPIED_ROLLING_MASS(DeviceArray.COPIED_ROLL, 2, 1),
-
-    HELD_FRICTION(DeviceArray.HELD_GRIP, 0, 1),
-    HELD_ROLLING(DeviceArray.HELD_GRIP, 1, 1),
+    FRICTION_IMPULSE(DeviceArray.ROW_IMPULSES, ContactRows.FRICTION, 1),
+    ROLLING_IMPULSE(DeviceArray.ROW_IMPULSES, ContactRows.ROLLING, 1),
 
     PIECES_FIRST(DeviceArray.PIECES, 0, 1),
     PIECES_COUNT(DeviceArray.PIECES, 1, 1),
@@ -143,9 +126,6 @@ enum ElementField {
 
     PUSH_SIDE(DeviceArray.PUSH, 0, 1),
     PUSH_NORMAL(DeviceArray.PUSH, 1, 1),
-    PUSH_FRICTION(DeviceArray.PUSH, 2, 1),
-    PUSH_ROLLING(DeviceArray.PUSH, 3, 1),
-    PUSH_IMPULSES(DeviceArray.PUSH, 1, 3),
 
     MEASURED_X(DeviceArray.MEASURED, 0, 1),
     MEASURED_Y(DeviceArray.MEASURED, 1, 1),
@@ -154,10 +134,7 @@ enum ElementField {
 
     STANDING_PLACE(DeviceArray.STANDING, 0, 2),
     STANDING_BOUNCE(DeviceArray.STANDING, 2, 1),
-    STANDING_ALLOWED(DeviceArray.STANDING, 3, 1),
-
-    CACHED_FRICTION(DeviceArray.CACHED_GRIP, 0, 1),
-    CACHED_ROLLING(DeviceArray.CACHED_GRIP, 1, 1);
+    STANDING_ALLOWED(DeviceArray.STANDING, 3, 1);
 
     private static final String COMPONENTS = "xyzw";
 

@@ -7,7 +7,6 @@ import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
-import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -123,7 +122,7 @@ public final class StepParameters {
     private int responsesVersion;
     private boolean responsesSent = true;
     private final IntBuffer responsesView = IntBuffer.wrap(responses);
-    private final int[] surfaces = new int[DeviceArrays.SURFACE_FLOATS];
+    private final int[] surfaces = new int[KindSurface.FLOATS];
     private final IntBuffer surfacesView = IntBuffer.wrap(surfaces);
     private int surfacesVersion;
     private boolean turning;
@@ -187,14 +186,6 @@ public final class StepParameters {
         clearSurfaces();
         if (input.constants.turning) {
             pack(input.surfaces.rows, surfaces);
-            for (int wall = 0; wall < WallMotion.COUNT; wall++) {
-                SurfaceSettings settings = input.constants.surfaces;
-                int row = KindSurface.of(PairTable.KINDS + wall);
-                surfaces[row + KindSurface.BELT] = Float.floatToRawIntBits(settings.wallBelt(wall));
-                surfaces[row + KindSurface.FRICTION] = Float.floatToRawIntBits(settings.wallFriction(wall));
-                surfaces[row + KindSurface.ROLLING_RESISTANCE] =
-                        Float.floatToRawIntBits(settings.wallRollingResistance(wall));
-            }
         }
         turning = input.constants.turning;
         surfacesVersion = input.surfaces.version;

@@ -5,6 +5,7 @@ import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.JointMath;
@@ -33,6 +34,12 @@ import java.util.Set;
 final class WorldTables {
     /** The name of the text in messages of a compiler. */
     static final String NAME = "world/tables of the host";
+
+    /** The kernels' type of the impulses of a contact's rows, by {@link ContactRows}. */
+    static final String ROWS = "RowImpulses";
+
+    /** The kernels' type of those of a circle's walls: a row's two axes side by side. */
+    static final String WALL_ROWS = "WallRows";
 
     private static final String TURNING = "TURNING";
     private static final String TERRAIN = "TERRAIN";
@@ -70,6 +77,8 @@ final class WorldTables {
         text.append(FieldsStruct.text());
         joints(text);
         text.append(JointHead.STRUCT.text());
+        text.append("typedef float" + ContactRows.STRIDE + " " + ROWS + ";\n");
+        text.append("typedef float" + 2 * ContactRows.STRIDE + " " + WALL_ROWS + ";\n");
         text.append(TouchArrays.text()).append(EventArrays.text());
         text.append(parameters()).append(struct()).append(initialiser());
         for (SharedArray array : SharedArray.values()) {
