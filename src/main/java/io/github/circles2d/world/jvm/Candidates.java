@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -79,10 +80,23 @@ final class Candidates {
 
     /** Counts what a circle has found in coarser levels, unless all has been counted before. Returns its number. */
     int countFound(int slot, int pairs) {
-        if (!thinned) {
-            count[slot] += pairs;
-        }
+        return count(slot, thinned ? 0 : pairs);
+    }
+
+    /** Counts pairs of a circle that no other worker counts for; returns its number. */
+    int count(int slot, int pairs) {
+        count[slot] += pairs;
         return count[slot];
+    }
+
+    /** As {@link #countFound} of one pair of a circle for which other workers may count, too. */
+    int countFoundShared(int slot) {
+        return thinned ? count[slot] : countShared(slot);
+    }
+
+    /** Counts a pair of a circle for which other workers may count, too; returns its number so far. */
+    int countShared(int slot) {
+        return SharedInts.getAndAdd(count, slot, 1) + 1;
     }
 
     /**

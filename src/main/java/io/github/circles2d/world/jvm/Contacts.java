@@ -52,6 +52,7 @@ public final class Contacts {
     private final Candidates candidates;
     private final Pairs pairs;
     private final CrossContacts cross;
+    private final NearResting resting;
 
     /** The rows whose contacts each worker lists. */
     private final Bands bands;
@@ -106,9 +107,10 @@ public final class Contacts {
         impulseCache = new ImpulseCache(state);
         rows = new PairRows(state, impulseCache);
         candidates = new Candidates(state, grid, levels);
-        pairs = new Pairs(state, grid, levels, candidates);
+        resting = new NearResting(state, grid, levels, candidates, team);
+        pairs = new Pairs(state, grid, levels, candidates, resting);
         nearby = Nearby.ofWorkers(grid, levels, team);
-        cross = new CrossContacts(state, grid, levels, candidates, team, nearby);
+        cross = new CrossContacts(state, grid, levels, candidates, team, nearby, resting);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
@@ -120,6 +122,7 @@ public final class Contacts {
     void ensure() {
         begun = false;
         candidates.ensure();
+        resting.ensure();
         cross.ensure();
         if (rowStart.length <= levels.rows) {
             rowStart = new int[levels.rows + 1 + (levels.rows >> 2)];
@@ -151,12 +154,19 @@ public final class Contacts {
     // ---- finding
     // -----------------------------------------------------------------------------------------------------
 
+    /** Finds the circles that rest near to others, before all pairs. */
+    void findResting(int worker, StepConstants k) {
+        if (resting.areAny()) {
+            resting.find(worker, k);
+        }
+    }
+
     /**
      * Finds the pairs and makes room for their contacts. Where circles crowd, so that a list of all pairs would take too much
      * memory, it stops half-way: {@link #overflowed} then says so.
      */
     void find(int worker) {
-        candidates.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        candidates.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         find(worker, false);
     }
 
@@ -169,7 +179,11 @@ public final class Contacts {
     void findShare(int worker) {
         team.sync(worker); // all have asked for crowds before that changes
         found[worker].most = candidates.countAll(
-                nearby[worker], cross.near(worker), team.part(state.n, worker), team.part(state.n, worker + 1));
+                nearby[worker], cross.near(worker), team.part(state.awake, worker), team.part(state.awake, worker + 1));
+        if (resting.areAny()) {
+            int most = resting.countAll(worker, team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            found[worker].most = Math.max(found[worker].most, most);
+        }
         team.sync(worker);
         if (worker == 0) {
             wereCrowded = false;
@@ -186,7 +200,9 @@ public final class Contacts {
             bands.divide(null, null, 0);
         }
         team.sync(worker);
-        cross.find(worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
+        cross.find(
+                worker,
+                all ? Integer.MAX_VALUE : room(team.part(state.awake, worker + 1) - team.part(state.awake, worker)));
         FoundPairs f = found[worker];
         f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
         for (int l = 0; l < levels.usedCount && !cross.overflowed(); l++) {
@@ -273,6 +289,38 @@ public final class Contacts {
     // ---- filling
     // -----------------------------------------------------------------------------------------------------
 
+    /** Begins to fill contacts. */
+    void beginToFill(int worker) {
+        resting.beginContacts(worker);
+    }
+
+    /** The start into a sub-step of circles that rest and have contacts of some range, as {@link CirclePasses} does with others. */
+    void startResting(int from, int to, StepConstants k) {
+        if (!resting.areAny()) {
+            return;
+        }
+        int awake = CircleRow.of(state.awake);
+        for (int place = ContactRow.a(from); place < ContactRow.a(to); place++) {
+            if (pair[place] >= awake) {
+                state.load[pair[place] + CircleRow.BEFORE_X] = 0f;
+                state.load[pair[place] + CircleRow.BEFORE_Y] = 0f;
+                if (k.turning) {
+                    state.turning.startStatic(CircleRow.slot(pair[place]));
+                }
+            }
+        }
+    }
+
+    /** Once all contacts are filled. */
+    void settleResting(int worker) {
+        if (resting.areAny()) {
+            if (worker == 0) {
+                resting.settle();
+            }
+            team.sync(worker);
+        }
+    }
+
     /** First row whose contacts a worker has found, and fills; of the number of workers: the end. */
     int firstRow(int level, int worker) {
         return bands.first(level, worker);
@@ -299,6 +347,9 @@ public final class Contacts {
             if (touches != null) {
                 touches.follow(worker, c, found);
             }
+            if ((int) (slots >>> 32) >= state.awake) {
+                resting.noteLower(worker, (int) (slots >>> 32));
+            }
         }
         if (!candidates.thinned()) {
             for (int c = from; c < to; c++) {
@@ -323,6 +374,9 @@ public final class Contacts {
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             if (touches != null) {
                 touches.follow(worker, c, found);
+            }
+            if (lower >= state.awake) {
+                resting.noteLower(worker, lower);
             }
             heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
             int o = ContactRow.of(c);
@@ -438,7 +492,7 @@ public final class Contacts {
 
     /** Pairs whose distance was tested. */
     long candidatePairs() {
-        long sum = cross.tested();
+        long sum = cross.tested() + resting.tested();
         for (int w = 0; w < team.size(); w++) {
             sum += found[w].tested;
         }
@@ -455,6 +509,7 @@ public final class Contacts {
         long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
                 + rows.bytes()
                 + candidates.bytes()
+                + resting.bytes()
                 + cross.bytes();
         for (FoundPairs f : found) {
             sum += f.bytes();

@@ -20,6 +20,7 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.Paths;
+import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TimeOfImpact;
 import io.github.circles2d.world.model.Tuning;
@@ -56,6 +57,9 @@ public final class ContinuousCollision {
     /** By worker: the circles around the one that it looks at. */
     private final Nearby[] nearby;
 
+    /** By worker: those that rest. */
+    private final Resting.Found[] resting;
+
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
     private int[] timeOfImpact = new int[0];
 
@@ -77,6 +81,10 @@ public final class ContinuousCollision {
         reaches = new ReachGrid(state, grid, levels, team);
         sparse = new SparseGrid(state, grid, levels, team);
         nearby = Nearby.ofWorkers(grid, levels, team);
+        resting = new Resting.Found[team.most()];
+        for (int worker = 0; worker < resting.length; worker++) {
+            resting[worker] = new Resting.Found();
+        }
     }
 
     void ensure() {
@@ -104,30 +112,30 @@ public final class ContinuousCollision {
 
     void sweep(int worker, StepConstants constants) {
         if (!grid.anyFast()) {
-            setFreeClamps(team.part(state.n, worker), team.part(state.n, worker + 1));
+            setFreeClamps(team.part(state.awake, worker), team.part(state.awake, worker + 1));
             return;
         }
         reaches.clear(worker);
         sparse.clear(worker);
         for (int round = 0; round < team.rounds(); round++) {
-            start(team.from(state.n, worker, round), team.to(state.n, worker, round), constants);
+            start(team.from(state.awake, worker, round), team.to(state.awake, worker, round), constants);
         }
         team.sync(worker);
         for (int round = 0; round < team.rounds(); round++) {
-            reaches.add(team.from(state.n, worker, round), team.to(state.n, worker, round));
-            sparse.add(worker, team.from(state.n, worker, round), team.to(state.n, worker, round));
+            reaches.add(team.from(state.awake, worker, round), team.to(state.awake, worker, round));
+            sparse.add(worker, team.from(state.awake, worker, round), team.to(state.awake, worker, round));
         }
         team.sync(worker);
         sparse.settle(worker);
         for (int round = 0; round < team.rounds(); round++) {
-            lookForStops(worker, team.from(state.n, worker, round), team.to(state.n, worker, round));
+            lookForStops(worker, team.from(state.awake, worker, round), team.to(state.awake, worker, round));
         }
         team.sync(worker);
         if (grid.anyMovingStatic()) {
             lookForCarriers(worker);
         }
         for (int round = 0; round < team.rounds(); round++) {
-            setMotionClamps(team.from(state.n, worker, round), team.to(state.n, worker, round), constants);
+            setMotionClamps(team.from(state.awake, worker, round), team.to(state.awake, worker, round), constants);
         }
         team.sync(worker);
     }
@@ -205,6 +213,7 @@ public final class ContinuousCollision {
             boolean looks = looksForStops(slot);
             if (looks) {
                 lookForStops(worker, slot);
+                lookAtResting(resting[worker], slot);
             }
             int count = reaches.find(worker, slot, looks);
             int[] hits = reaches.hits(worker);
@@ -256,6 +265,29 @@ public final class ContinuousCollision {
                 }
             } else {
                 meetInRows(slot, level, left, right, low, high);
+            }
+        }
+    }
+
+    private void lookAtResting(Resting.Found found, int slot) {
+        if (state.awake == state.n) {
+            return;
+        }
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
+        float reach = reaches.reaches()[slot];
+        state.resting.find(found, levels.bounds, x - reach, x + reach, y - reach, y + reach);
+        for (int k = 0; k < found.count; k++) {
+            int other = found.slots[k];
+            float r = state.circle[CircleRow.of(other) + RADIUS];
+            if (PairRule.isNear(
+                            state.differenceX(slot, other),
+                            state.differenceY(slot, other),
+                            reach,
+                            Reach.reachOf(r, 0f, true))
+                    != 0) {
+                grid.describeResting(other);
+                meet(slot, other);
             }
         }
     }
@@ -331,8 +363,8 @@ public final class ContinuousCollision {
     /** The first time for when circles are taken along, the second to note by which static circle. */
     private void lookForCarriers(int worker, boolean note) {
         for (int round = 0; round < team.rounds(); round++) {
-            int to = team.to(state.n, worker, round);
-            for (int slot = team.from(state.n, worker, round); slot < to; slot++) {
+            int to = team.to(state.awake, worker, round);
+            for (int slot = team.from(state.awake, worker, round); slot < to; slot++) {
                 if (looksAhead(slot)) {
                     lookAhead(nearby[worker], slot, note);
                 }

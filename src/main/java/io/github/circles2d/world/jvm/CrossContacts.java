@@ -26,6 +26,7 @@ final class CrossContacts {
     private final Sums sums;
     private final FoundCross[] found;
     private final Nearby[] nearby;
+    private final NearResting resting;
 
     /** The circles that are heavy in some contact. */
     final HeavyCircles heavyCircles;
@@ -48,13 +49,21 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
-    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team, Nearby[] nearby) {
+    CrossContacts(
+            State state,
+            Grid grid,
+            GridLevels levels,
+            Candidates candidates,
+            Team team,
+            Nearby[] nearby,
+            NearResting resting) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.candidates = candidates;
         this.team = team;
         this.nearby = nearby;
+        this.resting = resting;
         sums = new Sums(team);
         heavyCircles = new HeavyCircles(state, team);
         found = new FoundCross[team.most()];
@@ -88,7 +97,7 @@ final class CrossContacts {
 
     /** Number of contacts; 0 where there is one level. */
     int count() {
-        return levels.usedCount < 2 ? 0 : lightStart[state.n];
+        return levels.usedCount < 2 ? 0 : lightStart[state.awake];
     }
 
     int lightSlot(int contact) {
@@ -99,9 +108,13 @@ final class CrossContacts {
         return (int) heavy[contact];
     }
 
-    /** The number of a contact's heavy circle among the heavy ones. */
+    /** The number of a contact's heavy circle among the heavy ones; all that rest have the one behind the last. */
     int heavyNumber(int contact) {
-        return number[heavySlot(contact)];
+        return rests(contact) ? heavyCircles.count : number[heavySlot(contact)];
+    }
+
+    private boolean rests(int contact) {
+        return heavySlot(contact) >= state.awake;
     }
 
     /** The number of a slot among the heavy circles; -1 if it is heavy in no contact. */
@@ -111,7 +124,7 @@ final class CrossContacts {
 
     /** By how much the heavy circle of a contact counts as lighter. */
     float share(int contact) {
-        return CrossRule.crossShare(load[heavySlot(contact)]);
+        return rests(contact) ? 1f : CrossRule.crossShare(load[heavySlot(contact)]);
     }
 
     /** The first contact whose light circle lies in a slot or behind it. */
@@ -130,14 +143,14 @@ final class CrossContacts {
         if (levels.usedCount < 2) {
             return;
         }
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
+        int from = team.part(state.awake, worker);
+        int to = team.part(state.awake, worker + 1);
         Arrays.fill(lightStart, from, to, 0);
         Arrays.fill(load, from, to, 0);
         team.sync(worker);
         for (int round = 0; round < team.rounds(); round++) {
-            int end = team.to(state.n, worker, round);
-            for (int slot = team.from(state.n, worker, round); slot < end && !f.overflowed; slot++) {
+            int end = team.to(state.awake, worker, round);
+            for (int slot = team.from(state.awake, worker, round); slot < end && !f.overflowed; slot++) {
                 find(f, nearby[worker], slot);
             }
         }
@@ -151,7 +164,7 @@ final class CrossContacts {
         if (worker == 0) {
             ensureContacts();
         }
-        sums.sumUp(worker, lightStart, state.n);
+        sums.sumUp(worker, lightStart, state.awake);
         if (worker == 0) {
             heavyCircles.ensure(heavyCirclesBefore(team.size()));
         }
@@ -259,7 +272,8 @@ final class CrossContacts {
         for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
             findInCoarserLevel(f, near, slot, levels.used[k]);
         }
-        if (f.near.count == 0) {
+        boolean rest = resting.areAny() && resting.first(slot) < resting.first(slot + 1);
+        if (f.near.count == 0 && !rest) {
             f.most = Math.max(f.most, candidates.countFound(slot, 0));
             return;
         }
@@ -275,6 +289,7 @@ final class CrossContacts {
                 countIn(load, other, CrossRule.loadOfHeavy(w, v));
             }
         }
+        int fromResting = rest ? addResting(f, slot) : 0;
         f.sort(before);
         int own = f.count - before;
         f.rank(before, own == 0 ? 0 : countIn(lightStart, slot, own));
@@ -288,7 +303,23 @@ final class CrossContacts {
             }
         }
         f.near.count = 0;
-        f.most = Math.max(f.most, candidates.countFound(slot, own + fromFiner));
+        f.most = Math.max(f.most, candidates.countFound(slot, own + fromFiner - fromResting));
+    }
+
+    /** Adds the contacts of a circle with those that rest in other levels; returns how many of these are finer. */
+    private int addResting(FoundCross f, int slot) {
+        int finer = 0;
+        for (int entry = resting.first(slot); entry < resting.first(slot + 1); entry++) {
+            int other = resting.slot(entry);
+            if (resting.way(entry) >= NearResting.COARSER && candidates.keeps(slot, other)) {
+                f.add(slot, (long) state.id[other] << 32 | other);
+                if (resting.way(entry) == NearResting.FINER) {
+                    finer++;
+                    f.most = Math.max(f.most, candidates.countFoundShared(other));
+                }
+            }
+        }
+        return finer;
     }
 
     /** Looks in the cells of a coarser level in which a circle may lie whose speculative distance meets that of this one. */

@@ -22,7 +22,7 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Stage Grid: sorts the circles by (level, bucket), and within a bucket by sheet, if there are sheets ({@link GridLevels}), and id. So
+ * Stage Grid: sorts the circles that do not rest by (level, bucket), and within a bucket by sheet, if there are sheets ({@link GridLevels}), and id. So
  * a bucket's circles have consecutive slots. It is a counting sort: count, sum up, scatter, then sort each bucket, so that the order of
  * the threads does not show.
  */
@@ -117,7 +117,7 @@ public final class Grid {
     }
 
     void build(int worker, StepConstants constants) {
-        int n = state.n;
+        int n = state.awake;
         int buckets = levels.buckets();
         Arrays.fill(start, team.part(buckets, worker), team.part(buckets, worker + 1), 0);
         team.sync(worker);
@@ -131,8 +131,14 @@ public final class Grid {
         if (moved) {
             state.permute(order, team.part(n, worker), team.part(n, worker + 1));
             team.sync(worker);
-            if (worker == 0) {
-                state.swap();
+            if (2 * n >= state.n) {
+                state.copyResting(team.part(state.n - n, worker), team.part(state.n - n, worker + 1));
+                team.sync(worker);
+                if (worker == 0) {
+                    state.swap();
+                }
+            } else {
+                state.takeBack(team.part(n, worker), team.part(n, worker + 1));
             }
             team.sync(worker);
         }
@@ -238,6 +244,7 @@ public final class Grid {
         float[] kinds = state.kindMotion;
         boolean some = false;
         boolean moving = false;
+        boolean resting = false;
         float longest = 0f;
         float least = leastRadius();
         Bounds b = constants.bounds;
@@ -284,6 +291,7 @@ public final class Grid {
             speculativeDistance[slot] = Paths.speculativeDistance(r, path[slot]);
             some |= Paths.isFast(path[slot], isStatic ? least : r);
             moving |= isStatic && length > 0f;
+            resting |= isStatic && length == 0f;
             longest = isStatic ? longest : CircleMath.max(path[slot], longest);
         }
         if (some) {
@@ -292,7 +300,20 @@ public final class Grid {
         if (moving) {
             movingStatics = true;
         }
+        if (resting) {
+            state.resting.propose();
+        }
         longestPath.accumulateAndGet(Float.floatToRawIntBits(longest), Math::max);
+    }
+
+    /** As {@link #describe} of a circle that rests, and that one near to it has found; several workers may have found it. */
+    void describeResting(int slot) {
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        state.plan[CircleRow.vector(slot) + X] = 0f;
+        state.plan[CircleRow.vector(slot) + Y] = 0f;
+        level[slot] = (byte) levels.level(r);
+        path[slot] = 0f;
+        speculativeDistance[slot] = Paths.speculativeDistance(r, 0f);
     }
 
     /** Whether the circles of a bucket are in the order of their sheets, and static ones last in a sheet. */

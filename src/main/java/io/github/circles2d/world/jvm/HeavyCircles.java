@@ -88,9 +88,10 @@ final class HeavyCircles {
         return SPIN_SUMS * number;
     }
 
-    /** Makes room; one worker does it for all. */
-    void ensure(int circles) {
-        count = circles;
+    /** Makes room, also for one more, which is still and takes nothing: all that rest are alike. One worker does it for all. */
+    void ensure(int heavy) {
+        count = heavy;
+        int circles = heavy + 1;
         if (slot.length < circles) {
             int c = circles + (circles >> 2);
             int[] newSlot = new int[c];
@@ -105,8 +106,10 @@ final class HeavyCircles {
                 sums[w] = new long[SUMS * slot.length];
             }
         }
+        Arrays.fill(seen, row(heavy), row(circles), 0f);
         if (state.turning != null) {
             ensureTurning(circles);
+            seenSurfaceSpeed[heavy] = 0f;
         }
     }
 

@@ -70,7 +70,7 @@ final class JointPasses {
 
     /** Begins the joints of a step, once their circles have slots, and finds out which circles they hold. */
     void begin(int worker) {
-        Arrays.fill(jointed, team.part(state.n, worker), team.part(state.n, worker + 1), false);
+        Arrays.fill(jointed, team.part(state.awake, worker), team.part(state.awake, worker + 1), false);
         team.sync(worker);
         int to = team.part(joints.count, worker + 1);
         for (int place = team.part(joints.count, worker); place < to; place++) {

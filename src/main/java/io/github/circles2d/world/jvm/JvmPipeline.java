@@ -38,6 +38,10 @@ public final class JvmPipeline implements Pipeline {
 
     final State state = new State();
     final GridLevels levels = new GridLevels();
+
+    /** The levels of all circles; {@link #levels} has room for those that do not rest. */
+    private GridLevels shape;
+
     private final Team team;
     final Grid grid;
     final Contacts contacts;
@@ -92,6 +96,11 @@ public final class JvmPipeline implements Pipeline {
         state.ensure(capacity);
     }
 
+    /** From now on no circle rests, which changes no bit; for tests. */
+    public void keepAwake() {
+        state.resting.turnOff();
+    }
+
     @Override
     public void prepare(ContactSettings settings, Features features) {
         if (features.turning()) {
@@ -128,8 +137,8 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void step(StepInput input, GridLevels shape, int count) {
-        levels.copy(shape);
+    public void step(StepInput input, GridLevels all, int count) {
+        shape = all;
         constants = input.constants;
         reports = input.reports;
         terrain = input.terrain;
@@ -155,7 +164,7 @@ public final class JvmPipeline implements Pipeline {
         if (pieces != null) {
             pieces.touches = touches == null ? null : touches.pieces;
         }
-        team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
+        team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
     }
 
     /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
@@ -174,6 +183,9 @@ public final class JvmPipeline implements Pipeline {
             constants.warmScale = 1f;
         }
         times.begin();
+        state.resting.settle(constants, jointStep);
+        levels.copy(shape);
+        levels.fit(state.awake);
         grid.ensure();
         contacts.ensure();
         sweep.ensure();
@@ -202,6 +214,7 @@ public final class JvmPipeline implements Pipeline {
             pieces.find(worker, terrain, constants.turning);
         }
         end(worker, SWEEP);
+        contacts.findResting(worker, constants);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
             contacts.find(worker);
@@ -215,6 +228,7 @@ public final class JvmPipeline implements Pipeline {
             contacts.findShare(worker);
             solver.prepare(worker, constants, terrain);
         }
+        contacts.settleResting(worker);
         end(worker, CONTACTS);
         solver.solve(worker, constants);
         if (recorder != null) {

@@ -20,12 +20,14 @@ public final class Pairs {
     private final GridLevels levels;
 
     private final Candidates candidates;
+    private final NearResting resting;
 
-    Pairs(State state, Grid grid, GridLevels levels, Candidates candidates) {
+    Pairs(State state, Grid grid, GridLevels levels, Candidates candidates, NearResting resting) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.candidates = candidates;
+        this.resting = resting;
     }
 
     /** Pairs near to each other, a few at a time: slot of the one above slot of the other. */
@@ -45,6 +47,13 @@ public final class Pairs {
         int rightTo = start[own + nextColumn + 1];
         int aboveFrom = start[above + column];
         int aboveTo = start[above + column + 1];
+        if (resting.areAny()) {
+            resting.gather(f, from, to, 0);
+            resting.gather(f, rightFrom, rightTo, NearResting.LEFT);
+            resting.gather(f, aboveFrom, aboveTo, NearResting.DOWN);
+            int beyond = above + nextColumn;
+            resting.gather(f, start[beyond], start[beyond + 1], NearResting.LEFT | NearResting.DOWN);
+        }
         if (grid.hasSheets()
                 && !(grid.isPlain(from, to, level)
                         && grid.isPlain(rightFrom, rightTo, level)

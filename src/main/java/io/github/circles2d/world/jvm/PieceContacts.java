@@ -113,10 +113,21 @@ final class PieceContacts {
         count[to] = count[from];
     }
 
+    void exchange(int slot, int other) {
+        State.exchange(first, slot, other);
+        State.exchange(count, slot, other);
+    }
+
     /** As {@link State#permute}. */
     void permute(int old, int slot) {
         firstSpare[slot] = first[old];
         countSpare[slot] = count[old];
+    }
+
+    /** As {@link State#copy}. */
+    void copy(int from, int to, boolean back) {
+        State.copy(first, firstSpare, from, to - from, back);
+        State.copy(count, countSpare, from, to - from, back);
     }
 
     void swap() {

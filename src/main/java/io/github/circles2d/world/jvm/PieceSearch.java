@@ -59,8 +59,8 @@ final class PieceSearch {
 
     /** Finds the contacts of all circles, each worker those of its part. */
     void find(int worker, TerrainStep terrain, boolean turning) {
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
+        int from = team.part(state.awake, worker);
+        int to = team.part(state.awake, worker + 1);
         finders[worker].find(from, to, terrain);
         team.sync(worker);
         if (worker == 0) {

@@ -72,7 +72,7 @@ final class ReachGrid {
             reach = newReach;
             last = newLast;
         }
-        buckets = Reach.reachBuckets(state.n);
+        buckets = Reach.reachBuckets(state.awake);
         topExponent = Reach.topExponent(levels.rmax);
         rounding = state.wraps ? levels.bounds.magnitude() * 0x1p-20f : 0f;
         used.set(0);

@@ -58,13 +58,13 @@ final class Recorder {
     /** Begins a step, once the circles lie in the order of the grid. */
     void begin(int worker, StepReports reports) {
         if (reports.sensing) {
-            sensing.begin(team.part(state.n, worker), team.part(state.n, worker + 1));
+            sensing.begin(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         }
     }
 
     void end(int worker, TerrainStep terrain, StepConstants k, StepReports reports) {
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
+        int from = team.part(state.awake, worker);
+        int to = team.part(state.awake, worker + 1);
         if (reports.recording) {
             touches.endStep(worker, from, to, terrain, k);
         }

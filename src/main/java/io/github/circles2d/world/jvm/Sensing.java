@@ -31,6 +31,9 @@ final class Sensing {
     /** By worker: the circles around the one that it looks at. */
     private final Nearby[] nearby;
 
+    /** By worker: those that rest. */
+    private final Resting.Found[] resting;
+
     /** By slot: x, y at the start of the step. */
     private float[] start = new float[0];
 
@@ -48,6 +51,10 @@ final class Sensing {
     Sensing(State state, Grid grid, GridLevels levels, Team team, ContactEvents events) {
         this.state = state;
         nearby = Nearby.ofWorkers(grid, levels, team);
+        resting = new Resting.Found[team.most()];
+        for (int worker = 0; worker < resting.length; worker++) {
+            resting[worker] = new Resting.Found();
+        }
         this.levels = levels;
         this.events = events;
     }
@@ -92,6 +99,32 @@ final class Sensing {
             if (takesPart[kind] && (seeks[kind] || isFast(slot))) {
                 look(nearby[worker], records, slot, k);
             }
+            if (takesPart[kind] && state.awake < state.n && !state.isStatic(slot)) {
+                lookAtResting(resting[worker], records, slot, k);
+            }
+        }
+    }
+
+    /** Looks at circles that rest for both: these do not look themselves. */
+    private void lookAtResting(Resting.Found found, TouchRecords records, int slot, StepConstants k) {
+        float x = start[CircleRow.vector(slot) + X];
+        float y = start[CircleRow.vector(slot) + Y];
+        float toX = x + pathX(slot);
+        float toY = y + pathY(slot);
+        float margin = SensorRule.sensorMargin(state.circle[CircleRow.of(slot) + RADIUS], 0f, 0f);
+        state.resting.find(
+                found,
+                levels.bounds,
+                CircleMath.min(x, toX) - margin,
+                CircleMath.max(x, toX) + margin,
+                CircleMath.min(y, toY) - margin,
+                CircleMath.max(y, toY) + margin);
+        float path = path(slot);
+        for (int n = 0; n < found.count; n++) {
+            int other = found.slots[n];
+            begin(other, other + 1);
+            lookAt(records, slot, other, other + 1, path, k);
+            lookAt(records, other, slot, slot + 1, 0f, k);
         }
     }
 

@@ -103,15 +103,16 @@ public final class Solver {
             boolean alike = levels.usedCount == 1;
             bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && joints == null ? 2 * LAG : 0);
         }
-        movers[worker].begin(team.part(state.n, worker), team.part(state.n, worker + 1), k);
+        movers[worker].begin(team.part(state.awake, worker), team.part(state.awake, worker + 1), k);
         likeVisits[worker].turn(k.turning);
         crossVisits[worker].turn(k.turning);
         if (movers[worker].walls.touches != null) {
-            movers[worker].walls.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+            movers[worker].walls.touches.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         }
         if (movers[worker].pieceTouches != null) {
-            movers[worker].pieceTouches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+            movers[worker].pieceTouches.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         }
+        contacts.beginToFill(worker);
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
             int from = contacts.firstRow(levels.used[l], worker);
@@ -138,7 +139,7 @@ public final class Solver {
             shares[worker].takeBands(bands, worker);
             prepareCross(worker, k);
         } else {
-            shares[worker].takeSlots(team.part(state.n, worker), team.part(state.n, worker + 1));
+            shares[worker].takeSlots(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         }
     }
 
@@ -414,6 +415,7 @@ public final class Solver {
     }
 
     private void solve(int worker, int level, int row, StepConstants k) {
+        contacts.startResting(firstContact(level, row), firstContact(level, row + 1), k);
         likeVisits[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
         if (touches != null) {
             touches.afterSolve(worker, firstContact(level, row), firstContact(level, row + 1), k);

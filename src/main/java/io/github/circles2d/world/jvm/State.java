@@ -30,7 +30,8 @@ import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
 /**
- * The circles on the JVM: dense slots 0 to n - 1, in the cell order of the last grid, in flat arrays.
+ * The circles on the JVM: dense slots 0 to n - 1, in flat arrays. Slots below {@link #awake} are in the cell order of the last grid. The
+ * slots behind it have the circles that {@linkplain Resting rest}, in no order.
  *
  * <p>A position is a base, which stays for a step, and the displacement since. A step adds far less to a coordinate than the
  * coordinate itself, and rounding would lose it if millions of circles share an arena. At the end of a step the base becomes the
@@ -39,6 +40,12 @@ import java.util.Arrays;
 public final class State {
     /** Number of circles. */
     int n;
+
+    /** Number of circles that do not rest, which have the lowest slots. */
+    int awake;
+
+    /** The circles that rest. */
+    final Resting resting = new Resting(this);
 
     /** Circles that all arrays have room for; some have room for more after a growth that ran out of memory. */
     private int capacity;
@@ -122,6 +129,7 @@ public final class State {
         return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity()
                 + 4L * slotOf.length
                 + fields.bytes()
+                + resting.bytes()
                 + (turning == null ? 0 : turning.bytes())
                 + (pieces == null ? 0 : pieces.bytes());
     }
@@ -254,6 +262,11 @@ public final class State {
                 remove(slot);
                 continue;
             }
+            if (records[k + Commands.OPCODE] == Commands.FIELD) {
+                fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
+                continue;
+            }
+            slot = wake(slot);
             float a = Float.intBitsToFloat(records[k + Commands.FIRST]);
             float b = Float.intBitsToFloat(records[k + Commands.SECOND]);
             int s = CircleRow.of(slot);
@@ -292,7 +305,6 @@ public final class State {
                 case Commands.ANGULAR_IMPULSE -> turning.applyImpulse(slot, a, b);
                 case Commands.DEPART -> depart(s, a, b, records, k);
                 case Commands.ARRIVE -> arrive(s, a, b);
-                case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
         }
@@ -320,7 +332,11 @@ public final class State {
     }
 
     private void add(int circleId, int[] records, int k) {
-        int slot = n++;
+        int slot = awake++;
+        if (slot < n) {
+            move(slot, n);
+        }
+        n++;
         int s = CircleRow.of(slot);
         circle[s + X] = Float.intBitsToFloat(records[k + Commands.ADD_X]);
         circle[s + Y] = Float.intBitsToFloat(records[k + Commands.ADD_Y]);
@@ -339,6 +355,13 @@ public final class State {
         if (turning != null) {
             turning.add(slot);
         }
+        proposeRest(slot);
+    }
+
+    private void proposeRest(int slot) {
+        if (isStatic(slot)) {
+            resting.propose();
+        }
     }
 
     private void forget(int slot) {
@@ -356,22 +379,87 @@ public final class State {
 
     private void remove(int slot) {
         slotOf[id[slot]] = -1;
-        int last = --n;
-        if (slot != last) {
-            System.arraycopy(circle, CircleRow.of(last), circle, CircleRow.of(slot), CircleRow.STRIDE);
-            System.arraycopy(motion, CircleRow.of(last), motion, CircleRow.of(slot), CircleRow.STRIDE);
-            System.arraycopy(traits, CircleRow.of(last), traits, CircleRow.of(slot), CircleRow.STRIDE);
-            id[slot] = id[last];
-            firstCached[slot] = firstCached[last];
-            fresh[slot] = fresh[last];
-            if (turning != null) {
-                turning.move(last, slot);
-            }
-            if (pieces != null) {
-                pieces.move(last, slot);
-            }
-            slotOf[id[slot]] = slot;
+        int hole = slot;
+        if (slot >= awake) {
+            resting.remove(id[slot]);
+        } else if (slot != --awake) {
+            move(awake, slot);
+            hole = awake;
         }
+        if (hole != --n) {
+            move(n, hole);
+        }
+    }
+
+    /** Moves a circle to a slot that has none. */
+    private void move(int from, int to) {
+        System.arraycopy(circle, CircleRow.of(from), circle, CircleRow.of(to), CircleRow.STRIDE);
+        System.arraycopy(motion, CircleRow.of(from), motion, CircleRow.of(to), CircleRow.STRIDE);
+        System.arraycopy(traits, CircleRow.of(from), traits, CircleRow.of(to), CircleRow.STRIDE);
+        id[to] = id[from];
+        firstCached[to] = firstCached[from];
+        fresh[to] = fresh[from];
+        if (turning != null) {
+            turning.move(from, to);
+        }
+        if (pieces != null) {
+            pieces.move(from, to);
+        }
+        slotOf[id[to]] = to;
+    }
+
+    private void exchange(int slot, int other) {
+        if (slot == other) {
+            return;
+        }
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            exchange(circle, CircleRow.of(slot) + k, CircleRow.of(other) + k);
+            exchange(motion, CircleRow.of(slot) + k, CircleRow.of(other) + k);
+            exchange(traits, CircleRow.of(slot) + k, CircleRow.of(other) + k);
+        }
+        exchange(id, slot, other);
+        exchange(firstCached, slot, other);
+        boolean isFresh = fresh[slot];
+        fresh[slot] = fresh[other];
+        fresh[other] = isFresh;
+        if (turning != null) {
+            turning.exchange(slot, other);
+        }
+        if (pieces != null) {
+            pieces.exchange(slot, other);
+        }
+        slotOf[id[slot]] = slot;
+        slotOf[id[other]] = other;
+    }
+
+    static void exchange(float[] values, int one, int other) {
+        float value = values[one];
+        values[one] = values[other];
+        values[other] = value;
+    }
+
+    static void exchange(int[] values, int one, int other) {
+        int value = values[one];
+        values[one] = values[other];
+        values[other] = value;
+    }
+
+    /** Makes a circle take part in steps, until it comes to rest again; returns its slot from now on. */
+    int wake(int slot) {
+        int to = slot;
+        if (slot >= awake) {
+            resting.remove(id[slot]);
+            to = awake++;
+            exchange(slot, to);
+        }
+        proposeRest(to);
+        return to;
+    }
+
+    /** Lets a circle rest that does not. */
+    void rest(int slot) {
+        resting.add(slot);
+        exchange(slot, --awake);
     }
 
     /** Where the row of a circle's kind begins in {@link #kindMotion}. */
@@ -439,17 +527,23 @@ public final class State {
 
     /** Brings circles that the walls have left outside to the nearest place inside, if the step does not push them there. */
     void confine(Bounds from, Bounds to) {
-        for (int s = 0; s < CircleRow.of(n); s += CircleRow.STRIDE) {
+        for (int slot = 0; slot < n; slot++) {
+            int s = CircleRow.of(slot);
             float margin = margin(s);
             float x = confined(circle[s + X], from.minX(), to.minX(), from.maxX(), to.maxX(), margin);
             float y = confined(circle[s + Y], from.minY(), to.minY(), from.maxY(), to.maxY(), margin);
-            if (x != circle[s + X]) {
+            boolean movesX = x != circle[s + X];
+            boolean movesY = y != circle[s + Y];
+            if (movesX) {
                 circle[s + X] = x;
                 motion[s + DX] = 0f;
             }
-            if (y != circle[s + Y]) {
+            if (movesY) {
                 circle[s + Y] = y;
                 motion[s + DY] = 0f;
+            }
+            if (slot >= awake && (movesX || movesY)) {
+                wake(slot); // in its place comes one that has been looked at
             }
         }
     }
@@ -489,6 +583,8 @@ public final class State {
         for (int slot = 0; slot < n; slot++) {
             slotOf[id[slot]] = slot;
         }
+        awake = n;
+        resting.restart();
     }
 
     long hash() {
@@ -513,7 +609,10 @@ public final class State {
         return sum;
     }
 
-    /** Copies a range of slots into the spare arrays in a new order; {@link #swap} then makes them the state. */
+    /**
+     * Copies a range of slots into the spare arrays in a new order. {@link #swap} then makes them the state, if all slots have been
+     * copied.
+     */
     void permute(int[] order, int from, int to) {
         for (int slot = from; slot < to; slot++) {
             int old = order[slot];
@@ -531,6 +630,37 @@ public final class State {
             }
             slotOf[id[old]] = slot;
         }
+    }
+
+    /** Copies circles that rest, the first of which is 0, into the spare arrays. */
+    void copyResting(int first, int end) {
+        copy(awake + first, awake + end, false);
+    }
+
+    /** Copies a range of slots from the spare arrays instead of {@link #swap}. */
+    void takeBack(int from, int to) {
+        copy(from, to, true);
+    }
+
+    private void copy(int from, int to, boolean back) {
+        int rows = CircleRow.of(to - from);
+        copy(circle, circleSpare, CircleRow.of(from), rows, back);
+        copy(motion, motionSpare, CircleRow.of(from), rows, back);
+        copy(traits, traitsSpare, CircleRow.of(from), rows, back);
+        copy(id, idSpare, from, to - from, back);
+        copy(firstCached, firstCachedSpare, from, to - from, back);
+        copy(fresh, freshSpare, from, to - from, back);
+        if (turning != null) {
+            turning.copy(from, to, back);
+        }
+        if (pieces != null) {
+            pieces.copy(from, to, back);
+        }
+    }
+
+    /** Copies a range of an array to its spare, or back. */
+    static void copy(Object array, Object spare, int from, int many, boolean back) {
+        System.arraycopy(back ? spare : array, from, back ? array : spare, from, many);
     }
 
     void swap() {

@@ -96,6 +96,14 @@ final class Turning {
         System.arraycopy(from, ContactRows.ofWalls(slot), to, ContactRows.ofWalls(toSlot), ContactRows.OF_WALLS);
     }
 
+    void exchange(int slot, int other) {
+        State.exchange(angle, slot, other);
+        State.exchange(angularVelocity, slot, other);
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            State.exchange(wallGrip, CircleRow.of(slot) + k, CircleRow.of(other) + k);
+        }
+    }
+
     /** An angular impulse; inertia: the inverse inertia of the circle's kind by its inverse mass. */
     void applyImpulse(int slot, float impulse, float inertia) {
         int s = CircleRow.of(slot);
@@ -202,6 +210,13 @@ final class Turning {
         angleSpare[slot] = angle[old];
         angularVelocitySpare[slot] = angularVelocity[old];
         copyWalls(wallRows, old, wallRowsSpare, slot);
+    }
+
+    /** As {@link State#copy}. */
+    void copy(int from, int to, boolean back) {
+        State.copy(angle, angleSpare, from, to - from, back);
+        State.copy(angularVelocity, angularVelocitySpare, from, to - from, back);
+        State.copy(wallGrip, wallGripSpare, CircleRow.of(from), CircleRow.of(to - from), back);
     }
 
     void swap() {

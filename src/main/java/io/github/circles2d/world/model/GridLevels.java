@@ -154,6 +154,61 @@ public final class GridLevels {
         }
     }
 
+    /**
+     * Makes the tori as small as so many circles need. Cells, levels and the parities of cells stay, and so do all results.
+     *
+     * @param circles the greatest number in any level; at least {@link #population} changes nothing
+     */
+    public void fit(int circles) {
+        buckets = 0;
+        rows = 0;
+        for (int l = 0; l < usedCount; l++) {
+            int level = used[l];
+            if (circles < population[level]) {
+                population[level] = circles;
+                fitLevel(level);
+            }
+            first[level] = buckets;
+            firstRow[level] = rows;
+            buckets += 1 << (columnsLog[level] + rowsLog[level]);
+            rows += rowCount[level];
+        }
+    }
+
+    private void fitLevel(int level) {
+        float edge = edge(top[level], bounds);
+        float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
+        float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
+        int columnsBefore = columnCount[level];
+        int rowsBefore = rowCount[level];
+        setSides(level, across, down);
+        if (bounds.edgeX() == AxisEdge.WRAP) {
+            int cells = columnsBefore * sheetsX[level];
+            columnCount[level] = sideOfWhole(columnCount[level], columnsBefore, cells);
+            columnsLog[level] = sideLog(columnCount[level]);
+            sheetsX[level] = cells / columnCount[level];
+            columnsUsed[level] = columnCount[level];
+        }
+        if (bounds.edgeY() == AxisEdge.WRAP) {
+            int cells = rowsBefore * sheetsY[level];
+            rowCount[level] = sideOfWhole(rowCount[level], rowsBefore, cells);
+            rowsLog[level] = sideLog(rowCount[level]);
+            sheetsY[level] = cells / rowCount[level];
+            rowsUsed[level] = rowCount[level];
+        }
+        fold(level);
+    }
+
+    /** A side of which an axis that wraps has whole sheets, as it has of the side before. */
+    private static int sideOfWhole(int most, int before, int cells) {
+        for (int side = Math.min(most, before); side >= 1 << LEAST_SIDE_LOG; side -= 2) {
+            if (cells % side == 0) {
+                return side;
+            }
+        }
+        return before;
+    }
+
     private void join(int[] counts) {
         for (int k = 0; k < COUNT; k++) {
             boolean joins = k > 0 && levelOf[k - 1] == k - 1 && counts[k] <= (long) Tuning.JOIN * counts[k - 1];
@@ -168,6 +223,16 @@ public final class GridLevels {
         inverseEdge[level] = 1f / edge;
         float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
         float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
+        setSides(level, across, down);
+        sheetsX[level] = ENDLESS;
+        sheetsY[level] = ENDLESS;
+        if (!bounds.isWalled()) {
+            layOutEdges(level, across, down);
+        }
+        fold(level);
+    }
+
+    private void setSides(int level, float across, float down) {
         int columns = sideLog(across);
         int rows = sideLog(down);
         int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
@@ -184,11 +249,9 @@ public final class GridLevels {
         rowCount[level] = side(rows, down, PRIME_ROWS);
         columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columnCount[level]);
         rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
-        sheetsX[level] = ENDLESS;
-        sheetsY[level] = ENDLESS;
-        if (!bounds.isWalled()) {
-            layOutEdges(level, across, down);
-        }
+    }
+
+    private void fold(int level) {
         folded[level] = isFolded(
                         bounds.edgeX(), bounds.minX(), bounds.maxX(), level, columnCount[level], sheetsX[level])
                 || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), level, rowCount[level], sheetsY[level]);

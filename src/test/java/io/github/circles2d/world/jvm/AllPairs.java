@@ -44,7 +44,8 @@ final class AllPairs {
             }
             float path = CircleMath.length(px, py);
             float most = Paths.speculativeDistance(r, path);
-            speculativeDistance[i] = pipeline.grid.speculativeDistance[slotOf.get(s.id[i])];
+            int slot = slotOf.get(s.id[i]);
+            speculativeDistance[i] = slot < pipeline.state.awake ? pipeline.grid.speculativeDistance[slot] : most;
             assertThat(speculativeDistance[i]).isBetween(Paths.speculativeDistance(r, 0), most);
             if (isStatic(i) || !Paths.isFast(path, r)) {
                 assertThat(speculativeDistance[i]).isIn(Paths.speculativeDistance(r, 0), most);

@@ -93,6 +93,7 @@ class ReachGridTest {
         levels.layOut(bounds, RADIUS, counts, false);
         state.ensure(MANY);
         state.n = MANY;
+        state.awake = MANY;
         state.wraps = bounds.wraps();
         state.periodX = bounds.periodX();
         state.periodY = bounds.periodY();

@@ -124,6 +124,7 @@ class SparseGridTest {
         assertThat(levels.folded[0]).isTrue();
         state.ensure(MANY);
         state.n = MANY;
+        state.awake = MANY;
         grid.ensure();
         Arrays.fill(grid.level, (byte) 0);
         for (int slot = 0; slot < MANY; slot++) {

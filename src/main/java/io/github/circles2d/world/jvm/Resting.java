@@ -1,0 +1,474 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.Reach;
+import io.github.circles2d.world.model.StepConstants;
+import java.util.Arrays;
+
+/**
+ * The circles that rest: static ones of which a step changes no bit. Steps leave them out, and the others look for them here. So a step
+ * costs what moves and what is near to it. Which circles rest is no part of the state.
+ *
+ * <p>They lie in cells by their reach, each class of which is twice the next. A cell is a chain in no order, and cells share buckets by a
+ * hash. Arrays by id have no slots, since these change.
+ */
+final class Resting {
+    private static final int NONE = -1;
+
+    /** A row of {@link #place}. */
+    private static final int PLACE = 4;
+
+    private static final int REACH = 3;
+
+    /** Numbers of classes begin here, at the least exponent of a float. */
+    private static final int LEAST_CLASS = Float.MIN_EXPONENT - 1;
+
+    private static final int CLASSES = Float.MAX_EXPONENT - LEAST_CLASS + 1;
+
+    /** So that no rounding hides a circle at the edge of what is looked at. */
+    private static final float SLACK = 1.001f;
+
+    private final State state;
+
+    /** By id: x, y, radius and reach. */
+    private float[] place = new float[0];
+
+    /** By id: the next in its bucket. */
+    private int[] next = new int[0];
+
+    /** By id: its place among the members of its class. */
+    private int[] rank = new int[0];
+
+    /** By bucket: the id that came last. */
+    private int[] last = new int[0];
+
+    /** By class: ids. */
+    private final int[][] members = new int[CLASSES][0];
+
+    private final int[] count = new int[CLASSES];
+
+    /** The classes that have members. */
+    private final int[] used = new int[CLASSES];
+
+    private int usedCount;
+    private int size;
+
+    /** By id: whether a joint holds the circle. Such circles do not rest, since joints know no others. */
+    private boolean[] held = new boolean[0];
+
+    private int heldVersion = -1;
+
+    /** Whether some circle may have come to rest. */
+    private volatile boolean proposed;
+
+    /** Whether circles rest at all. */
+    private boolean isOff;
+
+    /** That of the last step. */
+    private Bounds arena;
+
+    private float lowX;
+    private float highX;
+    private float lowY;
+    private float highY;
+
+    /** By order of coming: ids whose impulses, or whose being fresh, are of the step before. */
+    private int[] unsettled = new int[16];
+
+    private int unsettledCount;
+
+    Resting(State state) {
+        this.state = state;
+    }
+
+    /** From now on circles do not rest. */
+    void turnOff() {
+        isOff = true;
+    }
+
+    /** Some circle may have come to rest. */
+    void propose() {
+        proposed = true;
+    }
+
+    /** Begins anew with circles that have all been awakened. */
+    void restart() {
+        Arrays.fill(last, NONE);
+        for (int k = 0; k < usedCount; k++) {
+            count[used[k]] = 0;
+        }
+        usedCount = 0;
+        size = 0;
+        unsettledCount = 0;
+        proposed = true;
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (place.length + next.length + rank.length + last.length + unsettled.length) + held.length;
+        for (int k = 0; k < usedCount; k++) {
+            sum += 4L * members[used[k]].length;
+        }
+        return sum;
+    }
+
+    // ---- who rests
+    // --------------------------------------------------------------------------------------------------
+
+    /** Before a step: wakes the circles that it may change, and lets those rest that it does not. */
+    void settle(StepConstants k, JointStep joints) {
+        if (isOff) {
+            return;
+        }
+        wakeHeld(k.joints ? joints : null);
+        if (size > 0 && (!isInside(k.bounds) || state.wraps && k.arena.differs(arena))) {
+            wakeMoved(k);
+        }
+        arena = k.arena;
+        if (proposed) {
+            proposed = false;
+            ensure();
+            for (int slot = state.awake - 1; slot >= 0; slot--) {
+                if (state.isStatic(slot) && rests(slot, k)) {
+                    state.rest(slot);
+                }
+            }
+        }
+    }
+
+    private void wakeHeld(JointStep joints) {
+        int version = joints == null ? NONE : joints.orderVersion;
+        if (version == heldVersion) {
+            return;
+        }
+        if (held.length < state.slotOf.length) {
+            held = new boolean[state.slotOf.length];
+        } else {
+            Arrays.fill(held, false);
+        }
+        heldVersion = version;
+        proposed = true;
+        for (int n = 0; joints != null && n < joints.count; n++) {
+            int traits = JointRow.traits(joints.order[n]);
+            hold(joints.traits[traits + JointRow.A]);
+            hold(joints.traits[traits + JointRow.B]);
+        }
+    }
+
+    private void hold(int id) {
+        if (id != JointRow.NONE && state.slotOf[id] >= 0) {
+            held[id] = true;
+            if (state.slotOf[id] >= state.awake) {
+                state.wake(state.slotOf[id]);
+            }
+        }
+    }
+
+    private boolean isInside(Bounds b) {
+        return b.minX() <= lowX && highX <= b.maxX() && b.minY() <= lowY && highY <= b.maxY();
+    }
+
+    private void wakeMoved(StepConstants k) {
+        for (int slot = state.awake; slot < state.n; slot++) {
+            if (!rests(slot, k)) {
+                // brings one here that has been looked at
+                state.wake(slot);
+            }
+        }
+        lowX = Math.max(lowX, k.bounds.minX());
+        highX = Math.min(highX, k.bounds.maxX());
+        lowY = Math.max(lowY, k.bounds.minY());
+        highY = Math.min(highY, k.bounds.maxY());
+    }
+
+    /** Whether a step changes no bit of a static circle. */
+    private boolean rests(int slot, StepConstants k) {
+        int s = CircleRow.of(slot);
+        float[] m = state.motion;
+        return isZero(m[s + VX])
+                && isZero(m[s + VY])
+                && stays(state.circle[s + X], m[s + DX], k.bounds.minX(), k.bounds.maxX())
+                && stays(state.circle[s + Y], m[s + DY], k.bounds.minY(), k.bounds.maxY())
+                && CircleMath.laps(state.circle[s + X], k.arena.minX(), k.arena.periodX()) == 0f
+                && CircleMath.laps(state.circle[s + Y], k.arena.minY(), k.arena.periodY()) == 0f
+                && (state.turning == null || isZero(state.turning.angularVelocity[slot]))
+                && (state.pieces == null || state.pieces.count[slot] == 0)
+                && !(state.id[slot] < held.length && held[state.id[slot]]);
+    }
+
+    private static boolean isZero(float value) {
+        return Float.floatToRawIntBits(value) == 0;
+    }
+
+    private static boolean stays(float base, float d, float min, float max) {
+        float x = base + d;
+        return min <= base
+                && base <= max
+                && isSame(x, base)
+                && isSame(CircleMath.clamp(x, min, max), base)
+                && isSame(CircleMath.lostByRounding(base, d, x), d);
+    }
+
+    private static boolean isSame(float one, float other) {
+        return Float.floatToRawIntBits(one) == Float.floatToRawIntBits(other);
+    }
+
+    // ---- impulses
+    // -------------------------------------------------------------------------------------------------------
+
+    /** Takes note that a circle that rests may get impulses in this step, or has some. */
+    void unsettle(int id) {
+        if (unsettledCount == unsettled.length) {
+            unsettled = Arrays.copyOf(unsettled, 2 * unsettledCount);
+        }
+        unsettled[unsettledCount++] = id;
+    }
+
+    /** As a step does with the others: the impulses of the step before are gone, and nobody is fresh. */
+    void forgetImpulses() {
+        for (int n = 0; n < unsettledCount; n++) {
+            int slot = state.slotOf[unsettled[n]];
+            if (slot >= state.awake) {
+                state.firstCached[slot] = NONE;
+                state.fresh[slot] = false;
+            }
+        }
+        unsettledCount = 0;
+    }
+
+    // ---- cells
+    // -----------------------------------------------------------------------------------------------------
+
+    private void ensure() {
+        if (next.length < state.slotOf.length) {
+            int ids = state.slotOf.length;
+            float[] newPlace = Arrays.copyOf(place, PLACE * ids);
+            int[] newRank = Arrays.copyOf(rank, ids);
+            int[] newNext = Arrays.copyOf(next, ids);
+            place = newPlace;
+            rank = newRank;
+            next = newNext;
+        }
+    }
+
+    /** Adds the circle of a slot, which rests from now on. */
+    void add(int slot) {
+        int id = state.id[slot];
+        int s = CircleRow.of(slot);
+        place[PLACE * id + X] = state.circle[s + X];
+        place[PLACE * id + Y] = state.circle[s + Y];
+        place[PLACE * id + RADIUS] = state.circle[s + RADIUS];
+        place[PLACE * id + REACH] = Reach.reachOf(state.circle[s + RADIUS], 0f, true);
+        int ofClass = classOf(id);
+        if (count[ofClass] == members[ofClass].length) {
+            members[ofClass] = Arrays.copyOf(members[ofClass], Math.max(16, 2 * count[ofClass]));
+        }
+        if (2 * size >= last.length) {
+            rehash(Math.max(64, 2 * last.length));
+        }
+        if (count[ofClass] == 0) {
+            used[usedCount++] = ofClass;
+        }
+        rank[id] = count[ofClass];
+        members[ofClass][count[ofClass]++] = id;
+        link(id, ofClass);
+        widen(state.circle[s + X], state.circle[s + Y]);
+        size++;
+        if (state.fresh[slot] || state.firstCached[slot] >= 0) {
+            unsettle(id);
+        }
+    }
+
+    private void rehash(int buckets) {
+        last = new int[buckets];
+        Arrays.fill(last, NONE);
+        for (int k = 0; k < usedCount; k++) {
+            for (int n = 0; n < count[used[k]]; n++) {
+                link(members[used[k]][n], used[k]);
+            }
+        }
+    }
+
+    /** Makes the rectangle around all circles wide enough for a place. */
+    private void widen(float x, float y) {
+        lowX = size == 0 ? x : Math.min(lowX, x);
+        highX = size == 0 ? x : Math.max(highX, x);
+        lowY = size == 0 ? y : Math.min(lowY, y);
+        highY = size == 0 ? y : Math.max(highY, y);
+    }
+
+    void remove(int id) {
+        int ofClass = classOf(id);
+        int bucket = bucket(id, ofClass);
+        if (last[bucket] == id) {
+            last[bucket] = next[id];
+        } else {
+            int before = last[bucket];
+            while (next[before] != id) {
+                before = next[before];
+            }
+            next[before] = next[id];
+        }
+        int moved = members[ofClass][--count[ofClass]];
+        members[ofClass][rank[id]] = moved;
+        rank[moved] = rank[id];
+        if (count[ofClass] == 0) {
+            int k = 0;
+            while (used[k] != ofClass) {
+                k++;
+            }
+            used[k] = used[--usedCount];
+        }
+        size--;
+    }
+
+    private void link(int id, int ofClass) {
+        int bucket = bucket(id, ofClass);
+        next[id] = last[bucket];
+        last[bucket] = id;
+    }
+
+    private int classOf(int id) {
+        return Math.getExponent(place[PLACE * id + REACH]) - LEAST_CLASS;
+    }
+
+    /** The greatest reach of a class. */
+    private static float top(int ofClass) {
+        return powerOfTwo(ofClass + LEAST_CLASS + 1);
+    }
+
+    private static float inverseEdge(int ofClass) {
+        return powerOfTwo(-(ofClass + LEAST_CLASS + 1 + Reach.EDGE_LOG));
+    }
+
+    private static float powerOfTwo(int exponent) {
+        return Float.intBitsToFloat((Float.MAX_EXPONENT + exponent) << 23);
+    }
+
+    private int bucket(int id, int ofClass) {
+        float inverseEdge = inverseEdge(ofClass);
+        return Reach.reachBucket(
+                Reach.reachCell(place[PLACE * id + X], 0f, inverseEdge),
+                Reach.reachCell(place[PLACE * id + Y], 0f, inverseEdge),
+                ofClass,
+                last.length);
+    }
+
+    // ---- searches
+    // ---------------------------------------------------------------------------------------------------
+
+    /** Slots that a search has found. Each worker has its own. */
+    static final class Found {
+        int[] slots = new int[64];
+        int count;
+
+        /** Circles that searches have looked at. */
+        long tested;
+
+        private void add(int slot) {
+            if (count == slots.length) {
+                slots = Arrays.copyOf(slots, 2 * count);
+            }
+            slots[count++] = slot;
+        }
+
+        private boolean has(int slot) {
+            for (int k = 0; k < count; k++) {
+                if (slots[k] == slot) {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    /** Finds the circles whose reach meets a rectangle, each once, and maybe some beside it. */
+    void find(Found found, Bounds bounds, float left, float right, float below, float above) {
+        found.count = 0;
+        float farthest = CircleMath.max(
+                CircleMath.max(Math.abs(left), Math.abs(right)), CircleMath.max(Math.abs(below), Math.abs(above)));
+        float rounding = CircleMath.max(bounds.magnitude(), farthest) * 0x1p-20f;
+        for (int k = 0; k < usedCount; k++) {
+            int ofClass = used[k];
+            float far = SLACK * top(ofClass) + rounding;
+            if (state.wraps) {
+                findImages(found, bounds, ofClass, left - far, right + far, below - far, above + far);
+            } else {
+                scan(found, ofClass, left - far, right + far, below - far, above + far, false);
+            }
+        }
+    }
+
+    private void findImages(Found found, Bounds b, int ofClass, float left, float right, float below, float above) {
+        boolean again = right - left > 0.99f * state.periodX || above - below > 0.99f * state.periodY;
+        boolean wrapsX = b.edgeX() == AxisEdge.WRAP;
+        boolean wrapsY = b.edgeY() == AxisEdge.WRAP;
+        for (int u = wrapsX ? -1 : 0; u <= (wrapsX ? 1 : 0); u++) {
+            float fromX = u == 0 ? left : left + u * state.periodX;
+            float toX = u == 0 ? right : right + u * state.periodX;
+            if (u != 0 && (toX < b.minX() || fromX > b.maxX())) {
+                continue;
+            }
+            for (int v = wrapsY ? -1 : 0; v <= (wrapsY ? 1 : 0); v++) {
+                float fromY = v == 0 ? below : below + v * state.periodY;
+                float toY = v == 0 ? above : above + v * state.periodY;
+                if (v == 0 || !(toY < b.minY() || fromY > b.maxY())) {
+                    scan(found, ofClass, fromX, toX, fromY, toY, again);
+                }
+            }
+        }
+    }
+
+    /** Finds the circles of a class in a rectangle. again: whether some may have been found before. */
+    private void scan(Found found, int ofClass, float left, float right, float below, float above, boolean again) {
+        float inverseEdge = inverseEdge(ofClass);
+        int c0 = Reach.reachCell(left, 0f, inverseEdge);
+        int c1 = Reach.reachCell(right, 0f, inverseEdge);
+        int r0 = Reach.reachCell(below, 0f, inverseEdge);
+        int r1 = Reach.reachCell(above, 0f, inverseEdge);
+        if ((c1 - c0 + 1L) * (r1 - r0 + 1L) >= count[ofClass]) {
+            for (int n = 0; n < count[ofClass]; n++) {
+                take(found, members[ofClass][n], left, right, below, above, again);
+            }
+            found.tested += count[ofClass];
+            return;
+        }
+        for (int row = r0; row <= r1; row++) {
+            for (int column = c0; column <= c1; column++) {
+                int id = last[Reach.reachBucket(column, row, ofClass, last.length)];
+                for (; id != NONE; id = next[id]) {
+                    if (Reach.reachCell(place[PLACE * id + X], 0f, inverseEdge) == column
+                            && Reach.reachCell(place[PLACE * id + Y], 0f, inverseEdge) == row
+                            && classOf(id) == ofClass) {
+                        take(found, id, left, right, below, above, again);
+                    }
+                    found.tested++;
+                }
+            }
+        }
+    }
+
+    private void take(Found found, int id, float left, float right, float below, float above, boolean again) {
+        float x = place[PLACE * id + X];
+        float y = place[PLACE * id + Y];
+        if (left <= x && x <= right && below <= y && y <= above) {
+            int slot = state.slotOf[id];
+            if (!again || !found.has(slot)) {
+                found.add(slot);
+            }
+        }
+    }
+}
