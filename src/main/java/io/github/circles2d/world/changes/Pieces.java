@@ -131,7 +131,7 @@ public final class Pieces implements Calls.Effects {
         }
     }
 
-    /** Adds an arc, counterclockwise between two angles in radians, and returns its handle. inside: circles are inside it. */
+    /** Adds an arc, anticlockwise between two angles in radians, and returns its handle. inside: circles are inside it. */
     public long addArc(long body, int kind, float x, float y, float radius, float from, float to, boolean inside) {
         return world.calls.change(
                 Call.ARC,

@@ -6,9 +6,9 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.snapshots.SavedState;
 
 /**
- * What the pipeline must be ready for. A world turns if circles in it may turn, grip or roll; it has terrain if there are pieces. Steps of
- * other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. A world turns
- * until all circles go, or another state takes their place.
+ * What the pipeline must be ready for. Circles can rotate if something in the world may turn, grip or roll them; the world has terrain if there are
+ * pieces. Steps of other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. Circles can
+ * rotate until all of them go, or another state takes their place.
  */
 public final class Needs {
     private final WorldParts world;
@@ -28,7 +28,7 @@ public final class Needs {
         this.world = world;
     }
 
-    /** Whether the world turns, and the pipeline is ready for that. */
+    /** Whether circles can rotate, and the pipeline is ready for that. */
     public boolean turns() {
         return turns;
     }
