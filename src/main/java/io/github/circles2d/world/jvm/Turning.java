@@ -99,8 +99,8 @@ final class Turning {
     void exchange(int slot, int other) {
         State.exchange(angle, slot, other);
         State.exchange(angularVelocity, slot, other);
-        for (int k = 0; k < CircleRow.STRIDE; k++) {
-            State.exchange(wallGrip, CircleRow.of(slot) + k, CircleRow.of(other) + k);
+        for (int k = 0; k < ContactRows.OF_WALLS; k++) {
+            State.exchange(wallRows, ContactRows.ofWalls(slot) + k, ContactRows.ofWalls(other) + k);
         }
     }
 
@@ -216,7 +216,7 @@ final class Turning {
     void copy(int from, int to, boolean back) {
         State.copy(angle, angleSpare, from, to - from, back);
         State.copy(angularVelocity, angularVelocitySpare, from, to - from, back);
-        State.copy(wallGrip, wallGripSpare, CircleRow.of(from), CircleRow.of(to - from), back);
+        State.copy(wallRows, wallRowsSpare, ContactRows.ofWalls(from), ContactRows.ofWalls(to - from), back);
     }
 
     void swap() {
