@@ -27,12 +27,12 @@ class RestingTest {
             for (int k = 0; k < SIDE * SIDE; k++) {
                 float x = spacing * (k % SIDE) + 0.5f * spacing;
                 float y = spacing * (k / SIDE) + 0.5f * spacing;
-                world.simulation.newCircles.add(x, y, radiusOfStatic, Float.POSITIVE_INFINITY, 0, 0);
+                world.simulation.newCircles.add(x, y, radiusOfStatic, Float.POSITIVE_INFINITY, 0, 0, 0);
             }
             for (int k = 0; k < MOVING; k++) {
                 float x = spacing * (1 + random.nextInt(SIDE - 2));
                 float y = spacing * (1 + random.nextInt(SIDE - 2));
-                world.simulation.newCircles.add(x, y, 0.5f, 1, speed, 0.5f * speed);
+                world.simulation.newCircles.add(x, y, 0.5f, 1, speed, 0.5f * speed, 0);
             }
             for (int k = 0; k < 20; k++) {
                 world.step(1);
