@@ -232,30 +232,35 @@ final class Twins implements AutoCloseable {
         return events;
     }
 
-    /** Pipelines may look for pairs of unlike radii each in its own way, so the pairs that they test are compared if radii are alike. */
+    /**
+     * Pipelines may look for pairs of unlike radii each in its own way, and the JVM does not look for pairs of circles that rest, so the pairs that
+     * they test are compared if radii are alike and no circle is static.
+     */
     void assertSameFigures() {
         Figures expected = simulations[0].figures();
-        boolean radiiAreAlike = radiiAreAlike();
+        boolean lookAlike = lookForPairsAlike();
         for (Simulation simulation : simulations) {
             Figures figures = simulation.figures();
             assertThat(figures.contacts()).isEqualTo(expected.contacts());
             assertThat(figures.greatestContacts()).isEqualTo(expected.greatestContacts());
-            if (radiiAreAlike) {
+            if (lookAlike) {
                 assertThat(figures.candidatePairs()).isEqualTo(expected.candidatePairs());
             }
         }
     }
 
-    private boolean radiiAreAlike() {
+    private boolean lookForPairsAlike() {
         float[] circles = new float[4 * simulations[0].circles.size()];
         simulations[0].readings.read(circles);
         float least = Float.MAX_VALUE;
         float greatest = 0f;
+        boolean noneIsStatic = true;
         for (int k = 2; k < circles.length; k += 4) {
             least = Math.min(least, circles[k]);
             greatest = Math.max(greatest, circles[k]);
+            noneIsStatic &= circles[k + 1] < Float.POSITIVE_INFINITY;
         }
-        return greatest < 2f * least;
+        return noneIsStatic && greatest < 2f * least;
     }
 
     void assertSameReadings() {
