@@ -26,6 +26,33 @@ class WorldRestingTest {
         }
     }
 
+    /** Of two static circles that carry a circle from one time on, the one of the lower slot does, and slots have the order of buckets. */
+    @Test
+    void theSameStaticCircleCarriesAnotherAlong() {
+        for (float y = 1000; y < 19_000; y += 250) {
+            long[] hashes = new long[2];
+            for (int k = 0; k < 2; k++) {
+                JvmPipeline pipeline = new JvmPipeline(1, 1, 0, false);
+                World.Builder builder =
+                        WorldScenes.jvm().bounds(0, 0, 20_000, 20_000).subSteps(1);
+                if (k == 0) {
+                    pipeline.keepAwake();
+                }
+                try (World world = new World(builder, new BackendChoice(Backend.JVM, pipeline, "a test"))) {
+                    for (int i = 0; i < 400; i++) {
+                        world.add(300 + 20 * (i % 20), 300 + 20 * (i / 20), 408, STATIC);
+                    }
+                    world.add(10_000, y, 408, 1);
+                    world.add(9640, y - 377, 408, STATIC, 7949, 0);
+                    world.add(9640, y + 377, 408, STATIC, 6254, 2000);
+                    world.step(1 / 60f);
+                    hashes[k] = world.hash();
+                }
+            }
+            assertThat(hashes[1]).as("y %s", y).isEqualTo(hashes[0]);
+        }
+    }
+
     private static final class Program {
         private final int seed;
         private final SplittableRandom random;

@@ -185,7 +185,9 @@ public final class JvmPipeline implements Pipeline {
         times.begin();
         state.resting.settle(constants, jointStep);
         levels.copy(shape);
-        levels.fit(state.awake);
+        if (!state.hasMovingStatic()) {
+            levels.fit(state.awake);
+        }
         grid.ensure();
         contacts.ensure();
         sweep.ensure();

@@ -508,6 +508,17 @@ public final class State {
         return wraps ? CircleMath.shortWay(d, periodY) : d;
     }
 
+    /** Whether a static circle moves: of several that carry a circle from one time on, the one of the lowest slot does. */
+    boolean hasMovingStatic() {
+        for (int slot = 0; slot < awake; slot++) {
+            int s = CircleRow.of(slot);
+            if (isStatic(slot) && (motion[s + VX] != 0f || motion[s + VY] != 0f)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether a circle has an infinite mass. */
     boolean isStatic(int slot) {
         return traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;

@@ -155,7 +155,8 @@ public final class GridLevels {
     }
 
     /**
-     * Makes the tori as small as so many circles need. Cells, levels and the parities of cells stay, and so do all results.
+     * Makes the tori as small as so many circles need. Cells, levels and the parities of cells stay, and so do all results that do not depend on
+     * the order of buckets.
      *
      * @param circles the greatest number in any level; at least {@link #population} changes nothing
      */

@@ -391,7 +391,6 @@ final class TerrainSection {
         }
         SavedPieceContacts c = s.pieceContacts;
         c.ensure(count);
-        float[] rows = new float[ContactRows.COUNT];
         long circle = 0;
         long piece = -1;
         for (int k = 0; k < count; k++) {
@@ -401,12 +400,11 @@ final class TerrainSection {
             SnapshotCodec.require(!same || key > 0, "its contacts with terrain are not in order");
             circle += more;
             piece = same ? piece + key : key;
-            readContact(in, s, circle, piece, rows);
+            readContact(in, s, circle, piece);
         }
     }
 
-    /** rows: room for the impulses of its rows. */
-    private static void readContact(ByteBuffer in, SavedState s, long circle, long piece, float[] rows) {
+    private static void readContact(ByteBuffer in, SavedState s, long circle, long piece) {
         int index = circle < s.ids ? Arrays.binarySearch(s.id, 0, s.circles, (int) circle) : -1;
         SnapshotCodec.require(
                 index >= 0 && s.traits[CircleRow.of(index) + CircleRow.INVERSE_MASS] != 0f,
@@ -421,6 +419,7 @@ final class TerrainSection {
                 "a contact with terrain has no such flags");
         room(in, Float.BYTES * Integer.bitCount(flags & ~SIDE));
         float impulse = (flags & HAS_IMPULSE) == 0 ? 0f : value(in, 0f);
+        float[] rows = s.pieceContacts.next;
         for (int row = 0; row < ContactRows.COUNT; row++) {
             rows[row] = (flags >> ROW_SHIFT + row & 1) == 0 ? 0f : value(in, -Limits.WALL_IMPULSE);
         }

@@ -29,6 +29,9 @@ public final class SavedPieceContacts {
     /** By contact: the impulses of its other rows, by {@link ContactRows}. */
     public float[] rows = new float[0];
 
+    /** Room for the rows of a contact that somebody is about to add. */
+    public final float[] next = new float[ContactRows.COUNT];
+
     public SavedPieceContacts() {}
 
     public void clear() {
