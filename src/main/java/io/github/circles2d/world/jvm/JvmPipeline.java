@@ -185,7 +185,7 @@ public final class JvmPipeline implements Pipeline {
         times.begin();
         state.resting.settle(constants, jointStep);
         levels.copy(shape);
-        if (!state.hasMovingStatic()) {
+        if (state.awake < state.n && !state.hasMovingStatic()) {
             levels.fit(state.awake);
         }
         grid.ensure();
