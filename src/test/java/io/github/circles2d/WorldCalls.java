@@ -42,6 +42,16 @@ public interface WorldCalls {
 
     void setGroup(long handle, int group);
 
+    void wake(long handle);
+
+    void wakeAll();
+
+    boolean isAwake(long handle);
+
+    int awake();
+
+    void setSleeps(int kind, boolean sleeps);
+
     void setTag(long handle, long tag);
 
     void setResponse(int kindA, int kindB, Response response);

@@ -61,7 +61,22 @@ final class Circle {
     /** With the pieces that it was near to in the last step, in the order of their ids. */
     final List<PieceContact> pieceContacts = new ArrayList<>();
 
+    /**
+     * While awake, how many steps in a row it has been near to where it came to rest; while asleep, -1 minus the steps in a row in which it
+     * was out of balance.
+     */
+    int rest;
+
+    /** While awake, how far it is from where it came to rest, less the displacement. */
+    final float[] drift = new float[2];
+
+    /** While awake, by how many parts of a turn it has turned since it came to rest. */
+    int turned;
+
     // within a step
+    /** Of a circle that wakes, the speed that woke it. */
+    float wakingSpeed;
+
     /** The base as the step begins. */
     float[] start = base;
 
@@ -127,12 +142,35 @@ final class Circle {
         this.handle = handle;
     }
 
+    /** As a step sees it: nothing moves a circle that sleeps. */
     float inverseMass() {
+        return isAsleep() ? 0f : ownInverseMass();
+    }
+
+    float ownInverseMass() {
         return 1f / mass;
     }
 
+    /** Whether a step moves it by its own velocity alone: its mass is infinite, or it sleeps. */
     boolean isStatic() {
         return inverseMass() == 0f;
+    }
+
+    boolean hasInfiniteMass() {
+        return ownInverseMass() == 0f;
+    }
+
+    boolean isAsleep() {
+        return rest < 0;
+    }
+
+    /** Is awake, and begins anew to come to rest. */
+    void wake() {
+        rest = 0;
+        turned = 0;
+        for (int a = 0; a < 2; a++) {
+            drift[a] = hasInfiniteMass() ? 0f : 0f - displacement[a];
+        }
     }
 
     /** From this circle to another, by their bases. */

@@ -20,6 +20,11 @@ final class Contact extends Constraint {
             return mix(mix(lower.id) + higher.id);
         }
 
+        /** Whether none of the two moves: one sleeps, and the other one sleeps or is static. */
+        boolean rests() {
+            return lower.isStatic() && higher.isStatic() && (lower.isAsleep() || higher.isAsleep());
+        }
+
         /** The finalizer of MurmurHash3. */
         private static int mix(int h) {
             int a = (h ^ h >>> 16) * 0x85ebca6b;
@@ -62,6 +67,8 @@ final class Contact extends Constraint {
                 pair.lower.radius + pair.higher.radius,
                 Numbers.max(pair.lower.restitution, pair.higher.restitution),
                 pair.lower.inverseMass() + pair.higher.inverseMass());
+        // a circle that sleeps is pushed as if it would give way: else what lies on it would push the heap
+        mass = 1f / (pair.lower.ownInverseMass() + pair.higher.ownInverseMass());
         this.pair = pair;
         lower = pair.lower;
         higher = pair.higher;
@@ -89,7 +96,7 @@ final class Contact extends Constraint {
     /** Counts the heavy circle as lighter, by its share. */
     void split() {
         float share = Numbers.max(heavy.load * (1f / 16_384f), 1f);
-        mass = 1f / (light.inverseMass() + share * heavy.inverseMass());
+        mass = 1f / (light.ownInverseMass() + share * heavy.ownInverseMass());
         heavyShare = share;
     }
 

@@ -10,4 +10,8 @@ package io.github.circles2d.reference;
 record Impulses(float normal, float friction, float rolling) {
     /** Those of circles that did not press. */
     static final Impulses NONE = new Impulses(0f, 0f, 0f);
+
+    Impulses times(float factor) {
+        return new Impulses(normal * factor, friction * factor, rolling * factor);
+    }
 }

@@ -47,6 +47,9 @@ final class Kinds {
     /** The number of a field: 1 for terrain that circles pass from behind. */
     static final int ONE_WAY = 13;
 
+    /** Not 0 if circles never fall asleep. */
+    static final int AWAKE = 14;
+
     private static final int KINDS = 256;
 
     private static final int[] AT_FIRST = atFirst();
@@ -66,7 +69,7 @@ final class Kinds {
 
     /** By the number of a field; there is no field 0. */
     private static int[] atFirst() {
-        int[] fields = new int[ONE_WAY + 1];
+        int[] fields = new int[AWAKE + 1];
         fields[CATEGORY] = 1;
         fields[MASK] = -1;
         fields[RESTITUTION] = Float.floatToIntBits(Float.NaN);

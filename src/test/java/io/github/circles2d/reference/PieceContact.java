@@ -88,7 +88,12 @@ final class PieceContact extends Constraint {
     /** Whether a circle is near enough to a piece for a contact. */
     static boolean isNear(Circle c, Piece piece) {
         float path = length(c.freePath);
-        float sight = (c.radius + Circle.MARGIN * c.radius) + (path + c.radius);
+        return comesNear(c, piece, path + c.radius);
+    }
+
+    /** Whether a piece may come so near to the margin of a circle. */
+    static boolean comesNear(Circle c, Piece piece, float far) {
+        float sight = (c.radius + Circle.MARGIN * c.radius) + far;
         return piece.distance(offset(c, piece)) < sight + piece.most;
     }
 
@@ -124,6 +129,11 @@ final class PieceContact extends Constraint {
                 side = front ? 1f : 0f;
             }
         }
+    }
+
+    /** As measured last. */
+    float[] normal() {
+        return normal;
     }
 
     boolean acts() {

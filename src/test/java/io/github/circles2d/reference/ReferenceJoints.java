@@ -35,6 +35,11 @@ final class ReferenceJoints {
         return joints.stream().filter(Objects::nonNull).toList();
     }
 
+    /** Whether some joint holds a circle. */
+    boolean hold(Circle c) {
+        return all().stream().anyMatch(joint -> joint.a == c || joint.b == c);
+    }
+
     ReferenceJoint find(long handle) {
         return joints.get(Joints.id(handle));
     }

@@ -268,6 +268,27 @@ final class ReferenceTerrain {
         }
     }
 
+    /** Of a circle that sleeps, those with which pieces press it, measured. */
+    List<PieceContact> contactsAtRest(Circle c, Kinds kinds, StepParameters k) {
+        List<PieceContact> kept = List.copyOf(c.pieceContacts);
+        findContacts(c, kinds, k);
+        List<PieceContact> found = List.copyOf(c.pieceContacts);
+        c.pieceContacts.clear();
+        c.pieceContacts.addAll(kept);
+        PieceContact.measure(found, 0);
+        return found.stream()
+                .filter(contact -> contact.acts() && contact.normalImpulse > 0f)
+                .toList();
+    }
+
+    /** Whether a piece that moves may reach a circle. */
+    boolean movesNear(Circle c, Kinds kinds) {
+        return pieces().stream()
+                .anyMatch(piece -> piece.body.motion != null
+                        && kinds.response(c.kind, piece.kind) != Response.IGNORE
+                        && PieceContact.comesNear(c, piece, Circle.MARGIN * c.radius));
+    }
+
     void end(Arena arena) {
         bodies().forEach(body -> body.end(arena));
     }

@@ -26,6 +26,9 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
     private static final float GREATEST_FORCE = 1e18f;
 
+    /** In sums of radii. */
+    private static final float WAKING_NEIGHBOURS = 1.05f;
+
     private static final long CIRCLE = 0x636972636C653264L;
     private static final int TARGET = 9;
     private static final int GROWTH_FIELD = 10;
@@ -40,6 +43,7 @@ public final class ReferenceWorld implements WorldCalls {
     private static final int APPLIED_FORCE_FIELDS = 6;
 
     private static final long TURN = 0x7475726E696E6721L;
+    private static final long SLEEP = 0x736C656570696E67L;
     private static final long GRIP = 0x6772697065332121L;
     private static final int FRICTION_FIELD = 11;
     private static final int ROLLING_RESISTANCE_FIELD = 12;
@@ -75,6 +79,10 @@ public final class ReferenceWorld implements WorldCalls {
     private float[] gravity = {0f, 0f};
     private Surfaces surfaces = Surfaces.NONE;
     private float previousDt;
+    private boolean sleeps;
+
+    /** Of the step before, if circles sleep. */
+    private float[] previousGravity = {0f, 0f};
 
     public ReferenceWorld(float restitution, int subSteps) {
         this(restitution, subSteps, Settings.DEFAULT);
@@ -99,6 +107,12 @@ public final class ReferenceWorld implements WorldCalls {
         return this;
     }
 
+    /** Lets circles fall asleep. */
+    public ReferenceWorld sleep() {
+        sleeps = true;
+        return this;
+    }
+
     private StepParameters parameters(float dt) {
         return new StepParameters(
                 arena,
@@ -110,7 +124,8 @@ public final class ReferenceWorld implements WorldCalls {
                 dt,
                 subSteps,
                 settings,
-                surfaces);
+                surfaces,
+                sleeps ? previousGravity : null);
     }
 
     /** In the order of the ids. */
@@ -131,6 +146,7 @@ public final class ReferenceWorld implements WorldCalls {
                     circles.stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
+            Step step = new Step(circles, terrain, joints, parameters(dt), kinds);
             for (Circle c : circles) {
                 c.arena = arena;
                 c.actingForce[0] = c.force[0];
@@ -144,16 +160,17 @@ public final class ReferenceWorld implements WorldCalls {
             circles.forEach(c -> c.start = c.base.clone());
             terrain.begin(parameters(dt));
             if (!circles.isEmpty()) {
-                Step step = new Step(circles, terrain, joints, parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
             events.step(contacts, circles, kinds, arena, dt);
+            step.fallAsleep();
             for (int i = 0; i < velocities.length; i++) {
                 circles.get(i).arrive(velocities[i]);
             }
             terrain.end(arena);
             previousDt = dt;
+            previousGravity = sleeps ? gravity : previousGravity;
             startMin = min;
             startMax = max;
         }
@@ -176,10 +193,50 @@ public final class ReferenceWorld implements WorldCalls {
         c.restitution = restitution;
         c.radius = radius;
         c.mass = mass;
-        teleport(c.handle, x, y);
-        setVelocity(c.handle, vx, vy);
-        setKind(c.handle, kind);
+        put(c, x, y);
+        c.velocity[0] = vx;
+        c.velocity[1] = vy;
+        c.kind = kind;
+        c.restitution = kinds.restitution(kind, restitution);
+        c.wake();
+        if (c.hasInfiniteMass()) {
+            wakeNear(c);
+        }
         return c.handle;
+    }
+
+    /** Wakes circles that sleep and may touch one that changes. */
+    private void wakeNear(Circle changed) {
+        for (Circle c : circles()) {
+            float[] way = arena.way(c.base, changed.base);
+            float far = WAKING_NEIGHBOURS * (c.radius + changed.radius);
+            if (c.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
+                c.wake();
+            }
+        }
+    }
+
+    @Override
+    public void wakeAll() {
+        circles().stream().filter(Circle::isAsleep).forEach(Circle::wake);
+    }
+
+    @Override
+    public void wake(long handle) {
+        find(handle).wake();
+    }
+
+    /** Of the circles that are awake, and not static. */
+    @Override
+    public int awake() {
+        return (int) circles().stream()
+                .filter(c -> !c.isAsleep() && !c.hasInfiniteMass())
+                .count();
+    }
+
+    @Override
+    public boolean isAwake(long handle) {
+        return !find(handle).isAsleep();
     }
 
     @Override
@@ -195,6 +252,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
+        wakeNear(find(handle));
         joints.removed(find(handle));
         events.removed(find(handle));
         forgetImpulses(find(handle));
@@ -242,7 +300,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPosition(long handle, float x, float y) {
-        if (find(handle).isStatic()) {
+        if (find(handle).hasInfiniteMass()) {
             find(handle).target = new float[] {arena.inside(0, x), arena.inside(1, y)};
         } else {
             teleport(handle, x, y);
@@ -251,20 +309,36 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleport(long handle, float x, float y) {
-        find(handle).target = null;
-        find(handle).pieceContacts.clear();
-        find(handle).place(0, arena.inside(0, x));
-        find(handle).place(1, arena.inside(1, y));
+        wakeNear(find(handle));
+        put(find(handle), x, y);
+        change(find(handle));
+    }
+
+    private void put(Circle c, float x, float y) {
+        c.target = null;
+        c.pieceContacts.clear();
+        c.place(0, arena.inside(0, x));
+        c.place(1, arena.inside(1, y));
+    }
+
+    /** After a change by which others may lose what carries them, or be pushed. */
+    private void change(Circle c) {
+        c.wake();
+        wakeNear(c);
     }
 
     @Override
     public void setVelocity(long handle, float vx, float vy) {
+        find(handle).wake();
         find(handle).velocity[0] = vx;
         find(handle).velocity[1] = vy;
     }
 
     /** Takes its share of the rest of the way, which all steps left share evenly. */
     private static void grow(Circle c) {
+        if (c.stepsToGrow > 0) {
+            c.wake();
+        }
         if (c.stepsToGrow == 1) {
             c.radius = c.radiusGrownTo;
             c.stepsToGrow = 0;
@@ -287,35 +361,41 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRadius(long handle, float radius) {
+        wakeNear(find(handle));
         find(handle).stepsToGrow = 0;
         find(handle).radius = radius;
         forgetImpulses(find(handle));
+        change(find(handle));
     }
 
     @Override
     public void setMass(long handle, float mass) {
         Circle c = find(handle);
         c.mass = mass;
-        if (c.target != null && !c.isStatic()) {
+        if (c.target != null && !c.hasInfiniteMass()) {
             teleport(handle, c.target[0], c.target[1]);
         }
         forgetImpulses(find(handle));
+        change(find(handle));
     }
 
     @Override
     public void setRestitution(long handle, float e) {
         find(handle).restitution = e;
+        find(handle).wake();
     }
 
     @Override
     public void setKind(long handle, int kind) {
         find(handle).kind = kind;
         find(handle).restitution = kinds.restitution(kind, find(handle).restitution);
+        change(find(handle));
     }
 
     @Override
     public void setGroup(long handle, int group) {
         find(handle).group = group;
+        change(find(handle));
     }
 
     @Override
@@ -345,6 +425,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setResponse(int kindA, int kindB, Response response) {
         kinds.setResponse(kindA, kindB, response);
+        wakeAll();
     }
 
     @Override
@@ -357,6 +438,7 @@ public final class ReferenceWorld implements WorldCalls {
         kinds.set(kind, Kinds.CATEGORY, category);
         kinds.set(kind, Kinds.MASK, mask);
         kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+        wakeAll();
     }
 
     @Override
@@ -364,6 +446,7 @@ public final class ReferenceWorld implements WorldCalls {
         kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
         kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
         kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
+        wakeAll();
     }
 
     @Override
@@ -371,17 +454,20 @@ public final class ReferenceWorld implements WorldCalls {
         kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
         kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
         kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
+        wakeAll();
     }
 
     @Override
     public void setTurning(int kind, Inertia inertia, float angularDamping) {
         kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
         kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
+        wakeAll();
     }
 
     @Override
     public void setKindRestitution(int kind, float e) {
         kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
+        wakeAll();
     }
 
     @Override
@@ -392,6 +478,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setOneWay(int kind, boolean oneWay) {
         kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0);
+        wakeAll();
     }
 
     @Override
@@ -401,16 +488,19 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addSegment(long body, float x1, float y1, float x2, float y2, float thickness, int kind) {
+        wakeAll();
         return terrain.addSegment(terrain.body(body), x1, y1, x2, y2, thickness, kind);
     }
 
     @Override
     public long addArc(long body, float x, float y, float radius, float from, float to, ArcSide side, int kind) {
+        wakeAll();
         return terrain.addArc(terrain.body(body), x, y, radius, from, to, side == ArcSide.INNER, kind);
     }
 
     @Override
     public int addChain(long body, ChainShape shape, int kind, long[] handles) {
+        wakeAll();
         List<Long> chain = terrain.addChain(terrain.body(body), shape, kind);
         for (int k = 0; k < chain.size(); k++) {
             handles[k] = chain.get(k);
@@ -420,17 +510,20 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removePiece(long piece) {
+        wakeAll();
         events.removed(terrain.piece(piece));
         terrain.remove(terrain.piece(piece));
     }
 
     @Override
     public void setPieceKind(long piece, int kind) {
+        wakeAll();
         terrain.piece(piece).kind = kind;
     }
 
     @Override
     public void clearTerrain() {
+        wakeAll();
         joints.removedBodies(body -> true);
         terrain.pieces().forEach(events::removed);
         terrain.clear();
@@ -451,11 +544,13 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleportBody(long body, float x, float y, float angle) {
+        wakeAll();
         terrain.teleport(terrain.body(body), arena.inside(0, x), arena.inside(1, y), angle);
     }
 
     @Override
     public void removeBody(long body) {
+        wakeAll();
         Body removed = terrain.body(body);
         joints.removedBodies(removed::equals);
         terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
@@ -472,19 +567,25 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, long other, JointPlan plan) {
-        return joints.add(find(circle), find(other), null, null, plan, arena).handle;
+        find(other).wake();
+        return joints.add(held(circle), find(other), null, null, plan, arena).handle;
     }
 
     @Override
     public long addJoint(long circle, float x, float y, JointPlan plan) {
-        return joints.add(find(circle), null, null, place(x, y), plan, arena).handle;
+        return joints.add(held(circle), null, null, place(x, y), plan, arena).handle;
     }
 
     @Override
     public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
         boolean onGround = terrain.body(body).id == 0;
         float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
-        return joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
+        return joints.add(held(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
+    }
+
+    private Circle held(long circle) {
+        find(circle).wake();
+        return find(circle);
     }
 
     /** A zero is always +0. */
@@ -494,7 +595,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, JointPlan plan) {
-        return joints.add(find(circle), null, null, new float[2], plan, arena).handle;
+        return joints.add(held(circle), null, null, new float[2], plan, arena).handle;
     }
 
     @Override
@@ -576,6 +677,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void applyImpulse(long handle, float impulseX, float impulseY) {
         Circle c = find(handle);
+        c.wake();
         c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
         c.velocity[1] = Numbers.limitSpeed(c.velocity[1] + c.inverseMass() * impulseY);
     }
@@ -604,27 +706,32 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
+        wakeAll();
         int number = wall.ordinal();
         surfaces = surfaces.withWall(number, friction, rollingResistance, Surfaces.turned(number, beltSpeed));
     }
 
     @Override
     public void setFriction(long handle, float friction) {
+        find(handle).wake();
         find(handle).friction = friction + 0f;
     }
 
     @Override
     public void setRollingResistance(long handle, float resistance) {
+        find(handle).wake();
         find(handle).rollingResistance = resistance + 0f;
     }
 
     @Override
     public void setAngle(long handle, float radians) {
+        find(handle).wake();
         find(handle).angle = (int) Math.round(radians / (Math.PI / (1L << 31)));
     }
 
     @Override
     public void setAngularVelocity(long handle, float angularVelocity) {
+        find(handle).wake();
         find(handle).angularVelocity = angularVelocity + 0f;
     }
 
@@ -641,6 +748,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void applyAngularImpulse(long handle, float impulse) {
         Circle c = find(handle);
+        c.wake();
         float inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
         c.angularVelocity = Numbers.limitSpeed(c.angularVelocity + impulse / c.radius * inverseInertia / c.radius);
     }
@@ -652,16 +760,19 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void report(int types) {
+        wakeAll();
         events.report(types);
     }
 
     @Override
     public void report(int kindA, int kindB, int types) {
+        wakeAll();
         events.report(kindA, kindB, types);
     }
 
     @Override
     public void reportWalls(int kind, int types) {
+        wakeAll();
         events.reportWalls(kind, types);
     }
 
@@ -769,7 +880,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] d = arena.way(new float[] {arena.inside(0, x), arena.inside(1, y)}, c.base);
             float distance = Numbers.length(d[0], d[1]);
             float gap = Numbers.max(distance - c.radius, 0f);
-            if (c.isStatic() || distance == 0f || gap > radius && gap >= radius + falloff) {
+            if (c.hasInfiniteMass() || distance == 0f || gap > radius && gap >= radius + falloff) {
                 continue;
             }
             float share = 1f;
@@ -794,12 +905,16 @@ public final class ReferenceWorld implements WorldCalls {
         max = arena.upperWalls();
         startMin = starts(startMin, min);
         startMax = starts(startMax, max);
+        if (arena.isWrapped(0) || arena.isWrapped(1)) {
+            wakeAll();
+        }
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
                 float low = min[a] + margin(startMin[a], min[a], c);
                 float inside = Numbers.clamp(c.base[a], low, max[a] - margin(startMax[a], max[a], c));
                 if (inside != c.base[a]) {
                     c.place(a, inside);
+                    c.wake();
                 }
                 if (c.target != null) {
                     c.target[a] = Numbers.clamp(c.target[a], min[a], max[a]);
@@ -821,7 +936,24 @@ public final class ReferenceWorld implements WorldCalls {
     /** How far a circle is kept from a wall: not at all if the next step pushes it. */
     private static float margin(float from, float to, Circle c) {
         boolean pushed = from != to && Math.abs(to - from) <= c.radius;
-        return c.isStatic() || pushed ? 0f : c.radius;
+        return c.hasInfiniteMass() || pushed ? 0f : c.radius;
+    }
+
+    private long hashOfSleep() {
+        long sum = absorb(SLEEP, previousGravity);
+        for (Circle c : circles()) {
+            if (c.rest != 0 || c.turned != 0 || !areZeros(c.drift)) {
+                sum += absorb(absorb(absorb(absorb(SLEEP, c.id), c.rest), c.drift), c.turned);
+            }
+        }
+        return sum;
+    }
+
+    /** Sets if circles of a kind fall asleep. */
+    @Override
+    public void setSleeps(int kind, boolean sleeps) {
+        kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1);
+        wakeAll();
     }
 
     @Override
@@ -834,6 +966,7 @@ public final class ReferenceWorld implements WorldCalls {
             sum += absorb(CONTACTS, numbers);
         }
         sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash() + joints.hash();
+        sum += sleeps ? hashOfSleep() : 0;
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);

@@ -36,8 +36,13 @@ final class Step {
 
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
-        Grid grid = new Grid(circles, k);
         circles.forEach(this::findGain);
+        if (k.sleep() != null) {
+            circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
+            circles.forEach(this::planMotion);
+            new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, warmScale);
+        }
+        Grid grid = new Grid(circles, k);
         circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
         circles.forEach(this::planMotion);
         joints.begin(circles, k, warmScale);
@@ -62,8 +67,15 @@ final class Step {
         }
         circles.forEach(this::finalizePositions);
         all(Contact::lookAfterStep);
-        storeImpulses(impulseCache);
+        storeImpulses(impulseCache, warmScale);
         joints.end(k.dt());
+    }
+
+    /** Lets circles fall asleep, after the step. */
+    void fallAsleep() {
+        if (k.sleep() != null) {
+            new Sleep(circles, terrain, joints, k, kinds).fallAsleep();
+        }
     }
 
     /** The contacts of the step. */
@@ -92,7 +104,7 @@ final class Step {
         for (int a = 0; a < 2; a++) {
             c.gain[a] = limitSpeed(k.gravity()[a] * scale) * k.h();
             if (c.actingForce[a] != 0f) {
-                c.gain[a] = limitSpeed(c.gain[a] + c.actingForce[a] * c.inverseMass() * k.h());
+                c.gain[a] = limitSpeed(c.gain[a] + c.actingForce[a] * c.ownInverseMass() * k.h());
             }
         }
     }
@@ -194,7 +206,7 @@ final class Step {
 
     private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
-        c.loaded |= c.pieceContacts.stream().anyMatch(contact -> contact.normalImpulse > 0f);
+        c.loaded |= !c.isStatic() && c.pieceContacts.stream().anyMatch(contact -> contact.normalImpulse > 0f);
         float[] gained = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
@@ -226,6 +238,9 @@ final class Step {
             float slip = c.walls[a].slipOf(c.velocityBeforeImpulses, c.turn.speedBeforeImpulses);
             c.walls[a].look(c.velocityBeforeImpulses[a], gained[a], slip);
         }
+        if (c.isStatic()) {
+            return;
+        }
         PieceContact.measure(c.pieceContacts, subStep);
         c.pieceContacts.forEach(PieceContact::warmStart);
         c.pieceContacts.stream().filter(PieceContact::acts).forEach(contact -> contact.solve(subStep));
@@ -252,6 +267,10 @@ final class Step {
             } else if (c.displacement[a] != to[a]) {
                 c.velocity[a] = 0f;
             }
+        }
+        if (c.isStatic()) {
+            clearImpulses(c);
+            return;
         }
         PieceContact.move(c, from, subStep);
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
@@ -281,6 +300,7 @@ final class Step {
 
     private void finalizePositions(Circle c) {
         for (int a = 0; a < 2; a++) {
+            c.drift[a] += k.sleep() == null || c.isStatic() ? 0f : c.displacement[a];
             float sum = c.base[a] + c.displacement[a];
             float inside = clamp(sum, c.low(a, k), c.high(a, k));
             float part = sum - c.base[a];
@@ -314,8 +334,9 @@ final class Step {
         return (a - (sum - part)) + (b - part);
     }
 
-    private void storeImpulses(Map<Contact.Pair, Impulses> impulseCache) {
-        impulseCache.clear();
+    private void storeImpulses(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
+        impulseCache.keySet().removeIf(pair -> !pair.rests());
+        impulseCache.replaceAll((pair, impulses) -> impulses.times(warmScale));
         for (Contact contact : contacts()) {
             if (contact.normalImpulse > 0f) {
                 impulseCache.put(contact.pair, new Impulses(contact.normalImpulse, contact.friction, contact.rolling));

@@ -8,6 +8,7 @@ package io.github.circles2d.reference;
  * @param max the upper walls at the end of the step
  * @param minIn what the lower walls come in during the step; negative if they go out
  * @param maxIn what the upper walls come in during the step; negative if they go out
+ * @param sleep the gravity of the step before, if circles sleep; else null
  */
 record StepParameters(
         Arena arena,
@@ -19,7 +20,8 @@ record StepParameters(
         float dt,
         int subSteps,
         Settings settings,
-        Surfaces surfaces) {
+        Surfaces surfaces,
+        float[] sleep) {
     float h() {
         return dt / subSteps;
     }

@@ -25,6 +25,13 @@ final class TouchEvents {
             return lower == c || higher == c;
         }
 
+        /** Whether a circle that sleeps touches what does not move. */
+        boolean rests() {
+            return higher == null
+                    ? lower.isAsleep()
+                    : new Contact.Pair(lower, higher).rests();
+        }
+
         long a() {
             return lower.handle;
         }
@@ -213,7 +220,7 @@ final class TouchEvents {
             t.point = new float[] {arena.inside(0, t.point[0]), arena.inside(1, t.point[1])};
         }
         now.forEach(this::look);
-        end(key -> !now.containsKey(key) || !now.get(key).staysInTouch(), 3);
+        end(key -> !key.rests() && (!now.containsKey(key) || !now.get(key).staysInTouch()), 3);
         ofStep.sort(ORDER);
         ofStep.forEach(r -> events.add(r.event.at(steps)));
         ofStep.clear();

@@ -79,7 +79,9 @@ final class Turn {
     /** Ends the step. Who has not been turned keeps the angular velocity, as it was. */
     void finish(Circle c, float h) {
         float units = turned * h / radius * UNITS_PER_RADIAN;
-        c.angle += (int) (long) Numbers.clamp(units, -GREATEST_UNITS, GREATEST_UNITS);
+        int turned = (int) (long) Numbers.clamp(units, -GREATEST_UNITS, GREATEST_UNITS);
+        c.angle += turned;
+        c.turned += turned;
         if (speed != speedAtFirst) {
             c.angularVelocity = limitSpeed(speed / radius);
         }

@@ -1,0 +1,318 @@
+package io.github.circles2d.reference;
+
+import static io.github.circles2d.reference.Numbers.dot;
+import static io.github.circles2d.reference.Numbers.length;
+import static io.github.circles2d.reference.Numbers.max;
+import static io.github.circles2d.reference.Numbers.min;
+import static io.github.circles2d.reference.Numbers.minus;
+import static io.github.circles2d.reference.Numbers.plus;
+
+import io.github.circles2d.Response;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Which circles fall asleep in a step, and which wake. A circle sleeps as long as gravity, its force and all impulses on it add up to
+ * nothing, and nobody is about to push it. No circle knows more than those it touches: there are no islands.
+ */
+final class Sleep {
+    /** Seconds for which a circle is where it was before it falls asleep. */
+    private static final float TIME = 1f;
+
+    /** How far it may drift meanwhile: in radii, and by how far it would fall. */
+    private static final float DRIFT = 0.003f;
+
+    private static final float SHARE_OF_FALL = 0.001f;
+
+    // how far a circle may be out of balance, in what gravity adds to its speed in a sub-step
+    private static final float FLOOR = 0.01f;
+    private static final float STRICT = 0.002f;
+    private static final float MOST_BY_LOAD = 1f;
+
+    /** By what presses it, beyond so many weights. */
+    private static final float SHARE_OF_LOAD = 0.05f;
+
+    private static final float FREE_WEIGHTS = 4f;
+
+    /** Radii a step. */
+    private static final float ROUNDING = 1e-7f;
+
+    /** A circle out of balance by b wakes once b times the square of the steps in a row is this many gains. */
+    private static final float PATIENCE = 2f;
+
+    // how fast somebody has to push it, in what gravity adds to its speed in a step
+    private static final float PUSH = 0.5f;
+    private static final float HIT = 0.02f;
+
+    /** Radii a step. */
+    private static final float LEAST_HIT = 1e-6f;
+
+    private static final float LEAST_WAKING = 2e-6f;
+
+    /** How far a step wakes from circle to circle. */
+    private static final int RINGS = 16;
+
+    private static final float COINCIDENT = 1e-6f;
+    private static final float RADIANS = (float) (Math.PI / (1L << 31));
+
+    /** How a circle that sleeps meets another one. The normal points from the one of lower id to the other. */
+    private record Meeting(float[] normal, float separation, float radii, Impulses impulses) {}
+
+    /** What presses a circle: the sum of all impulses, and of the magnitudes of the normal ones. */
+    private record Pressed(float x, float y, float load) {}
+
+    private final List<Circle> circles;
+    private final ReferenceTerrain terrain;
+    private final ReferenceJoints joints;
+    private final StepParameters k;
+    private final Kinds kinds;
+
+    /** The impulses of the step before, as this step goes on from them. */
+    private final Map<Contact.Pair, Impulses> impulses = new HashMap<>();
+
+    Sleep(
+            List<Circle> circles,
+            ReferenceTerrain terrain,
+            ReferenceJoints joints,
+            StepParameters k,
+            Kinds kinds) {
+        this.circles = circles;
+        this.terrain = terrain;
+        this.joints = joints;
+        this.k = k;
+        this.kinds = kinds;
+    }
+
+    // ---- who wakes
+    // ---------------------------------------------------------------------------------------------------
+
+    /** Wakes circles before anything else of the step. */
+    void wake(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
+        impulseCache.forEach((pair, each) -> impulses.put(pair, each.times(warmScale)));
+        boolean strict = k.gravity()[0] != k.sleep()[0] || k.gravity()[1] != k.sleep()[1];
+        Map<Circle, Pressed> pressed = new HashMap<>();
+        for (Circle c : circles) {
+            if (c.isAsleep()) {
+                c.freePath[0] = 0f;
+                c.freePath[1] = 0f;
+                pressed.put(c, pressedBy(c));
+            }
+        }
+        List<Circle> woken = new ArrayList<>();
+        for (Circle c : pressed.keySet()) {
+            float speed = max(wakingSpeed(c), outOfBalance(c, pressed.get(c), strict));
+            if (speed > 0f) {
+                c.wakingSpeed = speed;
+                woken.add(c);
+            }
+        }
+        woken.forEach(Circle::wake);
+        for (int ring = 1; ring < RINGS && !woken.isEmpty(); ring++) {
+            List<Circle> next = new ArrayList<>();
+            for (Circle c : pressed.keySet()) {
+                float speed = 0f;
+                for (Circle o : c.isAsleep() ? woken : List.<Circle>of()) {
+                    speed = max(speed, passedOn(c, o, pressed.get(c).load()));
+                }
+                if (speed > LEAST_HIT * c.radius / k.dt()) {
+                    c.wakingSpeed = speed;
+                    next.add(c);
+                }
+            }
+            next.forEach(Circle::wake);
+            woken = next;
+        }
+    }
+
+    private float gain(Circle c) {
+        return length(c.gain);
+    }
+
+    /** What gravity and its force add to a circle's speed in a step. */
+    private float gainOfStep(Circle c) {
+        return gain(c) * k.subSteps();
+    }
+
+    private boolean couldMeet(Circle c, Circle o, boolean alsoSensed) {
+        if (c.group != 0 && c.group == o.group) {
+            return false;
+        }
+        Response response = kinds.response(c.kind, o.kind);
+        return response == Response.SOLID || alsoSensed && response == Response.SENSE;
+    }
+
+    private Meeting meeting(Circle c, Circle o) {
+        Contact.Pair pair = c.id < o.id ? new Contact.Pair(c, o) : new Contact.Pair(o, c);
+        float[] d = plus(
+                pair.lower().wayTo(pair.higher()),
+                minus(pair.higher().displacement, pair.lower().displacement));
+        float distance = length(d);
+        float radii = pair.lower().radius + pair.higher().radius;
+        float[] normal = distance > COINCIDENT * radii ? new float[] {d[0] / distance, d[1] / distance} : new float[2];
+        return new Meeting(normal, distance - radii, radii, impulses.getOrDefault(pair, Impulses.NONE));
+    }
+
+    /** The greatest speed with which something is about to push a circle that sleeps; 0 if nothing is. */
+    private float wakingSpeed(Circle c) {
+        boolean woken = joints.hold(c) || c.actingTorque != 0f || wallsMoveNear(c) || terrain.movesNear(c, kinds);
+        float speed = 0f;
+        for (Circle o : circles) {
+            if (o.hasInfiniteMass()) {
+                woken |= o.pathLength > 0f && couldMeet(c, o, true) && comesNear(o, c);
+            } else if (!o.isAsleep() && couldMeet(c, o, false) && c.isNear(o)) {
+                speed = max(speed, hitBy(c, o));
+            }
+        }
+        return woken ? max(speed, strong(c)) : speed;
+    }
+
+    /** A speed that wakes for sure. */
+    private float strong(Circle c) {
+        return max(gainOfStep(c), LEAST_WAKING * c.radius / k.dt());
+    }
+
+    private static boolean comesNear(Circle moving, Circle c) {
+        float[] d = c.wayTo(moving);
+        float radii = c.radius + moving.radius;
+        float far = (radii + Circle.MARGIN * radii) + moving.pathLength;
+        return dot(d, d) < far * far;
+    }
+
+    private boolean wallsMoveNear(Circle c) {
+        boolean near = false;
+        for (int a = 0; a < 2; a++) {
+            float far = c.radius + Circle.MARGIN * (2f * c.radius);
+            near |= k.minIn()[a] != 0f && c.base[a] - k.min()[a] < far + Math.abs(k.minIn()[a]);
+            near |= k.maxIn()[a] != 0f && k.max()[a] - c.base[a] < far + Math.abs(k.maxIn()[a]);
+        }
+        return near;
+    }
+
+    /** What a circle that is awake is about to add to the speed of one that sleeps; 0 if too little. */
+    private float hitBy(Circle c, Circle o) {
+        Meeting m = meeting(c, o);
+        float v = o.id < c.id ? dot(m.normal(), o.velocity) : -dot(m.normal(), o.velocity);
+        if (!(v > 0f) || !(m.separation() < v * k.dt())) {
+            return 0f;
+        }
+        float share = c.ownInverseMass() / (c.ownInverseMass() + o.ownInverseMass());
+        float speed = share * (1f + max(c.restitution, o.restitution)) * v;
+        float most = (m.impulses().normal() > 0f ? PUSH : HIT) * gainOfStep(c);
+        return speed > most && speed > LEAST_HIT * c.radius / k.dt() ? speed : 0f;
+    }
+
+    /** By how much a circle is out of balance in a step, as a speed, if that is enough to wake it. Counts the steps in a row. */
+    private float outOfBalance(Circle c, Pressed pressed, boolean strict) {
+        float w = c.ownInverseMass();
+        float gain = gain(c);
+        float b = length(c.gain[0] + w * pressed.x(), c.gain[1] + w * pressed.y());
+        float byLoad = SHARE_OF_LOAD * max(w * pressed.load() - FREE_WEIGHTS * gain, 0f);
+        float most = strict ? STRICT * gain : FLOOR * gain + min(byLoad, MOST_BY_LOAD * gain);
+        if (!(b > most + ROUNDING * c.radius / k.dt())) {
+            c.rest = -1;
+            return 0f;
+        }
+        c.rest--;
+        int steps = -1 - c.rest;
+        boolean wakes = strict || gain == 0f || b * (steps * steps) >= PATIENCE * gain;
+        return wakes ? max(b * k.subSteps(), LEAST_WAKING * c.radius / k.dt()) : 0f;
+    }
+
+    /** Sums up, in no order, what a circle that sleeps is pressed by. */
+    private Pressed pressedBy(Circle c) {
+        float w = c.ownInverseMass();
+        FixedSum sum = new FixedSum(c.radius * k.inverseH() / w);
+        for (Circle o : circles) {
+            boolean counts = o.isStatic() || couldMeet(c, o, false) && c.isNear(o);
+            if (o != c && counts) {
+                Meeting m = meeting(c, o);
+                float side = c.id < o.id ? -1f : 1f;
+                float j = m.impulses().normal();
+                float f = m.impulses().friction();
+                sum.add(0, side * (m.normal()[0] * j - m.normal()[1] * f));
+                sum.add(1, side * (m.normal()[1] * j + m.normal()[0] * f));
+                sum.add(2, j);
+            }
+        }
+        for (int a = 0; a < 2; a++) {
+            float along = (a == 0) == c.wallImpulse[a] > 0f ? c.wallFriction[a] : -c.wallFriction[a];
+            sum.add(a, c.wallImpulse[a] / w);
+            sum.add(1 - a, c.wallImpulse[a] == 0f ? 0f : along / w);
+            sum.add(2, Math.abs(c.wallImpulse[a]) / w);
+        }
+        for (PieceContact contact : terrain.contactsAtRest(c, kinds, k)) {
+            float j = contact.normalImpulse / w;
+            float f = contact.friction / w;
+            float[] normal = contact.normal();
+            sum.add(0, normal[0] * j - normal[1] * f);
+            sum.add(1, normal[1] * j + normal[0] * f);
+            sum.add(2, j);
+        }
+        float[] taken = sum.take();
+        return new Pressed(taken[0], taken[1], taken[2]);
+    }
+
+    /** What of the speed that woke a circle reaches one that sleeps; 0 if too little. */
+    private float passedOn(Circle c, Circle o, float load) {
+        Meeting m = meeting(c, o);
+        if (!couldMeet(c, o, false) || !(m.separation() < Circle.MARGIN * m.radii())) {
+            return 0f;
+        }
+        float w = c.ownInverseMass();
+        float wo = o.ownInverseMass();
+        float j = m.impulses().normal();
+        if (j > 0f) {
+            float speed = o.wakingSpeed * min(2f * j / load, 1f) * min(w / wo, 1f);
+            return speed > PUSH * gainOfStep(c) ? speed : 0f;
+        }
+        float speed = o.wakingSpeed * (2f * w / (w + wo));
+        return m.separation() < o.wakingSpeed * k.dt() && speed > HIT * gainOfStep(c) ? speed : 0f;
+    }
+
+    // ---- who falls asleep
+    // --------------------------------------------------------------------------------------------
+
+    /** After the step. */
+    void fallAsleep() {
+        for (Circle c : circles) {
+            if (!c.isStatic()) {
+                rest(c);
+            }
+        }
+    }
+
+    private void rest(Circle c) {
+        float gain = gain(c);
+        float damping = kinds.getFloat(c.kind, Kinds.DAMPING);
+        float drift = DRIFT * c.radius;
+        drift = gain > 0f
+                ? min(drift, SHARE_OF_FALL * (gain * k.inverseH()) * (TIME * TIME))
+                : drift * min(damping * TIME, 1f);
+        boolean mayRest = (gain > 0f || damping > 0f)
+                && kinds.get(c.kind, Kinds.AWAKE) == 0
+                && !joints.hold(c)
+                && c.actingTorque == 0f;
+        boolean rests = mayRest
+                && dot(c.drift, c.drift) <= drift * drift
+                && Math.abs((float) c.turned) * RADIANS * c.radius <= drift;
+        if (!rests) {
+            c.wake();
+            return;
+        }
+        c.rest++;
+        for (int a = 0; a < 2; a++) {
+            c.drift[a] -= c.displacement[a];
+        }
+        if (c.rest * k.dt() >= TIME) {
+            c.rest = -1;
+            c.drift[0] = 0f;
+            c.drift[1] = 0f;
+            c.turned = 0;
+            c.velocity[0] = 0f;
+            c.velocity[1] = 0f;
+            c.angularVelocity = 0f;
+        }
+    }
+}
