@@ -341,6 +341,25 @@ public final class Kind {
         return kinds.get(KindField.ONE_WAY, number) != 0;
     }
 
+    /**
+     * Says whether circles of the kind may fall asleep, if those of the world do ({@link World.Builder#sleep}).
+     *
+     * @param sleeps false if they are always awake, as a hero should be
+     * @return this
+     */
+    public Kind setSleeps(boolean sleeps) {
+        return set(KindField.AWAKE, sleeps ? 0 : 1);
+    }
+
+    /**
+     * Whether circles of the kind may fall asleep.
+     *
+     * @return true at first
+     */
+    public boolean sleeps() {
+        return kinds.get(KindField.AWAKE, number) == 0;
+    }
+
     private Kind set(KindField field, int value) {
         kinds.set(field, number, value);
         return this;

@@ -91,7 +91,8 @@ public final class World implements AutoCloseable {
                 choice.pipeline(),
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
-                        .with(b.surfaces()));
+                        .with(b.surfaces())
+                        .sleeping(b.sleep));
         queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
@@ -402,6 +403,22 @@ public final class World implements AutoCloseable {
      */
     public void setRestitution(long handle, float restitution) {
         simulation.circles.set(Commands.RESTITUTION, handle, restitution, 0);
+    }
+
+    /**
+     * Wakes a circle, if it sleeps ({@link Builder#sleep}). One that is awake begins anew to come to rest; so a circle that is woken before
+     * each step never sleeps.
+     *
+     * @param handle the circle
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public void wake(long handle) {
+        simulation.circles.set(Commands.WAKE, handle, 0, 0);
+    }
+
+    /** Wakes all circles that sleep. */
+    public void wakeAll() {
+        simulation.circles.wakeAll();
     }
 
     /**
@@ -1308,6 +1325,27 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Whether a circle is awake. Static circles never sleep.
+     *
+     * @param handle the circle
+     * @return false if it sleeps
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public boolean isAwake(long handle) {
+        return simulation.readings.isAwake(handle);
+    }
+
+    /**
+     * Says of all circles which are awake. Static circles never sleep.
+     *
+     * @param awake gets a bit an id, from bit 0 of element 0 on: 1 if there is a circle and it does not sleep; room for {@link #idLimit()} bits
+     * @throws IllegalArgumentException if there is not so much room
+     */
+    public void readAwakeById(long[] awake) {
+        simulation.readings.readAwakeById(awake);
+    }
+
+    /**
      * Reads one coordinate of one circle. The first such read after a step or a change reads all circles
      * back; the others are answered from that.
      *
@@ -1561,6 +1599,7 @@ public final class World implements AutoCloseable {
                 figures.candidatePairs(),
                 figures.contacts(),
                 figures.greatestContacts(),
+                figures.awake(),
                 figures.bytesHeld(),
                 figures.stageMillis(),
                 backend,
@@ -1766,6 +1805,7 @@ public final class World implements AutoCloseable {
         private ContactSettings contacts = ContactSettings.DEFAULT;
         private float friction;
         private float rollingResistance;
+        private boolean sleep;
 
         /** Three floats for each wall, as {@link World#setWallSurface} takes them; NaN for those that follow the circles. */
         private final float[] walls = new float[3 * Wall.values().length];
@@ -1891,6 +1931,23 @@ public final class World implements AutoCloseable {
          */
         public Builder rollingResistance(float resistance) {
             rollingResistance = Limits.rollingResistance(resistance);
+            return this;
+        }
+
+        /**
+         * Lets circles that lie still fall asleep, and wake when something moves them: steps then cost what is awake, not what there is. By
+         * default false. A circle falls asleep if it has hardly moved for a second. It wakes when something is about to push it, when it loses
+         * what carries it, when gravity or its force change, or a call changes it. Until then its velocity is 0. {@link
+         * Kind#setSleeps} keeps circles of a kind awake; those that a joint holds, that grow or have a torque never sleep, nor do any without
+         * gravity and damping. The guide's chapter on sleep says more. On {@link Backend#JVM} alone so far: {@link Backend#AUTO} then takes
+         * that, and others are refused by {@link #build()}.
+         *
+         * @param sleep true if circles may fall asleep
+         * @return this
+         */
+        public Builder sleep(boolean sleep) {
+            this.sleep = sleep;
+            wish.sleeps = sleep;
             return this;
         }
 

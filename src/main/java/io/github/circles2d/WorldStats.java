@@ -10,6 +10,7 @@ import java.util.Map;
  *     alike, so that there is one level of the grid, and no circle is static: those that do not move are not tested on the JVM
  * @param contacts pairs of circles that were listed as contacts in the last step: they touch, or might have within the step
  * @param greatestContacts greatest number of contacts of one circle in the last step
+ * @param awake circles that steps move: they neither sleep nor are static
  * @param bytesHeld bytes of memory that the engine holds for circles and contacts, on the device if there is one
  * @param stageMillis milliseconds spent in each stage since the world was built, by the stage's name; empty unless profiling
  * @param backend the back end that the world runs on; never {@link Backend#AUTO}
@@ -21,6 +22,7 @@ public record WorldStats(
         long candidatePairs,
         int contacts,
         int greatestContacts,
+        int awake,
         long bytesHeld,
         Map<String, Double> stageMillis,
         Backend backend,

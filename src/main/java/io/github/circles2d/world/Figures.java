@@ -4,13 +4,14 @@ import java.util.Map;
 
 /**
  * Figures of a simulation, and of its last step: pairs whose distance the broad phase tested, contacts, the greatest number of contacts
- * of one circle. Memory is in bytes; times by stage since the start, in milliseconds, are empty unless profiling.
+ * of one circle, circles that neither sleep nor are static. Memory is in bytes; times by stage since the start, in milliseconds, are empty unless profiling.
  */
 public record Figures(
         int circles,
         long candidatePairs,
         int contacts,
         int greatestContacts,
+        int awake,
         long bytesHeld,
         Map<String, Double> stageMillis,
         String device) {}

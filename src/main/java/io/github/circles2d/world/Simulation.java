@@ -203,7 +203,7 @@ public final class Simulation implements AutoCloseable {
         }
         world.terrain.end(timeStep, world.settings.subSteps());
         world.copies.forgetSaved();
-        world.settings.setTimeStep(timeStep);
+        world.settings.stepped(timeStep);
         world.guard.changing = false;
     }
 
@@ -267,6 +267,7 @@ public final class Simulation implements AutoCloseable {
                     hold ? world.pipeline.candidatePairs() : 0,
                     hold ? world.pipeline.contacts() : 0,
                     hold ? world.pipeline.greatestContacts() : 0,
+                    readings.awake(),
                     world.pipeline.bytesHeld() + world.events.bytes() + world.terrain.bytes() + world.joints.bytes(),
                     Collections.unmodifiableMap(world.pipeline.stageMillis()),
                     world.pipeline.device());

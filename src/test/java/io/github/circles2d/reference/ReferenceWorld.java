@@ -567,25 +567,19 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, long other, JointPlan plan) {
-        find(other).wake();
-        return joints.add(held(circle), find(other), null, null, plan, arena).handle;
+        return joints.add(find(circle), find(other), null, null, plan, arena).handle;
     }
 
     @Override
     public long addJoint(long circle, float x, float y, JointPlan plan) {
-        return joints.add(held(circle), null, null, place(x, y), plan, arena).handle;
+        return joints.add(find(circle), null, null, place(x, y), plan, arena).handle;
     }
 
     @Override
     public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
         boolean onGround = terrain.body(body).id == 0;
         float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
-        return joints.add(held(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
-    }
-
-    private Circle held(long circle) {
-        find(circle).wake();
-        return find(circle);
+        return joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
     }
 
     /** A zero is always +0. */
@@ -595,7 +589,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, JointPlan plan) {
-        return joints.add(held(circle), null, null, new float[2], plan, arena).handle;
+        return joints.add(find(circle), null, null, new float[2], plan, arena).handle;
     }
 
     @Override
@@ -760,19 +754,16 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void report(int types) {
-        wakeAll();
         events.report(types);
     }
 
     @Override
     public void report(int kindA, int kindB, int types) {
-        wakeAll();
         events.report(kindA, kindB, types);
     }
 
     @Override
     public void reportWalls(int kind, int types) {
-        wakeAll();
         events.reportWalls(kind, types);
     }
 

@@ -305,7 +305,7 @@ final class Sleep {
         for (int a = 0; a < 2; a++) {
             c.drift[a] -= c.displacement[a];
         }
-        if (c.rest * k.dt() >= TIME) {
+        if (c.rest * k.dt() >= TIME && stays(c, 0) && stays(c, 1)) {
             c.rest = -1;
             c.drift[0] = 0f;
             c.drift[1] = 0f;
@@ -314,5 +314,15 @@ final class Sleep {
             c.velocity[1] = 0f;
             c.angularVelocity = 0f;
         }
+    }
+
+    /** Whether a step leaves a coordinate as it is, to the bit, if the circle does not move. */
+    private static boolean stays(Circle c, int axis) {
+        return isSame(c.base[axis] + c.displacement[axis], c.base[axis])
+                && isSame(0f + c.displacement[axis], c.displacement[axis]);
+    }
+
+    private static boolean isSame(float a, float b) {
+        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
     }
 }

@@ -38,13 +38,23 @@ public final class Circles implements Calls.Effects {
                 Call.ANGLE,
                 Call.ANGULAR_VELOCITY,
                 Call.ANGULAR_IMPULSE,
-                Call.CLEAR);
+                Call.CLEAR,
+                Call.WAKE,
+                Call.WAKE_ALL);
     }
 
     @Override
     public long make(Call call, int[] w) {
         if (call == Call.CLEAR) {
             removeAll();
+            return 0;
+        }
+        if (call == Call.WAKE_ALL) {
+            world.calls.begin(call, w);
+            return 0;
+        }
+        if (call == Call.WAKE) {
+            set(Commands.WAKE, w[0], 0, 0);
             return 0;
         }
         changes.begin(1);
@@ -73,6 +83,11 @@ public final class Circles implements Calls.Effects {
         } finally {
             world.guard.leave();
         }
+    }
+
+    /** Wakes all circles that sleep. */
+    public void wakeAll() {
+        world.calls.make(Call.WAKE_ALL, 0, 0, 0, 0);
     }
 
     /** Removes all circles, and with them all joints. */
@@ -124,6 +139,9 @@ public final class Circles implements Calls.Effects {
             case Commands.RADIUS -> Limits.radius(a, bounds);
             case Commands.MASS -> Limits.mass(a);
             case Commands.RESTITUTION -> Limits.restitution(a);
+            case Commands.WAKE -> {
+                // it has no value
+            }
             default -> Limits.impulse(a, b);
         }
         world.pending.expect(2);

@@ -79,6 +79,7 @@ public final class Pieces implements Calls.Effects {
                 world.log.write(Call.SEGMENT, segment(of, kind, k));
             }
             world.guard.changing = true;
+            wakeCircles();
             for (int k = 0; k < n; k++) {
                 long handle = add(Call.SEGMENT, segment(of, kind, k));
                 if (handles != null) {
@@ -159,6 +160,7 @@ public final class Pieces implements Calls.Effects {
             world.copies.forgetSaved();
             logChain(of, kind, chain, n, closed);
             world.guard.changing = true;
+            wakeCircles();
             world.terrain.addChain(of, kind, chain, n, closed, handles);
             world.guard.changing = false;
             return n;
@@ -195,6 +197,13 @@ public final class Pieces implements Calls.Effects {
         words[2] = c;
         words[3] = d;
         world.log.write(call, words);
+    }
+
+    /** Circles may lie on what goes, or where something comes. */
+    private void wakeCircles() {
+        if (world.settings.sleeps()) {
+            world.commands.wakeAll();
+        }
     }
 
     private void makeRoom(int more) {

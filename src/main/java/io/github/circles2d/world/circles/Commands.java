@@ -61,6 +61,9 @@ public final class Commands {
     /** An angular impulse; the inverse inertia by inverse mass of the circle's kind. */
     public static final int ANGULAR_IMPULSE = 15;
 
+    /** A circle wakes, if it sleeps; and begins anew to come to rest. */
+    public static final int WAKE = 16;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -115,6 +118,7 @@ public final class Commands {
     private int[] records = new int[STRIDE * 64];
     private int count;
     private int added;
+    private boolean wakeAll;
 
     public Commands() {}
 
@@ -150,13 +154,28 @@ public final class Commands {
 
     /** Whether an operation makes a circle turn. */
     public static boolean turns(int operation) {
-        return operation >= ANGLE;
+        return operation >= ANGLE && operation <= ANGULAR_IMPULSE;
     }
 
     /** Forgets all records. */
     public void clear() {
         count = 0;
         added = 0;
+        wakeAll = false;
+    }
+
+    /** All circles that sleep wake with these changes, before them or behind them: no change puts any to sleep. */
+    public void wakeAll() {
+        wakeAll = true;
+    }
+
+    public boolean wakesAll() {
+        return wakeAll;
+    }
+
+    /** Whether there is nothing to do. */
+    public boolean isEmpty() {
+        return count == 0 && !wakeAll;
     }
 
     /** Makes room: the next records cannot fail for want of memory. */

@@ -49,7 +49,10 @@ public enum KindField {
     ANGULAR_DAMPING(12, "angular damping", 0, ofFloat("angular damping", 0, Limits.VELOCITY_DAMPING)),
 
     /** 1 if circles pass pieces of terrain from behind. */
-    ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1));
+    ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1)),
+
+    /** 1 if circles never fall asleep. */
+    AWAKE(14, "awake", 0, value -> Limits.within("awake", value, 0, 1));
 
     public static final List<KindField> ALL = List.of(values());
 

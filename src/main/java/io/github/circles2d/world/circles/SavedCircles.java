@@ -44,6 +44,18 @@ public class SavedCircles {
     /** By circle, if circles can rotate: the impulses of its walls, by {@link ContactRows#ofWall}. */
     public float[] wallRows = new float[0];
 
+    /** Whether circles sleep: whether the state has the arrays of how they come to rest. */
+    public boolean sleeps;
+
+    /** By circle, if circles sleep: {@code Sleep} says what a number means. */
+    public int[] rest = new int[0];
+
+    /** By circle, if circles sleep: how far it has drifted since it came to rest, less its displacement: x, y. */
+    public float[] drift = new float[0];
+
+    /** By circle, if circles sleep: the units by which it has turned since. */
+    public int[] turned = new int[0];
+
     public int impulses;
 
     /** By impulse: the lower id of the pair. Impulses are in ascending order of the lower id, then of the higher. */
@@ -110,6 +122,19 @@ public class SavedCircles {
             angle = newAngle;
             angularVelocity = newAngularVelocity;
             wallRows = newWallRows;
+        }
+    }
+
+    /** Says whether circles sleep, and makes room for what that takes. */
+    public void setSleeps(boolean they) {
+        sleeps = they;
+        if (sleeps && rest.length < circles) {
+            int[] newRest = new int[circles];
+            float[] newDrift = new float[2 * circles];
+            int[] newTurned = new int[circles];
+            rest = newRest;
+            drift = newDrift;
+            turned = newTurned;
         }
     }
 

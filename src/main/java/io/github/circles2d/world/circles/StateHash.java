@@ -10,7 +10,8 @@ import io.github.circles2d.world.model.SurfaceSettings;
 /**
  * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, one per field of a
  * circle ({@link CircleField}) or of a kind ({@link KindField}) that has not its initial value, one per pair of kinds whose response
- * is set, one for the walls if the next step moves them, one for {@link ContactSettings} and one for {@link SurfaceSettings} if they are
+ * is set, one for the walls if the next step moves them, one for the gravity of the last step and one per circle that comes to rest if circles
+ * sleep, one for {@link ContactSettings} and one for {@link SurfaceSettings} if they are
  * not the default, and one per circle and per impulse that has what circles turn by. A sum of
  * integers does not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
@@ -38,6 +39,7 @@ public final class StateHash {
     private static final long PIECE = 0x7069656365733264L;
     private static final long BODY = 0x626F646965733264L;
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
+    private static final long SLEEP = 0x736C656570696E67L;
     private static final long JOINT = 0x6A6F696E74733264L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
@@ -114,6 +116,18 @@ public final class StateHash {
             h = absorb(h, impulses[at + row]);
         }
         return any == 0 ? 0 : h;
+    }
+
+    /** The number of a world whose circles sleep, by the gravity of the last step. */
+    public static long sleep(float gravityX, float gravityY) {
+        return absorb(absorb(SLEEP, gravityX), gravityY);
+    }
+
+    /** The number of how a circle comes to rest; 0 if it moves. */
+    public static long rest(int id, int rest, float driftX, float driftY, int turned) {
+        int any = rest | turned | Float.floatToRawIntBits(driftX) | Float.floatToRawIntBits(driftY);
+        long h = absorb(absorb(absorb(absorb(SLEEP, id), rest), driftX), driftY);
+        return any == 0 ? 0 : absorb(h, turned);
     }
 
     /** What the number of a piece of terrain begins with. */

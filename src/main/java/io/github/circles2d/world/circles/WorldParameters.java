@@ -6,7 +6,7 @@ import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
  * What a world has besides its circles. The last time step is 0 before the first. Walls start elsewhere than at the bounds if they have
- * been moved since.
+ * been moved since. Gravity of the last step is 0 before the first, and in worlds whose circles never sleep.
  */
 public record WorldParameters(
         Bounds bounds,
@@ -17,8 +17,11 @@ public record WorldParameters(
         float previousTimeStep,
         ContactSettings contacts,
         Bounds wallStart,
-        SurfaceSettings surfaces) {
-    /** Parameters of a world whose walls are at rest, whose contacts are as by default, and in which nothing grips. */
+        SurfaceSettings surfaces,
+        boolean sleeps,
+        float previousGravityX,
+        float previousGravityY) {
+    /** Parameters of a world whose walls are at rest, whose contacts are as by default, and in which nothing grips or sleeps. */
     public WorldParameters(
             Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {
         this(
@@ -30,25 +33,83 @@ public record WorldParameters(
                 previousTimeStep,
                 ContactSettings.DEFAULT,
                 bounds,
-                SurfaceSettings.NONE);
+                SurfaceSettings.NONE,
+                false,
+                0,
+                0);
     }
 
     /** The same with walls that start somewhere. */
     public WorldParameters startingAt(Bounds start) {
         return new WorldParameters(
-                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, start, surfaces);
+                bounds,
+                gravityX,
+                gravityY,
+                restitution,
+                subSteps,
+                previousTimeStep,
+                contacts,
+                start,
+                surfaces,
+                sleeps,
+                previousGravityX,
+                previousGravityY);
     }
 
     /** The same with other contacts. */
     public WorldParameters with(ContactSettings settings) {
         return new WorldParameters(
-                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, settings, wallStart, surfaces);
+                bounds,
+                gravityX,
+                gravityY,
+                restitution,
+                subSteps,
+                previousTimeStep,
+                settings,
+                wallStart,
+                surfaces,
+                sleeps,
+                previousGravityX,
+                previousGravityY);
     }
 
     /** The same with other surfaces. */
     public WorldParameters with(SurfaceSettings settings) {
         return new WorldParameters(
-                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, wallStart, settings);
+                bounds,
+                gravityX,
+                gravityY,
+                restitution,
+                subSteps,
+                previousTimeStep,
+                contacts,
+                wallStart,
+                settings,
+                sleeps,
+                previousGravityX,
+                previousGravityY);
+    }
+
+    /** The same of a world whose circles sleep, or do not. */
+    public WorldParameters sleeping(boolean does) {
+        return does ? sleeping(0, 0) : this;
+    }
+
+    /** The same of a world whose circles sleep, with the gravity of the last step. */
+    public WorldParameters sleeping(float gravityBeforeX, float gravityBeforeY) {
+        return new WorldParameters(
+                bounds,
+                gravityX,
+                gravityY,
+                restitution,
+                subSteps,
+                previousTimeStep,
+                contacts,
+                wallStart,
+                surfaces,
+                true,
+                gravityBeforeX,
+                gravityBeforeY);
     }
 
     public boolean wallsMove() {
@@ -76,7 +137,10 @@ public record WorldParameters(
             float otherTimeStep,
             ContactSettings otherContacts,
             Bounds otherStart,
-            SurfaceSettings otherSurfaces) {
+            SurfaceSettings otherSurfaces,
+            boolean othersSleep,
+            float otherPreviousX,
+            float otherPreviousY) {
         return bounds == otherBounds
                 && same(gravityX, otherGravityX)
                 && same(gravityY, otherGravityY)
@@ -85,7 +149,10 @@ public record WorldParameters(
                 && same(previousTimeStep, otherTimeStep)
                 && contacts == otherContacts
                 && wallStart == otherStart
-                && surfaces == otherSurfaces;
+                && surfaces == otherSurfaces
+                && sleeps == othersSleep
+                && same(previousGravityX, otherPreviousX)
+                && same(previousGravityY, otherPreviousY);
     }
 
     private static boolean same(float a, float b) {

@@ -202,6 +202,9 @@ public final class DevicePipeline implements Pipeline {
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, Features features) {
+        if (features.sleeping()) {
+            throw new IllegalArgumentException("circles sleep on Backend.JVM alone so far");
+        }
         boolean tunes = tuned || contacts.areTuned();
         Features all = loaded.and(features);
         if (tunes != tuned || !all.equals(loaded)) {

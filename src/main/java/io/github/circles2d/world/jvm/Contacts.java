@@ -66,6 +66,9 @@ public final class Contacts {
     /** Number of contacts: those of circles of one level, and behind them the cross contacts. */
     int count;
 
+    /** Number of contacts of the step before. */
+    private int listedBefore;
+
     /** Number of the first cross contact. */
     int firstCross;
 
@@ -272,7 +275,8 @@ public final class Contacts {
         if (!begun) {
             begun = true;
             steps++;
-            impulseCache.begin(count);
+            listedBefore = count;
+            impulseCache.begin();
             if (touches != null) {
                 touches.begin(steps);
             }
@@ -280,6 +284,7 @@ public final class Contacts {
         rowStart[levels.rows] = (int) sum;
         firstCross = (int) sum;
         count = firstCross + cross.count();
+        impulseCache.hold(count);
         if (touches != null) {
             touches.ensure(count);
         }
@@ -345,7 +350,7 @@ public final class Contacts {
                 rows.warmStart(c, found, constants.warmScale);
             }
             if (touches != null) {
-                touches.follow(worker, c, found);
+                touches.follow(worker, c, found < listedBefore ? found : -1);
             }
             if ((int) (slots >>> 32) >= state.awake) {
                 resting.noteLower(worker, (int) (slots >>> 32));
@@ -373,7 +378,7 @@ public final class Contacts {
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             if (touches != null) {
-                touches.follow(worker, c, found);
+                touches.follow(worker, c, found < listedBefore ? found : -1);
             }
             if (lower >= state.awake) {
                 resting.noteLower(worker, lower);
@@ -383,12 +388,17 @@ public final class Contacts {
             contact[o + INV_MASS_A] = inverseMass(light);
             contact[o + INV_MASS_B] = inverseMass(heavy);
             float share = cross.share(c - firstCross);
-            contact[o + MASS] = CrossRule.crossMass(inverseMass(light), inverseMass(heavy), share);
+            contact[o + MASS] = CrossRule.crossMass(pushedMass(light), pushedMass(heavy), share);
             if (constants.turning) {
                 rows.fill(c, light, heavy, share);
                 rows.warmStart(c, found, constants.warmScale);
             }
         }
+    }
+
+    /** The inverse mass by which a circle is pushed: one that sleeps as if it would give way, else what lies on it would push the heap. */
+    private float pushedMass(int slot) {
+        return state.ownInverseMass(slot);
     }
 
     private float inverseMass(int slot) {
@@ -430,6 +440,9 @@ public final class Contacts {
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
+        if (state.sleepers != null) {
+            contact[o + MASS] = 1f / (pushedMass(lower) + pushedMass(higher));
+        }
         contact[o + FLIGHT_THRESHOLD] = Bounce.flightThreshold(
                 radii, restitution, constants.thresholdRate, constants.flightRestRate, constants.fixedThreshold);
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {

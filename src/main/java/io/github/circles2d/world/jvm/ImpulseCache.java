@@ -41,8 +41,11 @@ final class ImpulseCache {
     /** By contact that presses, of the step before until the first is stored: the next with the same circle of lower id, or -1. */
     private int[] next = new int[0];
 
-    /** Contacts of the step before whose entries all say what they ended with. */
+    /** Entries of the step before, which all say what its contacts ended with, or what circles that woke have given back. */
     private int filledBefore;
+
+    /** Entries as of now, which are of the step before in the step to come. */
+    private int filled;
 
     ImpulseCache(State state) {
         this.state = state;
@@ -82,8 +85,27 @@ final class ImpulseCache {
         return 28L * next.length + 8L * rows.length;
     }
 
-    /** What has been stored, of so many contacts, is of the step before. */
-    void begin(int filled) {
+    /** How many entries there are. */
+    int filled() {
+        return filled;
+    }
+
+    /** There are so many contacts. */
+    void hold(int contacts) {
+        filled = contacts;
+    }
+
+    /** Adds an entry, for which there is room. */
+    void append(int lo, int hi, float impulse, float[] ofRows, int at) {
+        int entry = filled++;
+        store(entry, state.slotOf[lo], hi, impulse);
+        if (state.turning != null) {
+            storeRows(entry, ofRows, at);
+        }
+    }
+
+    /** What has been stored is of the step before. */
+    void begin() {
         long[] i = ids;
         ids = idsBefore;
         idsBefore = i;
@@ -94,6 +116,56 @@ final class ImpulseCache {
         rows = rowsBefore;
         rowsBefore = impulse;
         filledBefore = filled;
+    }
+
+    /** Between steps: the entry of two circles, or -1. */
+    int find(int lower, int higher) {
+        if (!state.fresh[higher]) {
+            long pair = (long) state.id[lower] << 32 | state.id[higher];
+            for (int c = state.firstCached[lower]; c >= 0; c = next[c]) {
+                if (ids[c] == pair) {
+                    return c;
+                }
+            }
+        }
+        return -1;
+    }
+
+    /** Of an entry that {@link #find} has found. */
+    float impulseNow(int entry) {
+        return normalImpulse[entry];
+    }
+
+    /** The same of a row. */
+    float rowImpulseNow(int entry, int row) {
+        return rows[ContactRows.of(entry) + row];
+    }
+
+    /** Between steps: moves the impulses of a circle, as the one of lower id, with others that do not move either to those of {@link Sleepers}. */
+    void moveToSleepers(int lower, Sleepers sleepers) {
+        int kept = -1;
+        int c = state.firstCached[lower];
+        while (c >= 0) {
+            int following = next[c];
+            int lo = state.id[lower];
+            int hi = (int) ids[c];
+            boolean rests = isFound(c)
+                    && state.isStatic(state.slotOf[hi])
+                    && (sleepers.isAsleep(lo) || sleepers.isAsleep(hi));
+            if (rests) {
+                sleepers.press(lo, hi, normalImpulse[c], rows, ContactRows.of(c));
+            } else {
+                next[c] = kept;
+                kept = c;
+            }
+            c = following;
+        }
+        state.firstCached[lower] = kept;
+    }
+
+    /** At most so many impulses can {@link #moveToSleepers} move. */
+    int most() {
+        return filled;
     }
 
     /** Fills the entry of a contact of this step, and finds that of the step before, or -1; guess is the entry that it may be. */
@@ -170,6 +242,7 @@ final class ImpulseCache {
 
     /** Takes over saved impulses, for which there is room; the circles have been taken over before. */
     void load(SavedState from) {
+        filled = from.impulses;
         for (int c = 0; c < from.impulses; c++) {
             store(c, state.slotOf[from.lo[c]], from.hi[c], from.normalImpulse[c]);
             if (state.turning != null) {

@@ -397,13 +397,18 @@ final class Resting {
 
     /** Finds the circles whose reach meets a rectangle, each once, and maybe some beside it. */
     void find(Found found, Bounds bounds, float left, float right, float below, float above) {
+        find(found, bounds, left, right, below, above, 1f);
+    }
+
+    /** The same with every reach some times as far. */
+    void find(Found found, Bounds bounds, float left, float right, float below, float above, float stretch) {
         found.count = 0;
         float farthest = CircleMath.max(
                 CircleMath.max(Math.abs(left), Math.abs(right)), CircleMath.max(Math.abs(below), Math.abs(above)));
         float rounding = CircleMath.max(bounds.magnitude(), farthest) * 0x1p-20f;
         for (int k = 0; k < usedCount; k++) {
             int ofClass = used[k];
-            float far = SLACK * top(ofClass) + rounding;
+            float far = stretch * (SLACK * top(ofClass)) + rounding;
             if (state.wraps) {
                 findImages(found, bounds, ofClass, left - far, right + far, below - far, above + far);
             } else {

@@ -22,6 +22,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
@@ -113,6 +114,21 @@ public final class State {
     /** What circles need to rotate; null as long as they cannot. */
     Turning turning;
 
+    /** How circles come to rest; null if none ever sleeps. */
+    Sleepers sleepers;
+
+    /** Circles that have fallen asleep, or were loaded so, and do not lie with those that rest yet: ids. */
+    private int[] drowsy = new int[16];
+
+    private int drowsyCount;
+
+    /** What circles give back that wake; {@link #startSleep} sets it. */
+    private ImpulseCache impulseCache;
+
+    private Bounds arena = new Bounds(0, 0, 1, 1);
+
+    private final Resting.Found near = new Resting.Found();
+
     /** The pieces of terrain that circles are near to; null as long as there has been no terrain. */
     PieceContacts pieces;
 
@@ -130,6 +146,7 @@ public final class State {
                 + 4L * slotOf.length
                 + fields.bytes()
                 + resting.bytes()
+                + (sleepers == null ? 0 : sleepers.bytes())
                 + (turning == null ? 0 : turning.bytes())
                 + (pieces == null ? 0 : pieces.bytes());
     }
@@ -193,6 +210,16 @@ public final class State {
         }
     }
 
+    /** Makes room for how circles come to rest. */
+    void startSleep(ImpulseCache cache) {
+        if (sleepers == null) {
+            Sleepers all = new Sleepers(this);
+            all.ensure(slotOf.length);
+            impulseCache = cache;
+            sleepers = all;
+        }
+    }
+
     /** Makes room for what circles have to do with terrain. */
     void startTerrain() {
         if (pieces == null) {
@@ -207,6 +234,9 @@ public final class State {
             int old = slotOf.length;
             int[] longer = Arrays.copyOf(slotOf, Math.max(ids, old + (old >> 1)));
             Arrays.fill(longer, old, longer.length, -1);
+            if (sleepers != null) {
+                sleepers.ensure(longer.length);
+            }
             slotOf = longer;
         }
     }
@@ -229,6 +259,9 @@ public final class State {
         }
         ensure(most);
         ensureIds(ids);
+        if (sleepers != null) {
+            impulseCache.ensure(impulseCache.filled() + sleepers.impulses());
+        }
     }
 
     private static CircleField field(int[] records, int k) {
@@ -245,10 +278,16 @@ public final class State {
         }
         ensureIds(from.ids);
         fields.makeRoom(from.fields);
+        if (from.sleeps && drowsy.length < from.circles) {
+            drowsy = new int[from.circles];
+        }
     }
 
     /** Applies what the caller asked for, for which there is room. */
     void apply(Commands commands) {
+        if (commands.wakesAll()) {
+            wakeAll();
+        }
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
             int k = c * Commands.STRIDE;
@@ -259,12 +298,18 @@ public final class State {
             }
             int slot = slotOf[circleId];
             if (records[k + Commands.OPCODE] == Commands.REMOVE) {
+                wakeNear(slot);
                 remove(slot);
                 continue;
             }
             if (records[k + Commands.OPCODE] == Commands.FIELD) {
                 fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
+                changed(field(records, k), circleId);
                 continue;
+            }
+            if (records[k + Commands.OPCODE] != Commands.GROW) {
+                wakeNear(records[k + Commands.OPCODE], slot);
+                slot = slotOf[circleId];
             }
             slot = wake(slot);
             float a = Float.intBitsToFloat(records[k + Commands.FIRST]);
@@ -305,9 +350,128 @@ public final class State {
                 case Commands.ANGULAR_IMPULSE -> turning.applyImpulse(slot, a, b);
                 case Commands.DEPART -> depart(s, a, b, records, k);
                 case Commands.ARRIVE -> arrive(s, a, b);
+                case Commands.WAKE -> {
+                    // it is awake
+                }
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
+            if (sleepers != null) {
+                sleepers.restart(slot);
+                wakeNear(records[k + Commands.OPCODE], slot);
+            }
         }
+    }
+
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    /** A field of a circle has changed. */
+    private void changed(CircleField field, int circleId) {
+        if (sleepers == null) {
+            return;
+        }
+        switch (field) {
+            case KIND, GROUP -> {
+                sleepers.restart(wake(slotOf[circleId]));
+                wakeNear(slotOf[circleId]);
+            }
+            case FRICTION, ROLLING_RESISTANCE -> sleepers.restart(wake(slotOf[circleId]));
+            default -> sleepers.suspect(circleId); // its force
+        }
+    }
+
+    /** Before a change of a circle, and behind it: wakes those that may lose what carries them, or be pushed. */
+    private void wakeNear(int operation, int slot) {
+        if (operation == Commands.POSITION || operation == Commands.RADIUS || operation == Commands.MASS) {
+            wakeNear(slot);
+        }
+    }
+
+    /** Wakes circles that sleep and may touch one that changes. */
+    private void wakeNear(int changed) {
+        if (sleepers == null || sleepers.count == 0) {
+            return;
+        }
+        int s = CircleRow.of(changed);
+        float x = circle[s + X];
+        float y = circle[s + Y];
+        float r = circle[s + RADIUS];
+        float far = Sleep.NEIGHBOURS * r;
+        int itself = id[changed];
+        resting.find(near, arena, x - far, x + far, y - far, y + far, Sleep.NEIGHBOURS);
+        for (int k = 0; k < near.count; k++) {
+            near.slots[k] = id[near.slots[k]]; // slots change as circles wake
+        }
+        for (int k = 0; k < near.count; k++) {
+            wakeIfNear(near.slots[k], itself, x, y, r);
+        }
+        for (int k = drowsyCount - 1; k >= 0; k--) {
+            wakeIfNear(drowsy[k], itself, x, y, r);
+        }
+    }
+
+    private void wakeIfNear(int other, int changed, float x, float y, float r) {
+        if (other == changed || slotOf[other] < 0 || !sleepers.isAsleep(other)) {
+            return;
+        }
+        int s = CircleRow.of(slotOf[other]);
+        float wayX = x - circle[s + X];
+        float wayY = y - circle[s + Y];
+        float far = Sleep.NEIGHBOURS * (circle[s + RADIUS] + r);
+        if (Math.abs(wraps ? CircleMath.shortWay(wayX, periodX) : wayX) <= far
+                && Math.abs(wraps ? CircleMath.shortWay(wayY, periodY) : wayY) <= far) {
+            sleepers.restart(wake(slotOf[other]));
+        }
+    }
+
+    private void wakeAll() {
+        for (int slot = n - 1; slot >= 0 && sleepers != null && sleepers.count > 0; slot--) {
+            if (sleepers.isAsleep(id[slot])) {
+                sleepers.restart(wake(slot));
+                slot = Math.min(slot + 1, n); // another one has come to the place
+            }
+        }
+    }
+
+    /** The inverse mass of a circle, also of one that sleeps. */
+    float ownInverseMass(int slot) {
+        return CircleMath.inverseMass(circle[CircleRow.of(slot) + MASS]);
+    }
+
+    /** A circle falls asleep; until the next step it lies where it is. */
+    void sleep(int slot) {
+        int s = CircleRow.of(slot);
+        sleepers.sleep(id[slot]);
+        motion[s + VX] = 0f;
+        motion[s + VY] = 0f;
+        traits[s + INVERSE_MASS] = 0f;
+        if (turning != null) {
+            turning.angularVelocity[slot] = 0f;
+        }
+    }
+
+    /** Circles of the awake slots that sleep are to rest from the next step on. */
+    void noteDrowsy() {
+        for (int slot = 0; slot < awake; slot++) {
+            if (sleepers.isAsleep(id[slot])) {
+                if (drowsyCount == drowsy.length) {
+                    drowsy = Arrays.copyOf(drowsy, 2 * drowsyCount);
+                }
+                drowsy[drowsyCount++] = id[slot];
+            }
+        }
+    }
+
+    int drowsy() {
+        return drowsyCount;
+    }
+
+    int drowsyAt(int k) {
+        return drowsy[k];
+    }
+
+    void forgetDrowsy() {
+        drowsyCount = 0;
     }
 
     private void depart(int s, float x, float y, int[] records, int k) {
@@ -355,7 +519,13 @@ public final class State {
         if (turning != null) {
             turning.add(slot);
         }
-        proposeRest(slot);
+        if (sleepers != null) {
+            sleepers.forget(circleId);
+            if (isStatic(slot)) {
+                wakeNear(slot);
+            }
+        }
+        proposeRest(slotOf[circleId]);
     }
 
     private void proposeRest(int slot) {
@@ -378,6 +548,10 @@ public final class State {
     }
 
     private void remove(int slot) {
+        if (sleepers != null) {
+            sleepers.count -= sleepers.isAsleep(id[slot]) ? 1 : 0;
+            sleepers.forget(id[slot]);
+        }
         slotOf[id[slot]] = -1;
         int hole = slot;
         if (slot >= awake) {
@@ -451,6 +625,12 @@ public final class State {
             resting.remove(id[slot]);
             to = awake++;
             exchange(slot, to);
+        }
+        if (sleepers != null && sleepers.isAsleep(id[to])) {
+            traits[CircleRow.of(to) + INVERSE_MASS] = ownInverseMass(to);
+            sleepers.rest[id[to]] = 0;
+            sleepers.count--;
+            sleepers.giveBack(id[to], impulseCache);
         }
         proposeRest(to);
         return to;
@@ -540,7 +720,7 @@ public final class State {
     void confine(Bounds from, Bounds to) {
         for (int slot = 0; slot < n; slot++) {
             int s = CircleRow.of(slot);
-            float margin = margin(s);
+            float margin = ownInverseMass(slot) == 0f ? 0f : circle[s + RADIUS];
             float x = confined(circle[s + X], from.minX(), to.minX(), from.maxX(), to.maxX(), margin);
             float y = confined(circle[s + Y], from.minY(), to.minY(), from.maxY(), to.maxY(), margin);
             boolean movesX = x != circle[s + X];
@@ -554,7 +734,12 @@ public final class State {
                 motion[s + DY] = 0f;
             }
             if (slot >= awake && (movesX || movesY)) {
-                wake(slot); // in its place comes one that has been looked at
+                int to = wake(slot); // in its place comes one that has been looked at
+                if (sleepers != null) {
+                    sleepers.restart(to);
+                }
+            } else if (sleepers != null && (movesX || movesY)) {
+                sleepers.restart(wake(slot));
             }
         }
     }
@@ -571,6 +756,9 @@ public final class State {
         System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.STRIDE);
         if (turning != null) {
             turning.save(slot, into, k);
+        }
+        if (sleepers != null) {
+            sleepers.save(id[slot], into, k);
         }
     }
 
@@ -596,6 +784,28 @@ public final class State {
         }
         awake = n;
         resting.restart();
+        drowsyCount = 0;
+        if (sleepers != null) {
+            sleepers.load(from);
+            if (from.parameters() != null) {
+                setArena(from.parameters().bounds());
+            }
+            for (int slot = 0; slot < n; slot++) {
+                if (sleepers.isAsleep(id[slot])) {
+                    traits[CircleRow.of(slot) + INVERSE_MASS] = 0f;
+                    drowsy[drowsyCount++] = id[slot];
+                    sleepers.count++;
+                }
+            }
+        }
+    }
+
+    /** Sets the arena of what follows. */
+    void setArena(Bounds next) {
+        arena = next;
+        wraps = next.wraps();
+        periodX = next.periodX();
+        periodY = next.periodY();
     }
 
     long hash() {
@@ -615,6 +825,9 @@ public final class State {
             sum += h;
             if (turning != null) {
                 sum += turning.hash(slot);
+            }
+            if (sleepers != null) {
+                sum += sleepers.hash(id[slot]);
             }
         }
         return sum;

@@ -1,26 +1,33 @@
 package io.github.circles2d.world.model;
 
 /** What a pipeline must be ready for; worlds that do without pay nothing. */
-public record Features(boolean edges, boolean turning, boolean terrain, boolean joints) {
+public record Features(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
     /** All that there are: to make one in each restored frame would be garbage. */
-    private static final Features[] ALL = new Features[16];
+    private static final Features[] ALL = new Features[32];
 
     static {
         for (int bits = 0; bits < ALL.length; bits++) {
-            ALL[bits] = new Features((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0);
+            ALL[bits] = new Features(
+                    (bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0);
         }
     }
 
-    /** A walled world of circles that do not turn. */
+    /** A walled world of circles that neither turn nor sleep. */
     public static final Features NONE = ALL[0];
 
     /** Always the same object for the same values. */
-    public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints) {
-        return ALL[(edges ? 1 : 0) | (turning ? 2 : 0) | (terrain ? 4 : 0) | (joints ? 8 : 0)];
+    public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
+        return ALL[
+                (edges ? 1 : 0) | (turning ? 2 : 0) | (terrain ? 4 : 0) | (joints ? 8 : 0) | (sleeping ? 16 : 0)];
     }
 
     /** Both together. */
     public Features and(Features other) {
-        return of(edges || other.edges, turning || other.turning, terrain || other.terrain, joints || other.joints);
+        return of(
+                edges || other.edges,
+                turning || other.turning,
+                terrain || other.terrain,
+                joints || other.joints,
+                sleeping || other.sleeping);
     }
 }

@@ -78,6 +78,12 @@ public final class StepConstants {
     /** Whether the step reads {@link JointStep}: there are joints. */
     public boolean joints;
 
+    /** Whether circles fall asleep and wake. */
+    public boolean sleeping;
+
+    /** Whether gravity is not that of the step before. */
+    public boolean tilted;
+
     float gravityX;
     float gravityY;
 

@@ -9,6 +9,7 @@ import io.github.circles2d.world.shared.WorldParts;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
+import java.util.Arrays;
 
 /** Reads of all circles, in the order of the ids, and of single numbers, which come from the last read of all. */
 public final class Readings {
@@ -27,6 +28,9 @@ public final class Readings {
 
     /** The number of requests for positions; may overflow. */
     private int requests;
+
+    /** A bit an id, of circles that sleep. */
+    private long[] asleep = new long[0];
 
     public Readings(WorldParts world) {
         this.world = world;
@@ -97,6 +101,54 @@ public final class Readings {
         } finally {
             world.guard.leave();
         }
+    }
+
+    /** Whether a circle does not sleep. */
+    public boolean isAwake(long handle) {
+        world.guard.enter();
+        try {
+            int id = world.circle(handle);
+            findAsleep();
+            return (asleep[id >> 6] & 1L << id) == 0;
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Sets a bit an id, of circles that do not sleep. */
+    public void readAwakeById(long[] to) {
+        world.guard.enter();
+        try {
+            requireRoom(Limits.notNull("awake", to), world.handles.end());
+            findAsleep();
+            Arrays.fill(to, 0L);
+            for (int id = 0; id < world.handles.end(); id++) {
+                boolean isAwake = world.handles.lives(id) && (asleep[id >> 6] & 1L << id) == 0;
+                to[id >> 6] |= isAwake ? 1L << id : 0L;
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** The number of circles that neither sleep nor are static. Calls and steps have been made. */
+    public int awake() {
+        findAsleep();
+        int sleeping = 0;
+        for (long bits : asleep) {
+            sleeping += Long.bitCount(bits);
+        }
+        return world.handles.size() - world.handles.statics() - sleeping;
+    }
+
+    private void findAsleep() {
+        world.pending.settle();
+        int words = (world.handles.end() + 63) >> 6;
+        if (asleep.length < words) {
+            asleep = new long[words + (words >> 1)];
+        }
+        Arrays.fill(asleep, 0L);
+        world.pipeline.readAsleep(asleep);
     }
 
     /** An element an id, in units of a turn's 2^-32; 0 where there is no circle. */

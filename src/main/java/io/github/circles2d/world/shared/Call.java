@@ -185,7 +185,13 @@ public enum Call {
     REMOVE_JOINT(97, 1, Named.JOINT),
 
     /** All joints go. */
-    CLEAR_JOINTS(98, 0);
+    CLEAR_JOINTS(98, 0),
+
+    /** A circle wakes: the circle. */
+    WAKE(Commands.WAKE, 1, Named.CIRCLE),
+
+    /** All circles wake. */
+    WAKE_ALL(99, 0);
 
     /** What the first word of a call may be the id of. */
     public enum Named {
@@ -248,6 +254,25 @@ public enum Call {
     /** Refuses words that are out of range in any state. */
     public void check(int[] w, WorldSettings settings) {
         range.check(w, settings);
+    }
+
+    /** Whether all circles wake that sleep: what carries them, or how they meet, may be another then. */
+    boolean wakes() {
+        return switch (this) {
+            case KIND,
+                    PAIR_OF_KINDS,
+                    WALL_SURFACE,
+                    SEGMENT,
+                    ARC,
+                    CHAIN,
+                    REMOVE_PIECE,
+                    PIECE_KIND,
+                    CLEAR_TERRAIN,
+                    REMOVE_BODY,
+                    TELEPORT_BODY,
+                    WAKE_ALL -> true;
+            default -> false;
+        };
     }
 
     /** The float that a word stands for. */

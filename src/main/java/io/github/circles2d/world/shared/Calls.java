@@ -109,6 +109,9 @@ public final class Calls {
         world.copies.forgetSaved();
         log.write(call, w);
         world.guard.changing = true;
+        if (call.wakes() && world.settings.sleeps()) {
+            world.commands.wakeAll();
+        }
     }
 
     /** The same of a call of at most four words, which has made what reads know out of date itself. */

@@ -38,7 +38,7 @@ public final class Copies {
             case Commands.VELOCITY, Commands.IMPULSE -> last.forgetVelocities();
             case Commands.ANGLE, Commands.ANGULAR_VELOCITY, Commands.ANGULAR_IMPULSE -> last.forgetTurns();
             case Commands.REMOVE -> forget();
-            case Commands.RESTITUTION, Commands.FIELD -> {
+            case Commands.RESTITUTION, Commands.FIELD, Commands.WAKE -> {
                 // no read has them
             }
             default -> last.forgetCircles();

@@ -30,7 +30,7 @@ public final class PendingWork {
 
     /** Hands the changes that wait to the pipeline. */
     public void apply() {
-        boolean changes = world.commands.count() > 0;
+        boolean changes = !world.commands.isEmpty();
         boolean learns = world.events.isOn() && !world.events.knowsPieces();
         if (changes || learns) {
             finish();

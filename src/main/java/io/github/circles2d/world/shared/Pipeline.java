@@ -104,6 +104,9 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
+    /** Sets the bits of the ids of circles that sleep, of bits that are 0. All steps have been finished. */
+    default void readAsleep(long[] byId) {}
+
     /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
     void save(SavedState into);
 

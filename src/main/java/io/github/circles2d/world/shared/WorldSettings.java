@@ -1,5 +1,6 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
@@ -25,6 +26,14 @@ public final class WorldSettings {
     /** The length of the last step; 0 before the first. */
     private float timeStep;
 
+    /** Whether circles fall asleep. */
+    private boolean sleeps;
+
+    /** The gravity of the last step, if circles sleep; else 0. */
+    private float previousGravityX;
+
+    private float previousGravityY;
+
     /** What {@link #parameters} gave last. */
     private WorldParameters parameters;
 
@@ -46,6 +55,9 @@ public final class WorldSettings {
         contacts = p.contacts();
         surfaces = p.surfaces();
         timeStep = p.previousTimeStep();
+        sleeps = p.sleeps();
+        previousGravityX = p.previousGravityX();
+        previousGravityY = p.previousGravityY();
         parameters = p;
     }
 
@@ -69,8 +81,17 @@ public final class WorldSettings {
         surfaces = next;
     }
 
-    public void setTimeStep(float length) {
+    /** A step has been made, of a length. */
+    public void stepped(float length) {
         timeStep = length;
+        if (sleeps) {
+            previousGravityX = gravityX;
+            previousGravityY = gravityY;
+        }
+    }
+
+    public boolean sleeps() {
+        return sleeps;
     }
 
     public Bounds bounds() {
@@ -124,19 +145,44 @@ public final class WorldSettings {
         float before = timeStep == 0 ? length : timeStep;
         constants.set(length, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
         constants.surfaces = surfaces;
+        constants.sleeping = sleeps;
+        constants.tilted = gravityX != previousGravityX || gravityY != previousGravityY;
     }
 
     /** All of it. */
     public WorldParameters parameters() {
         if (!parameters.has(
-                bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart, surfaces)) {
+                bounds,
+                gravityX,
+                gravityY,
+                defaultRestitution,
+                subSteps,
+                timeStep,
+                contacts,
+                wallStart,
+                surfaces,
+                sleeps,
+                previousGravityX,
+                previousGravityY)) {
             parameters = new WorldParameters(
-                    bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart, surfaces);
+                    bounds,
+                    gravityX,
+                    gravityY,
+                    defaultRestitution,
+                    subSteps,
+                    timeStep,
+                    contacts,
+                    wallStart,
+                    surfaces,
+                    sleeps,
+                    previousGravityX,
+                    previousGravityY);
         }
         return parameters;
     }
 
     public long hash() {
-        return WorldParameters.hash(bounds, wallStart, contacts, surfaces);
+        long sleep = sleeps ? StateHash.sleep(previousGravityX, previousGravityY) : 0;
+        return WorldParameters.hash(bounds, wallStart, contacts, surfaces) + sleep;
     }
 }

@@ -24,6 +24,7 @@ import java.nio.ByteBuffer;
  *            1,004, 1,005: what circles turn by, as {@link TurnSections} has it
  *            1,006, 1,007: terrain, and contacts with it, as {@link TerrainSection} has them
  *            1,008: joints, as {@link JointSection} has them
+ *            1,009: how circles sleep, as {@link SleepSection} has it
  * </pre>
  */
 final class ParameterSections {
@@ -39,6 +40,7 @@ final class ParameterSections {
     private static final int TERRAIN = FIRST + 6;
     private static final int TERRAIN_CONTACTS = FIRST + 7;
     private static final int JOINTS = FIRST + 8;
+    private static final int SLEEP = FIRST + 9;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
@@ -54,7 +56,8 @@ final class ParameterSections {
                 + (TurnSections.impulses(s) > 0 ? 1 : 0)
                 + (s.terrain.isAsAtFirst() ? 0 : 1)
                 + (s.pieceContacts.count > 0 ? 1 : 0)
-                + (s.joints.isAsAtFirst() ? 0 : 1);
+                + (s.joints.isAsAtFirst() ? 0 : 1)
+                + (s.parameters().sleeps() ? 1 : 0);
     }
 
     private static int ofFloats(SavedState s) {
@@ -77,7 +80,16 @@ final class ParameterSections {
         long terrain = s.terrain.isAsAtFirst() ? 0 : Integer.BYTES + TerrainSection.bytes(s.terrain);
         long contacts = s.pieceContacts.count > 0 ? Integer.BYTES + TerrainSection.bytes(s.pieceContacts) : 0;
         long joints = s.joints.isAsAtFirst() ? 0 : Integer.BYTES + JointSection.bytes(s);
-        return ofFloats(s) * BYTES + kinds + surfaces + ofTurns + TurnSections.bytes(s) + terrain + contacts + joints;
+        long sleep = s.parameters().sleeps() ? Integer.BYTES + SleepSection.bytes(s) : 0;
+        return ofFloats(s) * BYTES
+                + kinds
+                + surfaces
+                + ofTurns
+                + TurnSections.bytes(s)
+                + terrain
+                + contacts
+                + joints
+                + sleep;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -121,6 +133,10 @@ final class ParameterSections {
             out.putInt(JOINTS);
             JointSection.write(s, out);
         }
+        if (s.parameters().sleeps()) {
+            out.putInt(SLEEP);
+            SleepSection.write(s, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -137,6 +153,7 @@ final class ParameterSections {
             case TERRAIN -> TerrainSection.readTerrain(in, s);
             case TERRAIN_CONTACTS -> TerrainSection.readContacts(in, s);
             case JOINTS -> JointSection.read(in, s);
+            case SLEEP -> SleepSection.read(in, s);
             default -> readFloats(in, s, number);
         }
     }
@@ -157,7 +174,7 @@ final class ParameterSections {
     }
 
     private static void readFloats(ByteBuffer in, SavedState s, int number) {
-        if (number > JOINTS) {
+        if (number > SLEEP) {
             throw SnapshotCodec.later("it has a section with the unknown number " + number);
         }
         SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");

@@ -261,6 +261,7 @@ public final class SnapshotCodec {
         s.setIds(ids);
         s.setCircles(circles);
         TurnSections.clear(s);
+        s.setSleeps(false);
         s.ensureImpulses(impulses);
         s.impulses = 0;
         ((Buffer) in).position(HEADER);

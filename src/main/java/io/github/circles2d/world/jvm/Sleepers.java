@@ -1,0 +1,410 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+
+import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
+import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.snapshots.SavedState;
+import java.util.Arrays;
+
+/**
+ * How circles come to rest, and what those that sleep keep: the impulses with which they press others that do not move, and their contacts
+ * with pieces of terrain. A step finds neither again. All is by id, since slots change.
+ */
+final class Sleepers {
+    private static final int NONE = -1;
+
+    /** Ints of an impulse in {@link #links}: the ids of its circles, and the next impulse of each. */
+    private static final int LINKS = 4;
+
+    private static final int LO = 0;
+    private static final int HI = 1;
+    private static final int NEXT_OF_LO = 2;
+    private static final int NEXT_OF_HI = 3;
+
+    private final State state;
+
+    /** By id, by {@link Sleep}. */
+    int[] rest = new int[0];
+
+    /** By id: how far a circle that is awake has drifted since it came to rest, less its displacement; within a step, with it. */
+    float[] drift = new float[0];
+
+    /** By id: the units by which a circle that is awake has turned since then. */
+    int[] turned = new int[0];
+
+    /** How many circles sleep. */
+    int count;
+
+    // ---- impulses
+
+    /** By id: one of the impulses of the circle. */
+    private int[] first = new int[0];
+
+    private int[] links = new int[0];
+
+    /** By impulse: the normal one. */
+    private float[] normal = new float[0];
+
+    /** By impulse, if circles can rotate: those of the other rows. */
+    private float[] rows = new float[0];
+
+    /** Impulses up to here have been used; those that are free are a chain. */
+    private int used;
+
+    private int free = NONE;
+
+    /** How many impulses there are. */
+    private int pressing;
+
+    // ---- pieces
+
+    /** By id: the rows of contacts with pieces, by {@link PieceContactRow}; null if there have been none. */
+    private float[][] pieceRows = new float[0][];
+
+    private int[][] pieceNumbers = new int[0][];
+
+    /** By id: how many contacts there are. */
+    private int[] pieceCount = new int[0];
+
+    // ---- whom to look at
+
+    /** By order of coming: ids whose balance may be another than in the step before, but for those near to circles that are awake. */
+    private int[] suspects = new int[16];
+
+    private int suspectCount;
+
+    /** Whether all are to be looked at. */
+    private boolean suspectsAll;
+
+    Sleepers(State state) {
+        this.state = state;
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (rest.length + drift.length + turned.length + first.length + links.length + normal.length)
+                + 4L * (rows.length + pieceCount.length + suspects.length);
+        for (float[] each : pieceRows) {
+            sum += each == null ? 0 : 4L * each.length;
+        }
+        return sum;
+    }
+
+    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    void ensure(int ids) {
+        if (rest.length < ids) {
+            int old = rest.length;
+            float[] newDrift = Arrays.copyOf(drift, CircleRow.vector(ids));
+            int[] newTurned = Arrays.copyOf(turned, ids);
+            int[] newFirst = Arrays.copyOf(first, ids);
+            Arrays.fill(newFirst, old, ids, NONE);
+            float[][] newPieceRows = Arrays.copyOf(pieceRows, ids);
+            int[][] newPieceNumbers = Arrays.copyOf(pieceNumbers, ids);
+            int[] newPieceCount = Arrays.copyOf(pieceCount, ids);
+            int[] newRest = Arrays.copyOf(rest, ids);
+            drift = newDrift;
+            turned = newTurned;
+            first = newFirst;
+            pieceRows = newPieceRows;
+            pieceNumbers = newPieceNumbers;
+            pieceCount = newPieceCount;
+            rest = newRest;
+        }
+    }
+
+    boolean isAsleep(int id) {
+        return Sleep.isAsleep(rest[id]);
+    }
+
+    // ---- who sleeps
+    // ---------------------------------------------------------------------------------------------------
+
+    /** A circle that is awake begins anew to come to rest. */
+    void restart(int slot) {
+        int id = state.id[slot];
+        boolean isStatic = state.isStatic(slot);
+        rest[id] = 0;
+        turned[id] = 0;
+        drift[CircleRow.vector(id)] = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DX];
+        drift[CircleRow.vector(id) + 1] = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DY];
+    }
+
+    /** A circle falls asleep. */
+    void sleep(int id) {
+        rest[id] = Sleep.ASLEEP;
+        turned[id] = 0;
+        drift[CircleRow.vector(id)] = 0f;
+        drift[CircleRow.vector(id) + 1] = 0f;
+    }
+
+    /** An id is free. */
+    void forget(int id) {
+        rest[id] = 0;
+        turned[id] = 0;
+        drift[CircleRow.vector(id)] = 0f;
+        drift[CircleRow.vector(id) + 1] = 0f;
+        pieceCount[id] = 0;
+        while (first[id] != NONE) {
+            unlink(first[id]);
+        }
+    }
+
+    // ---- impulses
+    // -----------------------------------------------------------------------------------------------------
+
+    /** The number of impulses. */
+    int impulses() {
+        return pressing;
+    }
+
+    /** Makes room for more impulses. */
+    void ensureImpulses(int more) {
+        int need = used + more;
+        if (normal.length < need) {
+            int c = need + (need >> 1);
+            int[] newLinks = Arrays.copyOf(links, LINKS * c);
+            float[] newNormal = Arrays.copyOf(normal, c);
+            links = newLinks;
+            normal = newNormal;
+        }
+        if (state.turning != null && rows.length < ContactRows.of(normal.length)) {
+            rows = Arrays.copyOf(rows, ContactRows.of(normal.length));
+        }
+    }
+
+    /** Keeps an impulse, for which there is room; those of its rows come from a place of an array on, if circles can rotate. */
+    void press(int lo, int hi, float impulse, float[] ofRows, int at) {
+        int k = free == NONE ? used++ : free;
+        if (k == free) {
+            free = links[LINKS * k];
+        }
+        pressing++;
+        links[LINKS * k + LO] = lo;
+        links[LINKS * k + HI] = hi;
+        links[LINKS * k + NEXT_OF_LO] = first[lo];
+        first[lo] = k;
+        links[LINKS * k + NEXT_OF_HI] = first[hi];
+        first[hi] = k;
+        normal[k] = impulse;
+        if (state.turning != null) {
+            ContactRows.copy(ofRows, at, rows, ContactRows.of(k));
+        }
+    }
+
+    /** One of the impulses of a circle, or -1. */
+    int first(int id) {
+        return first[id];
+    }
+
+    /** The next impulse of a circle behind one, or -1. */
+    int next(int impulse, int id) {
+        return links[LINKS * impulse + (links[LINKS * impulse + LO] == id ? NEXT_OF_LO : NEXT_OF_HI)];
+    }
+
+    /** The circle that one presses by an impulse. */
+    int other(int impulse, int id) {
+        return links[LINKS * impulse + LO] + links[LINKS * impulse + HI] - id;
+    }
+
+    float normal(int impulse) {
+        return normal[impulse];
+    }
+
+    float row(int impulse, int row) {
+        return rows[ContactRows.of(impulse) + row];
+    }
+
+    /** The impulse of two circles, or -1. */
+    int find(int id, int other) {
+        int k = first[id];
+        while (k != NONE && other(k, id) != other) {
+            k = next(k, id);
+        }
+        return k;
+    }
+
+    private void unlink(int k) {
+        unlink(k, links[LINKS * k + LO]);
+        unlink(k, links[LINKS * k + HI]);
+        links[LINKS * k] = free;
+        free = k;
+        pressing--;
+        if (pressing == 0) {
+            used = 0;
+            free = NONE;
+        }
+    }
+
+    private void unlink(int k, int id) {
+        if (first[id] == k) {
+            first[id] = next(k, id);
+            return;
+        }
+        int before = first[id];
+        while (next(before, id) != k) {
+            before = next(before, id);
+        }
+        int place = LINKS * before + (links[LINKS * before + LO] == id ? NEXT_OF_LO : NEXT_OF_HI);
+        links[place] = next(k, id);
+    }
+
+    /** Gives the impulses of a circle that wakes to the cache, which has room for them. */
+    void giveBack(int id, ImpulseCache cache) {
+        while (first[id] != NONE) {
+            int k = first[id];
+            int lo = links[LINKS * k + LO];
+            cache.append(lo, links[LINKS * k + HI], normal[k], rows, ContactRows.of(k));
+            if (state.slotOf[lo] >= state.awake) {
+                state.resting.unsettle(lo);
+            }
+            unlink(k);
+        }
+    }
+
+    /** Another length of steps takes another impulse. */
+    void scale(float by) {
+        if (by != 1f && pressing > 0) {
+            for (int k = 0; k < used; k++) {
+                normal[k] *= by;
+            }
+            for (int k = 0; state.turning != null && k < ContactRows.of(used); k++) {
+                rows[k] *= by;
+            }
+        }
+    }
+
+    // ---- pieces
+    // -------------------------------------------------------------------------------------------------------
+
+    /** Keeps the contacts of a slot with pieces, so many from one on. */
+    void keepPieces(int id, int from, int many, PieceContacts contacts) {
+        if (many > 0) {
+            int floats = PieceContactRow.of(many);
+            if (pieceRows[id] == null || pieceRows[id].length < floats) {
+                pieceRows[id] = new float[floats];
+                pieceNumbers[id] = new int[PieceContactRow.numbers(many)];
+            }
+            System.arraycopy(contacts.rows, PieceContactRow.of(from), pieceRows[id], 0, floats);
+            System.arraycopy(
+                    contacts.numbers,
+                    PieceContactRow.numbers(from),
+                    pieceNumbers[id],
+                    0,
+                    PieceContactRow.numbers(many));
+        }
+        pieceCount[id] = many;
+    }
+
+    int pieces(int id) {
+        return pieceCount[id];
+    }
+
+    float[] pieceRows(int id) {
+        return pieceRows[id];
+    }
+
+    int[] pieceNumbers(int id) {
+        return pieceNumbers[id];
+    }
+
+    /** A step has found the contacts of a circle that woke. */
+    void forgetPieces(int id) {
+        pieceCount[id] = 0;
+    }
+
+    // ---- whom to look at
+    // ---------------------------------------------------------------------------------------------
+
+    /** The balance of a circle may be another in the next step. */
+    void suspect(int id) {
+        if (suspectCount == suspects.length) {
+            suspects = Arrays.copyOf(suspects, 2 * suspectCount);
+        }
+        suspects[suspectCount++] = id;
+    }
+
+    void suspectAll() {
+        suspectsAll = true;
+    }
+
+    boolean suspectsAll() {
+        return suspectsAll;
+    }
+
+    int suspects() {
+        return suspectCount;
+    }
+
+    int suspectAt(int k) {
+        return suspects[k];
+    }
+
+    void forgetSuspects() {
+        suspectCount = 0;
+        suspectsAll = false;
+    }
+
+    // ---- state
+    // --------------------------------------------------------------------------------------------------------
+
+    /** Saves the circle with an id as circle k. */
+    void save(int id, SavedState into, int k) {
+        into.rest[k] = rest[id];
+        into.drift[2 * k] = drift[CircleRow.vector(id)];
+        into.drift[2 * k + 1] = drift[CircleRow.vector(id) + 1];
+        into.turned[k] = turned[id];
+    }
+
+    /** Saves the impulses of a circle, as the one of lower id. */
+    void saveImpulses(int id, SavedState into) {
+        for (int k = first[id]; k != NONE; k = next(k, id)) {
+            if (links[LINKS * k + LO] == id) {
+                into.addImpulse(id, links[LINKS * k + HI], normal[k], rows, ContactRows.of(k));
+            }
+        }
+    }
+
+    /** Takes over saved circles, for which there is room. */
+    void load(SavedState from) {
+        Arrays.fill(rest, 0);
+        Arrays.fill(drift, 0f);
+        Arrays.fill(turned, 0);
+        Arrays.fill(first, NONE);
+        Arrays.fill(pieceCount, 0);
+        used = 0;
+        free = NONE;
+        pressing = 0;
+        count = 0;
+        for (int k = 0; from.sleeps && k < from.circles; k++) {
+            int id = from.id[k];
+            rest[id] = from.rest[k];
+            drift[CircleRow.vector(id)] = from.drift[2 * k];
+            drift[CircleRow.vector(id) + 1] = from.drift[2 * k + 1];
+            turned[id] = from.turned[k];
+        }
+        forgetSuspects();
+        suspectAll();
+    }
+
+    /** The part of a circle in the hash of the state. */
+    long hash(int id) {
+        float driftX = drift[CircleRow.vector(id)];
+        float driftY = drift[CircleRow.vector(id) + 1];
+        long sum = StateHash.rest(id, rest[id], driftX, driftY, turned[id]);
+        for (int k = first[id]; k != NONE; k = next(k, id)) {
+            if (links[LINKS * k + LO] == id) {
+                int hi = links[LINKS * k + HI];
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), id), hi);
+                sum += StateHash.absorb(h, normal[k]);
+                if (state.turning != null) {
+                    sum += StateHash.rows(id, hi, rows, ContactRows.of(k));
+                }
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,149 @@
+package io.github.circles2d.world.model;
+
+/**
+ * Which circles fall asleep, and which wake. A circle sleeps as long as gravity, its force and all impulses on it add up to nothing, and
+ * nobody is about to push it. It knows no more than those that it touches: there are no islands. {@code Sleep.cl} has the same formulas.
+ *
+ * <p>The rest of a circle that is awake is how many steps in a row it has been near to where it came to rest; that of one that sleeps is
+ * {@link #ASLEEP} minus the steps in a row in which it was out of balance.
+ */
+public final class Sleep {
+    public static final int ASLEEP = -1;
+
+    /** Seconds for which a circle is where it was before it falls asleep. */
+    public static final float TIME = 1f;
+
+    /** How far it may drift meanwhile, in radii. */
+    public static final float DRIFT = 0.003f;
+
+    /** The same by how far it would fall. */
+    public static final float SHARE_OF_FALL = 0.001f;
+
+    /** How far a circle may be out of balance, in what gravity adds to its speed in a sub-step. */
+    public static final float FLOOR = 0.01f;
+
+    /** The same once gravity has changed. */
+    public static final float STRICT = 0.002f;
+
+    /** How much more it may be, by what presses it. */
+    public static final float MOST_BY_LOAD = 1f;
+
+    /** Of what presses it, beyond {@link #FREE_WEIGHTS}. */
+    public static final float SHARE_OF_LOAD = 0.05f;
+
+    public static final float FREE_WEIGHTS = 4f;
+
+    /** Radii a step. */
+    public static final float ROUNDING = 1e-7f;
+
+    /** A circle out of balance wakes once that times the square of the steps in a row is so many gains. */
+    public static final float PATIENCE = 2f;
+
+    /** How fast somebody has to push a circle that he presses, in what gravity adds to its speed in a step. */
+    public static final float PUSH = 0.5f;
+
+    /** The same of a circle that he does not press. */
+    public static final float HIT = 0.02f;
+
+    /** Radii a step. */
+    public static final float LEAST_HIT = 1e-6f;
+
+    /** Radii a step. */
+    public static final float LEAST_WAKING = 2e-6f;
+
+    /** How far a step wakes from circle to circle. */
+    public static final int RINGS = 16;
+
+    /** How near a circle is to another one that a call changes, by the sum of radii. */
+    public static final float NEIGHBOURS = 1.05f;
+
+    /** Radians of a unit of angles. */
+    public static final float RADIANS = 1.4629180792671596e-9f;
+
+    private Sleep() {}
+
+    public static boolean isAsleep(int rest) {
+        return rest < 0;
+    }
+
+    /** How far a circle may drift: gain is what gravity and its force add to its speed in a sub-step. */
+    public static float drift(float radius, float gain, float inverseH, float damping) {
+        float drift = DRIFT * radius;
+        return gain > 0f
+                ? CircleMath.min(drift, SHARE_OF_FALL * (gain * inverseH) * (TIME * TIME))
+                : drift * CircleMath.min(damping * TIME, 1f);
+    }
+
+    /** Whether a circle is where it came to rest. */
+    public static boolean rests(float driftX, float driftY, int turned, float radius, float drift) {
+        return driftX * driftX + driftY * driftY <= drift * drift
+                && Math.abs((float) turned) * RADIANS * radius <= drift;
+    }
+
+    /** Whether a step leaves a coordinate and its displacement as they are, to the bit, if the circle does not move. */
+    public static boolean stays(float base, float displacement) {
+        return Float.floatToRawIntBits(base + displacement) == Float.floatToRawIntBits(base)
+                && Float.floatToRawIntBits(0f + displacement) == Float.floatToRawIntBits(displacement);
+    }
+
+    public static boolean fallsAsleep(int rest, float dt) {
+        return (float) rest * dt >= TIME;
+    }
+
+    /** A speed that wakes for sure; gainOfStep is what gravity and its force add to a circle's speed in a step. */
+    public static float strong(float gainOfStep, float radius, float dt) {
+        return CircleMath.max(gainOfStep, LEAST_WAKING * radius / dt);
+    }
+
+    /** What a circle that is awake is about to add to the speed of one that sleeps; 0 if too little. */
+    public static float hit(
+            float approach,
+            float separation,
+            float inverseMass,
+            float otherInverseMass,
+            float restitution,
+            float impulse,
+            float gainOfStep,
+            float radius,
+            float dt) {
+        if (!(approach > 0f) || !(separation < approach * dt)) {
+            return 0f;
+        }
+        float share = inverseMass / (inverseMass + otherInverseMass);
+        float speed = share * (1f + restitution) * approach;
+        float most = (impulse > 0f ? PUSH : HIT) * gainOfStep;
+        return speed > most && speed > LEAST_HIT * radius / dt ? speed : 0f;
+    }
+
+    /** By how much a circle may be out of balance; load: the normal impulses on it, as a speed. */
+    public static float tolerance(boolean strict, float gain, float load, float radius, float dt) {
+        float byLoad = SHARE_OF_LOAD * CircleMath.max(load - FREE_WEIGHTS * gain, 0f);
+        float most = strict ? STRICT * gain : FLOOR * gain + CircleMath.min(byLoad, MOST_BY_LOAD * gain);
+        return most + ROUNDING * radius / dt;
+    }
+
+    /** Whether a circle wakes that has been out of balance for some steps in a row, and is now by a speed. */
+    public static boolean losesPatience(boolean strict, float gain, float imbalance, int steps) {
+        return strict || gain == 0f || imbalance * (float) (steps * steps) >= PATIENCE * gain;
+    }
+
+    /** The speed that wakes a circle by what it is out of balance in a sub-step. */
+    public static float imbalanceOfStep(float imbalance, int subSteps, float radius, float dt) {
+        return CircleMath.max(imbalance * (float) subSteps, LEAST_WAKING * radius / dt);
+    }
+
+    /** What of the speed that woke a circle reaches one that it presses; 0 if too little. */
+    public static float passedOn(
+            float speed, float impulse, float load, float inverseMass, float otherInverseMass, float gainOfStep) {
+        float passed =
+                speed * CircleMath.min(2f * impulse / load, 1f) * CircleMath.min(inverseMass / otherInverseMass, 1f);
+        return passed > PUSH * gainOfStep ? passed : 0f;
+    }
+
+    /** The same of one that it does not press. */
+    public static float passedFreely(
+            float speed, float separation, float inverseMass, float otherInverseMass, float gainOfStep, float dt) {
+        float passed = speed * (2f * inverseMass / (inverseMass + otherInverseMass));
+        return separation < speed * dt && passed > HIT * gainOfStep ? passed : 0f;
+    }
+}
