@@ -48,9 +48,9 @@ public interface WorldCalls {
 
     boolean isAwake(long handle);
 
-    int awake();
-
-    void setSleeps(int kind, boolean sleeps);
+    default void setSleeps(int kind, boolean sleeps) {
+        kind(kind).setSleeps(sleeps);
+    }
 
     void setTag(long handle, long tag);
 

@@ -216,6 +216,9 @@ public final class Simulation implements AutoCloseable {
         if (constants.driving) {
             world.input.motion.update(constants, world.kinds, world.kinds.version());
         }
+        if (constants.sleeping) {
+            world.input.sleep.update(world.kinds, world.kinds.version());
+        }
         constants.turning = world.needs.turns();
         if (constants.turning) {
             CircleFields fields = world.handles.fields();

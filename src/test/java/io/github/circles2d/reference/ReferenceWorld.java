@@ -226,14 +226,6 @@ public final class ReferenceWorld implements WorldCalls {
         find(handle).wake();
     }
 
-    /** Of the circles that are awake, and not static. */
-    @Override
-    public int awake() {
-        return (int) circles().stream()
-                .filter(c -> !c.isAsleep() && !c.hasInfiniteMass())
-                .count();
-    }
-
     @Override
     public boolean isAwake(long handle) {
         return !find(handle).isAsleep();

@@ -72,12 +72,7 @@ final class Sleep {
     /** The impulses of the step before, as this step goes on from them. */
     private final Map<Contact.Pair, Impulses> impulses = new HashMap<>();
 
-    Sleep(
-            List<Circle> circles,
-            ReferenceTerrain terrain,
-            ReferenceJoints joints,
-            StepParameters k,
-            Kinds kinds) {
+    Sleep(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
         this.circles = circles;
         this.terrain = terrain;
         this.joints = joints;
@@ -145,9 +140,8 @@ final class Sleep {
 
     private Meeting meeting(Circle c, Circle o) {
         Contact.Pair pair = c.id < o.id ? new Contact.Pair(c, o) : new Contact.Pair(o, c);
-        float[] d = plus(
-                pair.lower().wayTo(pair.higher()),
-                minus(pair.higher().displacement, pair.lower().displacement));
+        float[] d =
+                plus(pair.lower().wayTo(pair.higher()), minus(pair.higher().displacement, pair.lower().displacement));
         float distance = length(d);
         float radii = pair.lower().radius + pair.higher().radius;
         float[] normal = distance > COINCIDENT * radii ? new float[] {d[0] / distance, d[1] / distance} : new float[2];

@@ -27,9 +27,7 @@ final class TouchEvents {
 
         /** Whether a circle that sleeps touches what does not move. */
         boolean rests() {
-            return higher == null
-                    ? lower.isAsleep()
-                    : new Contact.Pair(lower, higher).rests();
+            return higher == null ? lower.isAsleep() : new Contact.Pair(lower, higher).rests();
         }
 
         long a() {

@@ -81,7 +81,7 @@ final class Turn {
         float units = turned * h / radius * UNITS_PER_RADIAN;
         int turned = (int) (long) Numbers.clamp(units, -GREATEST_UNITS, GREATEST_UNITS);
         c.angle += turned;
-        c.turned += turned;
+        c.turned += c.isStatic() ? 0 : turned;
         if (speed != speedAtFirst) {
             c.angularVelocity = limitSpeed(speed / radius);
         }

@@ -211,6 +211,11 @@ public final class HandleTable {
         return (isStatic[word(id)] & bit(id)) != 0;
     }
 
+    /** How many circles are static. */
+    public int statics() {
+        return statics;
+    }
+
     public boolean hasStatics() {
         return statics > 0;
     }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.Limits;
@@ -11,7 +12,7 @@ import java.util.Arrays;
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable implements KindMotion.Values, KindSurface.Values, KindTerrain.Values {
+public final class KindTable implements KindMotion.Values, KindSleep.Values, KindSurface.Values, KindTerrain.Values {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 
@@ -195,6 +196,11 @@ public final class KindTable implements KindMotion.Values, KindSurface.Values, K
     @Override
     public float damping(int kind) {
         return getFloat(KindField.DAMPING, kind);
+    }
+
+    @Override
+    public boolean sleeps(int kind) {
+        return get(KindField.AWAKE, kind) == 0;
     }
 
     @Override

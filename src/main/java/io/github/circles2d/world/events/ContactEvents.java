@@ -75,6 +75,14 @@ public final class ContactEvents {
         tracker = new TouchTracker(reported, circles, pieces, pairs, step, stamp);
     }
 
+    /** Who sleeps in a step. */
+    public interface Sleepers {
+        boolean sleeps(int id);
+
+        /** Whether two circles do not move: one sleeps, and the other one sleeps or is static. */
+        boolean rest(int id, int otherId);
+    }
+
     // ---- what is reported
     // --------------------------------------------------------------------------------------------
 
@@ -425,6 +433,11 @@ public final class ContactEvents {
     /** Whether a pair approaches fast enough for a hit; the threshold as in {@link #isHit}. */
     public boolean isHitSpeed(float approach, float threshold) {
         return tracker.isHitSpeed(approach, threshold);
+    }
+
+    /** Before {@link #misses}: pairs that rest go on to touch, though no step finds them. */
+    public void keep(Sleepers sleepers) {
+        tracker.keep(sleepers);
     }
 
     /**

@@ -33,6 +33,14 @@ final class TouchTracker {
 
     private float hitSpeed = ContactEvents.OF_PAIR;
 
+    /** Pairs of circles that rest in this step, and touch as they did before it. */
+    private int kept;
+
+    /** Those of all pairs at rest whose hits are not complete. */
+    private int[] keptOpen = new int[0];
+
+    private int keptOpenCount;
+
     /** The stamp of the step that is being looked at: another than that of the step before. */
     private int now;
 
@@ -185,13 +193,36 @@ final class TouchTracker {
         for (TouchRecords list : records) {
             told += list.told();
         }
-        return told != pairs.count - pairs.others;
+        return told + kept != pairs.count - pairs.others;
+    }
+
+    /** See {@link ContactEvents#keep}. */
+    void keep(ContactEvents.Sleepers sleepers) {
+        for (int pair = 0; pair < pairs.count; pair++) {
+            int higher = pairs.higher(pair);
+            boolean isCircle = Partner.isCircle(higher);
+            if (isCircle ? sleepers.rest(pairs.lower(pair), higher) : sleepers.sleeps(pairs.lower(pair))) {
+                pairs.stamp(pair, now);
+                kept += isCircle ? 1 : 0;
+                if (pairs.open(pair) != TouchingPairs.NONE) {
+                    keptOpen = keptOpen.length > keptOpenCount
+                            ? keptOpen
+                            : Arrays.copyOf(keptOpen, 2 * keptOpenCount + 16);
+                    keptOpen[keptOpenCount++] = pair;
+                }
+            }
+        }
     }
 
     void endStep(TouchRecords... records) {
         boolean misses = misses(records);
         boolean ends = misses || pairs.others > 0;
         stillOpen.clear();
+        for (int k = 0; k < keptOpenCount; k++) {
+            pairs.setOpen(keptOpen[k], stillOpen.add(open, pairs.open(keptOpen[k])));
+        }
+        kept = 0;
+        keptOpenCount = 0;
         for (TouchRecords list : records) {
             for (int k = 0; k < list.endedCount(); k++) {
                 pairs.stamp(list.ended(k), TouchingPairs.ENDED);

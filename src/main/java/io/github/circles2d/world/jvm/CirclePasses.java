@@ -328,6 +328,9 @@ final class CirclePasses {
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
+        if (state.sleepers != null) {
+            drift(from, to);
+        }
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float margin = state.margin(s);
@@ -347,6 +350,17 @@ final class CirclePasses {
         }
         if (state.wraps) {
             bringInside(from, to, k.arena);
+        }
+    }
+
+    /** Adds how far circles have moved to how far they have drifted. */
+    private void drift(int from, int to) {
+        float[] drift = state.sleepers.drift;
+        for (int slot = from; slot < to; slot++) {
+            if (!state.isStatic(slot)) {
+                drift[CircleRow.vector(state.id[slot])] += state.motion[CircleRow.of(slot) + DX];
+                drift[CircleRow.vector(state.id[slot]) + 1] += state.motion[CircleRow.of(slot) + DY];
+            }
         }
     }
 

@@ -478,6 +478,11 @@ public final class Contacts {
         return Bounce.halfFall(fall, invMassA, inverseMass(higherSlot(c)));
     }
 
+    /** The circles that rest near to others. */
+    NearResting nearResting() {
+        return resting;
+    }
+
     /** The contacts of circles of different levels. */
     CrossContacts cross() {
         return cross;

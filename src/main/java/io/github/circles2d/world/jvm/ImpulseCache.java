@@ -149,9 +149,8 @@ final class ImpulseCache {
             int following = next[c];
             int lo = state.id[lower];
             int hi = (int) ids[c];
-            boolean rests = isFound(c)
-                    && state.isStatic(state.slotOf[hi])
-                    && (sleepers.isAsleep(lo) || sleepers.isAsleep(hi));
+            boolean rests =
+                    isFound(c) && state.isStatic(state.slotOf[hi]) && (sleepers.isAsleep(lo) || sleepers.isAsleep(hi));
             if (rests) {
                 sleepers.press(lo, hi, normalImpulse[c], rows, ContactRows.of(c));
             } else {

@@ -57,6 +57,19 @@ public final class JvmPipeline implements Pipeline {
     private JointPasses joints;
 
     private JointStep jointStep;
+
+    /** Null if circles never sleep. */
+    private Waking waking;
+
+    /** What decides which kinds fall asleep. */
+    private float[] kindSleep;
+
+    /** Whether a circle has fallen asleep in the step. */
+    private volatile boolean someFellAsleep;
+
+    /** Whether a circle has woken in the step. */
+    private boolean someWoke;
+
     private final StageTimes times;
     private final int leastShare;
     private final Team.Work work = this::makeSteps;
@@ -112,6 +125,10 @@ public final class JvmPipeline implements Pipeline {
         if (features.joints() && joints == null) {
             joints = new JointPasses(state, team);
         }
+        if (features.sleeping() && waking == null) {
+            state.startSleep(contacts.impulseCache());
+            waking = new Waking(state, grid, contacts);
+        }
     }
 
     private void startTerrain() {
@@ -144,14 +161,13 @@ public final class JvmPipeline implements Pipeline {
         terrain = input.terrain;
         jointStep = input.joints;
         solver.join(constants.joints ? joints : null);
+        kindSleep = input.sleep.rows;
         boolean parts = constants.joints && jointStep.parts;
         state.jointed = null;
         state.parting = parts ? jointStep : null;
         state.partingStates = parts ? joints.states : null;
         steps = count;
-        state.wraps = constants.arena.wraps();
-        state.periodX = constants.arena.periodX();
-        state.periodY = constants.arena.periodY();
+        state.setArena(constants.arena);
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
@@ -181,9 +197,17 @@ public final class JvmPipeline implements Pipeline {
     private void begin(int step) {
         if (step > 0) {
             constants.warmScale = 1f;
+            constants.tilted = false;
         }
         times.begin();
+        if (waking != null) {
+            waking.settle(constants, terrain, pieces);
+        }
         state.resting.settle(constants, jointStep);
+        makeRoom();
+    }
+
+    private void makeRoom() {
         levels.copy(shape);
         if (state.awake < state.n && !state.hasMovingStatic()) {
             levels.fit(state.awake);
@@ -204,6 +228,9 @@ public final class JvmPipeline implements Pipeline {
 
     private void makeStep(int worker) {
         grid.build(worker, constants);
+        if (waking != null) {
+            wake(worker);
+        }
         end(worker, GRID);
         if (recorder != null) {
             recorder.begin(worker, reports);
@@ -216,7 +243,9 @@ public final class JvmPipeline implements Pipeline {
             pieces.find(worker, terrain, constants.turning);
         }
         end(worker, SWEEP);
-        contacts.findResting(worker, constants);
+        if (waking == null) {
+            contacts.findResting(worker, constants);
+        }
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
             contacts.find(worker);
@@ -236,7 +265,41 @@ public final class JvmPipeline implements Pipeline {
         if (recorder != null) {
             recorder.end(worker, terrain, constants, reports);
         }
+        if (waking != null) {
+            fallAsleep(worker);
+        }
         end(worker, SOLVER);
+    }
+
+    /** Wakes circles; if there are any, the grid is another one. */
+    private void wake(int worker) {
+        contacts.findResting(worker, constants);
+        team.sync(worker);
+        if (worker == 0) {
+            someWoke = waking.wake(constants, terrain, pieces);
+            if (someWoke) {
+                makeRoom();
+            }
+        }
+        team.sync(worker);
+        if (someWoke) {
+            grid.build(worker, constants);
+            contacts.findResting(worker, constants);
+        }
+    }
+
+    private void fallAsleep(int worker) {
+        int from = team.part(state.awake, worker);
+        int to = team.part(state.awake, worker + 1);
+        if (FallingAsleep.find(state, kindSleep, from, to, constants)) {
+            someFellAsleep = true;
+        }
+        team.sync(worker);
+        if (worker == 0 && someFellAsleep) {
+            someFellAsleep = false;
+            state.noteDrowsy();
+        }
+        team.sync(worker);
     }
 
     private void end(int worker, int stage) {
@@ -353,13 +416,25 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void readAsleep(long[] byId) {
+        for (int slot = 0; state.sleepers != null && slot < state.n; slot++) {
+            int id = state.id[slot];
+            byId[id >> 6] |= state.sleepers.isAsleep(id) ? 1L << id : 0L;
+        }
+    }
+
+    @Override
     public void save(SavedState into) {
         into.impulses = 0;
         into.setTurns(state.turning != null);
+        into.setSleeps(state.sleepers != null);
         for (int k = 0; k < into.circles; k++) {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
             contacts.impulseCache().save(slot, into);
+            if (state.sleepers != null) {
+                state.sleepers.saveImpulses(into.id[k], into);
+            }
         }
     }
 
@@ -369,7 +444,9 @@ public final class JvmPipeline implements Pipeline {
         if (state.pieces != null) {
             for (int id = 0; id < state.slotOf.length; id++) {
                 int slot = state.slotOf[id];
-                if (slot >= 0) {
+                if (slot >= 0 && state.sleepers != null && state.sleepers.pieces(id) > 0) {
+                    PieceContacts.save(id, state.sleepers, into);
+                } else if (slot >= 0) {
                     state.pieces.save(slot, id, into);
                 }
             }

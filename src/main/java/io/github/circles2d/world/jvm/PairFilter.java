@@ -49,6 +49,16 @@ final class PairFilter {
         return group != 0 && group == state.fields.getInt(CircleField.GROUP, otherId);
     }
 
+    /** Whether two circles would meet, if one of them moves. */
+    static boolean wouldMeet(State state, int id, int otherId) {
+        return !state.filtering || response(state, id, otherId) == PairTable.SOLID;
+    }
+
+    /** Whether two circles would notice each other, if one of them moves. */
+    static boolean wouldNotice(State state, int id, int otherId) {
+        return !state.filtering || response(state, id, otherId) != PairTable.IGNORE;
+    }
+
     /** What two circles do to each other, by {@link PairTable}: circles of one group nothing, others what their kinds say. */
     private static int response(State state, int id, int otherId) {
         if (areOfOneGroup(state, id, otherId)) {

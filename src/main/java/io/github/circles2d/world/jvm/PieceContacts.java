@@ -165,6 +165,24 @@ final class PieceContacts {
         }
     }
 
+    /** Saves the contacts that a circle keeps while it sleeps. */
+    static void save(int id, Sleepers sleepers, SavedPieceContacts into) {
+        into.ensure(into.count + sleepers.pieces(id));
+        for (int c = 0; c < sleepers.pieces(id); c++) {
+            float[] rows = sleepers.pieceRows(id);
+            int[] numbers = sleepers.pieceNumbers(id);
+            int row = PieceContactRow.of(c);
+            into.add(
+                    id,
+                    numbers[PieceContactRow.numbers(c) + PIECE],
+                    numbers[PieceContactRow.numbers(c) + SERIAL],
+                    (int) rows[row + PieceContactRow.SIDE],
+                    rows[row + PieceContactRow.IMPULSE],
+                    rows,
+                    row + PieceContactRow.ROWS);
+        }
+    }
+
     /** Takes over saved contacts, for which there is room, of so many circles in slots in the order of their ids. */
     void load(SavedPieceContacts from, int[] id, int circles) {
         int c = 0;

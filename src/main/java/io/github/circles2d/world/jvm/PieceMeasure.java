@@ -59,8 +59,12 @@ final class PieceMeasure {
     float surfaceY;
 
     PieceMeasure(State state) {
+        this(state, state.pieces);
+    }
+
+    PieceMeasure(State state, PieceContacts contacts) {
         this.state = state;
-        contacts = state.pieces;
+        this.contacts = contacts;
     }
 
     void begin(TerrainStep next, StepConstants k) {
@@ -120,13 +124,18 @@ final class PieceMeasure {
     /** Measures all contacts of a circle at a boundary of sub-steps, and forgets the impulses of those that are none there. */
     void measure(int slot, int boundary) {
         int s = CircleRow.of(slot);
+        contacts.measured[CircleRow.vector(slot)] = state.motion[s + DX];
+        contacts.measured[CircleRow.vector(slot) + 1] = state.motion[s + DY];
+        int from = contacts.first[slot];
+        measure(slot, from, from + contacts.count[slot], boundary);
+    }
+
+    /** The same of some contacts, which a circle may have. */
+    void measure(int slot, int from, int to, int boundary) {
+        int s = CircleRow.of(slot);
         float dx = state.motion[s + DX];
         float dy = state.motion[s + DY];
         float r = state.circle[s + RADIUS];
-        int from = contacts.first[slot];
-        int to = from + contacts.count[slot];
-        contacts.measured[CircleRow.vector(slot)] = dx;
-        contacts.measured[CircleRow.vector(slot) + 1] = dy;
         boolean vertices = false;
         for (int c = from; c < to; c++) {
             vertices |= measure(slot, c, boundary, dx, dy, r);

@@ -16,7 +16,9 @@ import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
 /** Finds the pieces of terrain that circles are near to, by the tree of their boxes. The tree decides nothing: a distance does. */
@@ -29,6 +31,11 @@ final class PieceSearch {
     private final PieceContacts contacts;
     private final PieceMemory memory = new PieceMemory();
     private final Finder[] finders;
+
+    /** Of a circle that sleeps: its contacts, and how they are measured; null as long as none has slept. */
+    private PieceContacts atRest;
+
+    private PieceMeasure measure;
 
     /** What is told of contacts; null if they are not recorded. */
     PieceTouches touches;
@@ -85,6 +92,67 @@ final class PieceSearch {
         team.sync(worker);
     }
 
+    // ---- circles that sleep
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Keeps the contacts of a circle that has fallen asleep, measured; one worker does it for all. */
+    void keep(int slot, TerrainStep terrain, StepConstants k) {
+        int id = state.id[slot];
+        state.sleepers.keepPieces(id, contacts.first[slot], contacts.count[slot], contacts);
+        contacts.count[slot] = 0;
+        if (state.sleepers.pieces(id) == 0) {
+            return;
+        }
+        if (atRest == null) {
+            atRest = new PieceContacts();
+            measure = new PieceMeasure(state, atRest);
+        }
+        state.motionClamp[CircleRow.of(slot) + PATH_X] = 0f;
+        state.motionClamp[CircleRow.of(slot) + PATH_Y] = 0f;
+        Finder finder = finders[0];
+        finder.found = 0;
+        finder.look(slot, terrain);
+        finder.take(slot, terrain);
+        atRest.ensureNext(finder.found);
+        atRest.copyNext(finder.rows, finder.numbers, finder.found, 0, terrain.rows);
+        atRest.take();
+        measure.begin(terrain, k);
+        measure.measure(slot, 0, finder.found, 0);
+        keepNormals(id, finder.found);
+    }
+
+    private void keepNormals(int id, int found) {
+        float[] rows = state.sleepers.pieceRows(id);
+        int[] numbers = state.sleepers.pieceNumbers(id);
+        int c = 0;
+        for (int k = 0; k < state.sleepers.pieces(id); k++) {
+            int piece = numbers[PieceContactRow.numbers(k) + PieceContactRow.PIECE];
+            while (c < found && atRest.piece(c) < piece) {
+                c++;
+            }
+            boolean acts = c < found
+                    && atRest.piece(c) == piece
+                    && atRest.serial(c) == numbers[PieceContactRow.numbers(k) + PieceContactRow.SERIAL]
+                    && measure.isConstraint(c);
+            int row = PieceContactRow.of(k);
+            rows[row + PieceContactRow.NX] = acts ? atRest.rows[PieceContactRow.of(c) + PieceContactRow.NX] : 0f;
+            rows[row + PieceContactRow.NY] = acts ? atRest.rows[PieceContactRow.of(c) + PieceContactRow.NY] : 0f;
+            // one that is no constraint here presses nothing
+            numbers[PieceContactRow.numbers(k) + PieceContactRow.FEATURE] = acts ? PieceGap.FACE : PieceGap.NONE;
+        }
+    }
+
+    /** Whether a piece that moves may reach a circle that sleeps. */
+    boolean comesNear(int slot, int piece, TerrainStep terrain) {
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        float sight = (r + Tuning.MARGIN * r) + Tuning.MARGIN * r;
+        return finders[0].response(slot, piece, terrain) != PairTable.IGNORE
+                && finders[0].isNear(slot, piece, sight, terrain);
+    }
+
+    // ---- the search
+    // ----------------------------------------------------------------------------------------------------------
+
     /** Finds the places of what the workers have found, and returns how many contacts that are. */
     private int found() {
         int all = 0;
@@ -120,6 +188,9 @@ final class PieceSearch {
                 if (!state.isStatic(slot)) {
                     look(slot, terrain);
                     take(slot, terrain);
+                    if (state.sleepers != null) {
+                        state.sleepers.forgetPieces(state.id[slot]);
+                    }
                 }
                 contacts.first[slot] = before;
                 contacts.count[slot] = found - before;
@@ -220,6 +291,15 @@ final class PieceSearch {
         private void take(int slot, TerrainStep terrain) {
             int old = contacts.first[slot];
             int end = old + contacts.count[slot];
+            float[] oldRows = contacts.rows;
+            int[] oldNumbers = contacts.numbers;
+            Sleepers sleepers = state.sleepers;
+            if (sleepers != null && sleepers.pieces(state.id[slot]) > 0) {
+                old = 0;
+                end = sleepers.pieces(state.id[slot]);
+                oldRows = sleepers.pieceRows(state.id[slot]);
+                oldNumbers = sleepers.pieceNumbers(state.id[slot]);
+            }
             ensure(found + count);
             for (int k = 0; k < count; k++) {
                 int piece = near[k];
@@ -227,16 +307,19 @@ final class PieceSearch {
                 if (response == PairTable.IGNORE) {
                     continue;
                 }
-                while (old < end && contacts.piece(old) < piece) {
+                while (old < end && oldNumbers[PieceContactRow.numbers(old) + PieceContactRow.PIECE] < piece) {
                     old++;
                 }
                 int row = PieceContactRow.of(found);
                 int number = PieceContactRow.numbers(found);
                 int serial = terrain.traits[PieceRow.traits(piece) + PieceRow.SERIAL];
-                boolean kept = old < end && contacts.piece(old) == piece && contacts.serial(old) == serial;
+                int oldNumber = PieceContactRow.numbers(old);
+                boolean kept = old < end
+                        && oldNumbers[oldNumber + PieceContactRow.PIECE] == piece
+                        && oldNumbers[oldNumber + PieceContactRow.SERIAL] == serial;
                 int before = PieceContactRow.of(old);
                 for (int i = 0; i < PieceContactRow.KEPT; i++) {
-                    rows[row + i] = kept ? contacts.rows[before + i] : 0f;
+                    rows[row + i] = kept ? oldRows[before + i] : 0f;
                 }
                 float ofKind = terrain.kinds.rows[KindTerrain.of(kind(piece, terrain)) + KindTerrain.RESTITUTION];
                 rows[row + PieceContactRow.BOUNCE] = 0f;

@@ -71,6 +71,9 @@ final class Recorder {
         if (reports.sensing) {
             sensing.find(worker, records[worker], from, to, k);
         }
+        if (worker == 0 && state.sleepers != null && state.sleepers.count > 0) {
+            events.keep(state);
+        }
         team.sync(worker);
         if (reports.recording && events.misses(records)) {
             touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));

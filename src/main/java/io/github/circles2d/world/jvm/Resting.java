@@ -161,6 +161,9 @@ final class Resting {
         }
         heldVersion = version;
         proposed = true;
+        if (state.sleepers != null) {
+            state.sleepers.suspectAll();
+        }
         for (int n = 0; joints != null && n < joints.count; n++) {
             int traits = JointRow.traits(joints.order[n]);
             hold(joints.traits[traits + JointRow.A]);
@@ -168,10 +171,16 @@ final class Resting {
         }
     }
 
+    /** Whether a joint holds a circle. */
+    boolean isHeld(int id) {
+        return id < held.length && held[id];
+    }
+
     private void hold(int id) {
         if (id != JointRow.NONE && state.slotOf[id] >= 0) {
             held[id] = true;
-            if (state.slotOf[id] >= state.awake) {
+            boolean sleeps = state.sleepers != null && state.sleepers.isAsleep(id);
+            if (state.slotOf[id] >= state.awake && !sleeps) {
                 state.wake(state.slotOf[id]);
             }
         }
@@ -196,6 +205,9 @@ final class Resting {
 
     /** Whether a step changes no bit of a static circle. */
     private boolean rests(int slot, StepConstants k) {
+        if (state.sleepers != null && state.sleepers.isAsleep(state.id[slot])) {
+            return true;
+        }
         int s = CircleRow.of(slot);
         float[] m = state.motion;
         return isZero(m[s + VX])
@@ -206,7 +218,7 @@ final class Resting {
                 && CircleMath.laps(state.circle[s + Y], k.arena.minY(), k.arena.periodY()) == 0f
                 && (state.turning == null || isZero(state.turning.angularVelocity[slot]))
                 && (state.pieces == null || state.pieces.count[slot] == 0)
-                && !(state.id[slot] < held.length && held[state.id[slot]]);
+                && !isHeld(state.id[slot]);
     }
 
     private static boolean isZero(float value) {
@@ -237,6 +249,16 @@ final class Resting {
         unsettled[unsettledCount++] = id;
     }
 
+    /** Between steps: moves the impulses of circles that rest, with others that do not move either, to those of {@link Sleepers}. */
+    void moveToSleepers(ImpulseCache cache, Sleepers sleepers) {
+        for (int n = 0; n < unsettledCount; n++) {
+            int slot = state.slotOf[unsettled[n]];
+            if (slot >= state.awake) {
+                cache.moveToSleepers(slot, sleepers);
+            }
+        }
+    }
+
     /** As a step does with the others: the impulses of the step before are gone, and nobody is fresh. */
     void forgetImpulses() {
         for (int n = 0; n < unsettledCount; n++) {
@@ -252,7 +274,8 @@ final class Resting {
     // ---- cells
     // -----------------------------------------------------------------------------------------------------
 
-    private void ensure() {
+    /** Makes room for ids. */
+    void ensure() {
         if (next.length < state.slotOf.length) {
             int ids = state.slotOf.length;
             float[] newPlace = Arrays.copyOf(place, PLACE * ids);

@@ -17,6 +17,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -38,7 +39,7 @@ import java.util.Arrays;
  * coordinate itself, and rounding would lose it if millions of circles share an arena. At the end of a step the base becomes the
  * sum, and the displacement becomes what the sum lost.
  */
-public final class State {
+public final class State implements ContactEvents.Sleepers {
     /** Number of circles. */
     int n;
 
@@ -299,7 +300,7 @@ public final class State {
             int slot = slotOf[circleId];
             if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 wakeNear(slot);
-                remove(slot);
+                remove(slotOf[circleId]);
                 continue;
             }
             if (records[k + Commands.OPCODE] == Commands.FIELD) {
@@ -438,6 +439,18 @@ public final class State {
         return CircleMath.inverseMass(circle[CircleRow.of(slot) + MASS]);
     }
 
+    @Override
+    public boolean sleeps(int circleId) {
+        return sleepers.isAsleep(circleId);
+    }
+
+    @Override
+    public boolean rest(int circleId, int otherId) {
+        return (sleepers.isAsleep(circleId) || sleepers.isAsleep(otherId))
+                && isStatic(slotOf[circleId])
+                && isStatic(slotOf[otherId]);
+    }
+
     /** A circle falls asleep; until the next step it lies where it is. */
     void sleep(int slot) {
         int s = CircleRow.of(slot);
@@ -458,6 +471,7 @@ public final class State {
                     drowsy = Arrays.copyOf(drowsy, 2 * drowsyCount);
                 }
                 drowsy[drowsyCount++] = id[slot];
+                sleepers.count++;
             }
         }
     }
@@ -649,20 +663,29 @@ public final class State {
 
     /** What gravity and a force add to a circle's speed along x in a sub-step. */
     float gainX(int slot, StepConstants k) {
+        return gainX(slot, traits[CircleRow.of(slot) + INVERSE_MASS], k);
+    }
+
+    /** The same of a circle of some inverse mass. */
+    float gainX(int slot, float w, StepConstants k) {
         return kindMotion == null
                 ? k.gravityStepX
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, k);
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, w, k);
     }
 
     /** What gravity and a force add to a circle's speed along y in a sub-step. */
     float gainY(int slot, StepConstants k) {
-        return kindMotion == null
-                ? k.gravityStepY
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, k);
+        return gainY(slot, traits[CircleRow.of(slot) + INVERSE_MASS], k);
     }
 
-    private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
-        float w = traits[CircleRow.of(slot) + INVERSE_MASS];
+    /** The same of a circle of some inverse mass. */
+    float gainY(int slot, float w, StepConstants k) {
+        return kindMotion == null
+                ? k.gravityStepY
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, w, k);
+    }
+
+    private float gain(int slot, float gravityGain, CircleField force, float w, StepConstants k) {
         return Velocity.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
@@ -734,9 +757,9 @@ public final class State {
                 motion[s + DY] = 0f;
             }
             if (slot >= awake && (movesX || movesY)) {
-                int to = wake(slot); // in its place comes one that has been looked at
+                int woken = wake(slot); // in its place comes one that has been looked at
                 if (sleepers != null) {
-                    sleepers.restart(to);
+                    sleepers.restart(woken);
                 }
             } else if (sleepers != null && (movesX || movesY)) {
                 sleepers.restart(wake(slot));

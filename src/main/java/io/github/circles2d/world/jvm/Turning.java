@@ -176,7 +176,11 @@ final class Turning {
             float r = state.circle[s + RADIUS];
             float before = angularVelocity[slot] * r;
             float after = spin[s + SURFACE_SPEED];
-            angle[slot] = Surface.turn(angle[slot], spin[s + TURNED], k.h, r);
+            int angleBefore = angle[slot];
+            angle[slot] = Surface.turn(angleBefore, spin[s + TURNED], k.h, r);
+            if (state.sleepers != null && !state.isStatic(slot)) {
+                state.sleepers.turned[state.id[slot]] += angle[slot] - angleBefore;
+            }
             angularVelocity[slot] = Surface.angularVelocity(angularVelocity[slot], before, after, r);
         }
     }

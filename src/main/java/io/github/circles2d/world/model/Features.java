@@ -7,18 +7,22 @@ public record Features(boolean edges, boolean turning, boolean terrain, boolean 
 
     static {
         for (int bits = 0; bits < ALL.length; bits++) {
-            ALL[bits] = new Features(
-                    (bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0);
+            ALL[bits] =
+                    new Features((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0);
         }
     }
 
     /** A walled world of circles that neither turn nor sleep. */
     public static final Features NONE = ALL[0];
 
+    /** What circles need that never sleep. */
+    public Features(boolean edges, boolean turning, boolean terrain, boolean joints) {
+        this(edges, turning, terrain, joints, false);
+    }
+
     /** Always the same object for the same values. */
     public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
-        return ALL[
-                (edges ? 1 : 0) | (turning ? 2 : 0) | (terrain ? 4 : 0) | (joints ? 8 : 0) | (sleeping ? 16 : 0)];
+        return ALL[(edges ? 1 : 0) | (turning ? 2 : 0) | (terrain ? 4 : 0) | (joints ? 8 : 0) | (sleeping ? 16 : 0)];
     }
 
     /** Both together. */

@@ -5,6 +5,7 @@ public final class StepInput {
     public final StepConstants constants = new StepConstants();
     public final PairResponses responses = new PairResponses();
     public final KindMotion motion = new KindMotion();
+    public final KindSleep sleep = new KindSleep();
     public final KindSurface surfaces = new KindSurface();
     public final TerrainStep terrain = new TerrainStep();
     public final JointStep joints = new JointStep();

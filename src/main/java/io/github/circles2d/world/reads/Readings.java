@@ -119,7 +119,7 @@ public final class Readings {
     public void readAwakeById(long[] to) {
         world.guard.enter();
         try {
-            requireRoom(Limits.notNull("awake", to), world.handles.end());
+            requireRoom("awake", to, IdMask.words(world.handles.end()));
             findAsleep();
             Arrays.fill(to, 0L);
             for (int id = 0; id < world.handles.end(); id++) {

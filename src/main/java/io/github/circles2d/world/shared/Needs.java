@@ -70,7 +70,8 @@ public final class Needs {
     }
 
     private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
-        world.pipeline.prepare(p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps()));
+        world.pipeline.prepare(
+                p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps()));
         turns = turning;
         hasTerrain = withTerrain;
         hasJoints = withJoints;

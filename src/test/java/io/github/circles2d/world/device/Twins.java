@@ -454,7 +454,10 @@ final class Twins implements AutoCloseable {
                     p.previousTimeStep(),
                     p.contacts(),
                     bounds,
-                    p.surfaces());
+                    p.surfaces(),
+                    p.sleeps(),
+                    p.previousGravityX(),
+                    p.previousGravityY());
         });
     }
 

@@ -1,0 +1,60 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindSleep;
+import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.model.StepConstants;
+
+/** The end of a step in which circles fall asleep. {@link Sleep} has the rule. */
+final class FallingAsleep {
+    private FallingAsleep() {}
+
+    /** Looks at some slots of circles that are awake; returns whether one of them sleeps now. */
+    static boolean find(State state, float[] kinds, int from, int to, StepConstants k) {
+        boolean some = false;
+        for (int slot = from; slot < to; slot++) {
+            if (!state.isStatic(slot)) {
+                some |= look(state, kinds, slot, k);
+            }
+        }
+        return some;
+    }
+
+    private static boolean look(State state, float[] kinds, int slot, StepConstants k) {
+        Sleepers all = state.sleepers;
+        int s = CircleRow.of(slot);
+        int id = state.id[slot];
+        float r = state.circle[s + RADIUS];
+        float gain = CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
+        int kind = KindSleep.of(state.fields.getInt(CircleField.KIND, id));
+        float damping = kinds[kind + KindSleep.DAMPING];
+        float most = Sleep.drift(r, gain, k.inverseH, damping);
+        int v = CircleRow.vector(id);
+        boolean mayRest = (gain > 0f || damping > 0f)
+                && kinds[kind + KindSleep.AWAKE] == 0f
+                && !state.resting.isHeld(id)
+                && state.fields.getFloat(CircleField.TORQUE, id) == 0f;
+        if (!mayRest || !Sleep.rests(all.drift[v], all.drift[v + 1], all.turned[id], r, most)) {
+            all.restart(slot);
+            return false;
+        }
+        all.rest[id]++;
+        all.drift[v] -= state.motion[s + DX];
+        all.drift[v + 1] -= state.motion[s + DY];
+        if (Sleep.fallsAsleep(all.rest[id], k.dt)
+                && Sleep.stays(state.circle[s + X], state.motion[s + DX])
+                && Sleep.stays(state.circle[s + Y], state.motion[s + DY])) {
+            state.sleep(slot);
+            return true;
+        }
+        return false;
+    }
+}

@@ -1,0 +1,578 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.WALL_X;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactRows;
+import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.PieceGap;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Tuning;
+import java.util.Arrays;
+
+/**
+ * The begin of a step in which circles wake, once those that are awake lie in the grid. {@link Sleep} has the rule. It looks at circles that
+ * sleep near to those that are awake, now or in the step before, and at those whose balance may be another for another reason; nothing has
+ * changed for all others. One worker does it for all.
+ */
+final class Waking {
+    // the sums of a circle
+    private static final int SUMS = 3;
+    private static final int SUM_X = 0;
+    private static final int SUM_Y = 1;
+    private static final int SUM_LOAD = 2;
+
+    private final State state;
+    private final Grid grid;
+    private final Contacts contacts;
+    private final Resting.Found found = new Resting.Found();
+
+    /** By id: the last step that has looked at the circle. */
+    private int[] looked = new int[0];
+
+    private int step;
+
+    /** By id, of circles that have been looked at: what presses it, in whole numbers. */
+    private long[] sums = new long[0];
+
+    /** By id, of circles that have been looked at: the speed that wakes it; later that which has woken it. */
+    private float[] speed = new float[0];
+
+    /** By id: the last step that has woken the circle. */
+    private int[] wokenIn = new int[0];
+
+    /** By id: the speed that wakes it in the next ring; 0 between rings. */
+    private float[] next = new float[0];
+
+    /** Ids that are looked at. */
+    private int[] list = new int[64];
+
+    private int count;
+
+    /** Ids that were near to circles that are awake in the step before. */
+    private int[] border = new int[64];
+
+    private int borderCount;
+
+    /** Ids that wake. */
+    private int[] woken = new int[64];
+
+    private int wokenCount;
+
+    // what the step has
+    private StepConstants k;
+
+    // the normal between two circles, and how far their surfaces are apart
+    private float nx;
+    private float ny;
+    private float separation;
+
+    Waking(State state, Grid grid, Contacts contacts) {
+        this.state = state;
+        this.grid = grid;
+        this.contacts = contacts;
+    }
+
+    private Sleepers sleepers() {
+        return state.sleepers;
+    }
+
+    // ---- before the grid
+    // -------------------------------------------------------------------------------------------------
+
+    /** Lets circles rest that have fallen asleep. */
+    void settle(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
+        Sleepers all = sleepers();
+        contacts.impulseCache().ensure(contacts.impulseCache().filled() + all.impulses());
+        if (state.drowsy() == 0) {
+            return;
+        }
+        state.resting.ensure();
+        all.ensureImpulses(contacts.impulseCache().most());
+        contacts.impulseCache().ensure(2 * contacts.impulseCache().filled() + all.impulses());
+        boolean onTerrain = constants.terrain && pieces != null;
+        for (int n = 0; n < state.drowsy(); n++) {
+            int id = state.drowsyAt(n);
+            int slot = state.slotOf[id];
+            if (slot >= 0 && slot < state.awake && all.isAsleep(id)) {
+                if (onTerrain) {
+                    pieces.keep(slot, terrain, constants);
+                }
+                state.rest(slot);
+                all.suspect(id);
+            }
+        }
+        state.resting.moveToSleepers(contacts.impulseCache(), all);
+        for (int slot = 0; slot < state.awake; slot++) {
+            if (state.isStatic(slot)) {
+                contacts.impulseCache().moveToSleepers(slot, all);
+            }
+        }
+        state.forgetDrowsy();
+    }
+
+    // ---- who wakes
+    // -------------------------------------------------------------------------------------------------------
+
+    /** Wakes circles; returns whether there are any. */
+    boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
+        k = constants;
+        if (sleepers().count == 0) {
+            borderCount = 0;
+            sleepers().forgetSuspects();
+            return false;
+        }
+        begin();
+        lookAtBorder();
+        int bordering = count;
+        lookAtMovingStatics();
+        lookAtMovingWalls();
+        if (k.terrain && pieces != null) {
+            lookAtMovingPieces(terrain, pieces);
+        }
+        for (int n = 0; n < borderCount; n++) {
+            look(border[n]);
+        }
+        rememberBorder(bordering);
+        for (int n = 0; n < sleepers().suspects(); n++) {
+            look(sleepers().suspectAt(n));
+        }
+        if (sleepers().suspectsAll() || k.tilted || k.warmScale != 1f) {
+            for (int slot = state.awake; slot < state.n; slot++) {
+                look(state.id[slot]);
+            }
+        }
+        sleepers().forgetSuspects();
+        wokenCount = 0;
+        for (int n = 0; n < count; n++) {
+            judge(list[n]);
+        }
+        wakeRings();
+        for (int n = 0; n < wokenCount; n++) {
+            sleepers().restart(state.wake(state.slotOf[woken[n]]));
+        }
+        sleepers().scale(k.warmScale);
+        return wokenCount > 0;
+    }
+
+    private void begin() {
+        if (looked.length < state.slotOf.length) {
+            int ids = state.slotOf.length;
+            long[] newSums = new long[SUMS * ids];
+            float[] newSpeed = new float[ids];
+            float[] newNext = new float[ids];
+            int[] newWokenIn = new int[ids];
+            looked = new int[ids];
+            next = newNext;
+            wokenIn = newWokenIn;
+            sums = newSums;
+            speed = newSpeed;
+            step = 0;
+        }
+        if (++step < 0) {
+            Arrays.fill(looked, 0);
+            Arrays.fill(wokenIn, 0);
+            step = 1;
+        }
+        count = 0;
+    }
+
+    /** Begins to look at a circle; returns false if it does not sleep. */
+    private boolean look(int id) {
+        int slot = state.slotOf[id];
+        if (slot < state.awake || !sleepers().isAsleep(id)) {
+            return false;
+        }
+        if (looked[id] != step) {
+            if (count == list.length) {
+                list = Arrays.copyOf(list, 2 * count);
+            }
+            list[count++] = id;
+            begin(id);
+        }
+        return true;
+    }
+
+    private void begin(int id) {
+        looked[id] = step;
+        Arrays.fill(sums, SUMS * id, SUMS * (id + 1), 0L);
+        speed[id] = 0f;
+    }
+
+    private void push(int id, float by) {
+        speed[id] = CircleMath.max(speed[id], by);
+    }
+
+    private float gainX(int slot) {
+        return state.gainX(slot, state.ownInverseMass(slot), k);
+    }
+
+    private float gainY(int slot) {
+        return state.gainY(slot, state.ownInverseMass(slot), k);
+    }
+
+    private float gainOfStep(int slot) {
+        return CircleMath.length(gainX(slot), gainY(slot)) * (float) k.subSteps;
+    }
+
+    private float radius(int slot) {
+        return state.circle[CircleRow.of(slot) + RADIUS];
+    }
+
+    private float strong(int slot) {
+        return Sleep.strong(gainOfStep(slot), radius(slot), k.dt);
+    }
+
+    /** Finds the normal from the circle of lower id to the other, and how far their surfaces are apart. */
+    private void meet(int lower, int higher) {
+        float dx = CircleMath.difference(
+                state.differenceX(lower, higher),
+                state.motion[CircleRow.of(lower) + DX],
+                state.motion[CircleRow.of(higher) + DX]);
+        float dy = CircleMath.difference(
+                state.differenceY(lower, higher),
+                state.motion[CircleRow.of(lower) + DY],
+                state.motion[CircleRow.of(higher) + DY]);
+        float distance = CircleMath.length(dx, dy);
+        float radii = radius(lower) + radius(higher);
+        boolean apart = distance > Tuning.COINCIDENT * radii;
+        nx = apart ? dx / distance : 0f;
+        ny = apart ? dy / distance : 0f;
+        separation = distance - radii;
+    }
+
+    /** Circles near to those that are awake: these may hit them, and press them. */
+    private void lookAtBorder() {
+        NearResting near = contacts.nearResting();
+        for (int slot = 0; slot < state.awake && near.areAny(); slot++) {
+            if (!state.isStatic(slot)) {
+                for (int entry = near.first(slot); entry < near.first(slot + 1); entry++) {
+                    int other = near.slot(entry);
+                    if (look(state.id[other]) && PairFilter.mayMeet(state, slot, other)) {
+                        touch(other, slot);
+                    }
+                }
+            }
+        }
+    }
+
+    private void touch(int slot, int awake) {
+        boolean isLower = state.id[slot] < state.id[awake];
+        int lower = isLower ? slot : awake;
+        int higher = isLower ? awake : slot;
+        meet(lower, higher);
+        int entry = contacts.impulseCache().find(lower, higher);
+        float j = entry < 0 ? 0f : contacts.impulseCache().impulseNow(entry) * k.warmScale;
+        if (j > 0f) {
+            float f = state.turning == null
+                    ? 0f
+                    : contacts.impulseCache().rowImpulseNow(entry, ContactRows.FRICTION) * k.warmScale;
+            press(slot, isLower, j, f);
+        }
+        float v =
+                CircleMath.dot(nx, ny, state.motion[CircleRow.of(awake) + VX], state.motion[CircleRow.of(awake) + VY]);
+        float restitution = CircleMath.max(
+                state.traits[CircleRow.of(slot) + RESTITUTION], state.traits[CircleRow.of(awake) + RESTITUTION]);
+        push(
+                state.id[slot],
+                Sleep.hit(
+                        isLower ? -v : v,
+                        separation,
+                        state.ownInverseMass(slot),
+                        state.ownInverseMass(awake),
+                        restitution,
+                        j,
+                        gainOfStep(slot),
+                        radius(slot),
+                        k.dt));
+    }
+
+    private float scale(int slot) {
+        return CrossRule.scaleOf(CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot)));
+    }
+
+    /** Adds the impulses of a contact, along the normal that has been found and its tangent, to the sums of a circle. */
+    private void press(int slot, boolean isLower, float j, float f) {
+        float side = isLower ? -1f : 1f;
+        add(slot, side * (nx * j - ny * f), side * (ny * j + nx * f), j);
+    }
+
+    private void add(int slot, float x, float y, float load) {
+        float scale = scale(slot);
+        int at = SUMS * state.id[slot];
+        sums[at + SUM_X] += CrossRule.toFixed(x, scale);
+        sums[at + SUM_Y] += CrossRule.toFixed(y, scale);
+        sums[at + SUM_LOAD] += CrossRule.toFixed(load, scale);
+    }
+
+    private void lookAtMovingStatics() {
+        for (int slot = 0; slot < state.awake; slot++) {
+            if (state.isStatic(slot) && grid.path[slot] > 0f) {
+                float r = radius(slot);
+                float far = (r + Tuning.MARGIN * r) + grid.path[slot];
+                int s = CircleRow.of(slot);
+                float x = state.circle[s + X];
+                float y = state.circle[s + Y];
+                state.resting.find(found, k.arena, x - far, x + far, y - far, y + far, Sleep.NEIGHBOURS);
+                for (int n = 0; n < found.count; n++) {
+                    int other = found.slots[n];
+                    if (sleepers().isAsleep(state.id[other])
+                            && comesNear(slot, other)
+                            && PairFilter.wouldNotice(state, state.id[slot], state.id[other])) {
+                        look(state.id[other]);
+                        push(state.id[other], strong(other));
+                    }
+                }
+            }
+        }
+    }
+
+    private boolean comesNear(int moving, int slot) {
+        float dx = state.differenceX(slot, moving);
+        float dy = state.differenceY(slot, moving);
+        float radii = radius(slot) + radius(moving);
+        float far = (radii + Tuning.MARGIN * radii) + grid.path[moving];
+        return dx * dx + dy * dy < far * far;
+    }
+
+    private void lookAtMovingWalls() {
+        for (int slot = state.awake; slot < state.n && k.walls.any(); slot++) {
+            int id = state.id[slot];
+            if (sleepers().isAsleep(id) && wallsMoveNear(slot)) {
+                look(id);
+                push(id, strong(slot));
+            }
+        }
+    }
+
+    private boolean wallsMoveNear(int slot) {
+        float[] travel = k.walls.travel;
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
+        float far = radius(slot) + Tuning.MARGIN * (2f * radius(slot));
+        return travel[0] != 0f && x - k.bounds.minX() < far + Math.abs(travel[0])
+                || travel[1] != 0f && k.bounds.maxX() - x < far + Math.abs(travel[1])
+                || travel[2] != 0f && y - k.bounds.minY() < far + Math.abs(travel[2])
+                || travel[3] != 0f && k.bounds.maxY() - y < far + Math.abs(travel[3]);
+    }
+
+    private void lookAtMovingPieces(TerrainStep terrain, PieceSearch pieces) {
+        for (int node = terrain.groundNodes; node < terrain.nodes; node++) {
+            int piece = terrain.links[2 * node + 1];
+            if (piece >= 0 && terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0) {
+                float most = terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
+                int b = 4 * node;
+                state.resting.find(
+                        found,
+                        k.arena,
+                        terrain.boxes[b] - most,
+                        terrain.boxes[b + 2] + most,
+                        terrain.boxes[b + 1] - most,
+                        terrain.boxes[b + 3] + most,
+                        Sleep.NEIGHBOURS);
+                for (int n = 0; n < found.count; n++) {
+                    int other = found.slots[n];
+                    if (sleepers().isAsleep(state.id[other]) && pieces.comesNear(other, piece, terrain)) {
+                        look(state.id[other]);
+                        push(state.id[other], strong(other));
+                    }
+                }
+            }
+        }
+    }
+
+    private void rememberBorder(int bordering) {
+        if (border.length < bordering) {
+            border = new int[list.length];
+        }
+        System.arraycopy(list, 0, border, 0, bordering);
+        borderCount = bordering;
+    }
+
+    // ---- one that sleeps
+    // -------------------------------------------------------------------------------------------------
+
+    /** Adds what presses a circle besides those that are awake: others that do not move, walls and pieces. */
+    private void sumUp(int id) {
+        Sleepers all = sleepers();
+        int slot = state.slotOf[id];
+        for (int press = all.first(id); press >= 0; press = all.next(press, id)) {
+            int other = state.slotOf[all.other(press, id)];
+            boolean isLower = id < state.id[other];
+            meet(isLower ? slot : other, isLower ? other : slot);
+            float f = state.turning == null ? 0f : all.row(press, ContactRows.FRICTION) * k.warmScale;
+            press(slot, isLower, all.normal(press) * k.warmScale, f);
+        }
+        float w = state.ownInverseMass(slot);
+        addWall(slot, w, 0);
+        addWall(slot, w, 1);
+        for (int c = 0; c < all.pieces(id); c++) {
+            if (all.pieceNumbers(id)[PieceContactRow.numbers(c) + PieceContactRow.FEATURE] != PieceGap.NONE) {
+                addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
+            }
+        }
+    }
+
+    private void addWall(int slot, float w, int axis) {
+        float impulse = state.traits[CircleRow.of(slot) + WALL_X + axis];
+        if (impulse == 0f) {
+            return;
+        }
+        float f = 0f;
+        if (state.turning != null) {
+            float friction =
+                    state.turning.wallRows[ContactRows.ofWalls(slot) + ContactRows.ofWall(ContactRows.FRICTION, axis)];
+            f = (axis == 0) == impulse > 0f ? friction : -friction;
+        }
+        float along = impulse / w;
+        float across = f / w;
+        add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w);
+    }
+
+    private void addPiece(int slot, float w, float[] rows, int row) {
+        float j = rows[row + PieceContactRow.IMPULSE] / w;
+        if (j > 0f) {
+            float f = rows[row + PieceContactRow.ROWS + ContactRows.FRICTION] / w;
+            float x = rows[row + PieceContactRow.NX];
+            float y = rows[row + PieceContactRow.NY];
+            add(slot, x * j - y * f, y * j + x * f, j);
+        }
+    }
+
+    /** Decides whether a circle wakes. */
+    private void judge(int id) {
+        int slot = state.slotOf[id];
+        sumUp(id);
+        if (state.resting.isHeld(id) || state.fields.getFloat(CircleField.TORQUE, id) != 0f) {
+            push(id, strong(slot));
+        }
+        push(id, outOfBalance(id, slot));
+        if (speed[id] > 0f) {
+            addWoken(id);
+        }
+    }
+
+    private float load(int id, int slot) {
+        float unit = CrossRule.unitOf(CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot)));
+        return CrossRule.fromFixed(sums[SUMS * id + SUM_LOAD], unit);
+    }
+
+    private float outOfBalance(int id, int slot) {
+        float w = state.ownInverseMass(slot);
+        float unit = CrossRule.unitOf(CrossRule.impulseRange(radius(slot), k.inverseH, w));
+        float gainX = gainX(slot);
+        float gainY = gainY(slot);
+        float gain = CircleMath.length(gainX, gainY);
+        float x = gainX + w * CrossRule.fromFixed(sums[SUMS * id + SUM_X], unit);
+        float y = gainY + w * CrossRule.fromFixed(sums[SUMS * id + SUM_Y], unit);
+        float b = CircleMath.length(x, y);
+        float r = radius(slot);
+        if (!(b > Sleep.tolerance(k.tilted, gain, w * load(id, slot), r, k.dt))) {
+            sleepers().rest[id] = Sleep.ASLEEP;
+            return 0f;
+        }
+        sleepers().rest[id]--;
+        sleepers().suspect(id);
+        int steps = Sleep.ASLEEP - sleepers().rest[id];
+        return Sleep.losesPatience(k.tilted, gain, b, steps) ? Sleep.imbalanceOfStep(b, k.subSteps, r, k.dt) : 0f;
+    }
+
+    // ---- rings
+    // ----------------------------------------------------------------------------------------------------------
+
+    private void addWoken(int id) {
+        if (wokenCount == woken.length) {
+            woken = Arrays.copyOf(woken, 2 * wokenCount);
+        }
+        wokenIn[id] = step;
+        woken[wokenCount++] = id;
+    }
+
+    /** Passes on what has woken circles, from ring to ring; all of a ring wake at once. */
+    private void wakeRings() {
+        int from = 0;
+        for (int ring = 1; ring < Sleep.RINGS && from < wokenCount; ring++) {
+            int end = wokenCount;
+            count = 0;
+            for (int n = from; n < end; n++) {
+                passOn(woken[n]);
+            }
+            for (int n = 0; n < count; n++) {
+                int id = list[n];
+                speed[id] = next[id];
+                next[id] = 0f;
+                if (speed[id] > Sleep.LEAST_HIT * radius(state.slotOf[id]) / k.dt) {
+                    addWoken(id);
+                }
+            }
+            from = end;
+        }
+    }
+
+    private void passOn(int id) {
+        int slot = state.slotOf[id];
+        int s = CircleRow.of(slot);
+        float far = Sleep.NEIGHBOURS * radius(slot);
+        float x = state.circle[s + X];
+        float y = state.circle[s + Y];
+        state.resting.find(found, k.arena, x - far, x + far, y - far, y + far, Sleep.NEIGHBOURS);
+        for (int n = 0; n < found.count; n++) {
+            int other = found.slots[n];
+            int otherId = state.id[other];
+            if (sleepers().isAsleep(otherId) && wokenIn[otherId] != step && PairFilter.wouldMeet(state, id, otherId)) {
+                passOn(id, slot, otherId, other);
+            }
+        }
+    }
+
+    private void passOn(int id, int slot, int otherId, int other) {
+        boolean isLower = otherId < id;
+        meet(isLower ? other : slot, isLower ? slot : other);
+        float radii = isLower ? radius(other) + radius(slot) : radius(slot) + radius(other);
+        if (!(separation < Tuning.MARGIN * radii)) {
+            return;
+        }
+        float w = state.ownInverseMass(other);
+        float ofWoken = state.ownInverseMass(slot);
+        float gain = gainOfStep(other);
+        int press = sleepers().find(id, otherId);
+        float passed;
+        if (press >= 0 && sleepers().normal(press) * k.warmScale > 0f) {
+            float j = sleepers().normal(press) * k.warmScale;
+            passed = Sleep.passedOn(speed[id], j, loadOf(otherId, other), w, ofWoken, gain);
+        } else {
+            passed = Sleep.passedFreely(speed[id], separation, w, ofWoken, gain, k.dt);
+        }
+        if (passed > 0f) {
+            if (next[otherId] == 0f) {
+                if (count == list.length) {
+                    list = Arrays.copyOf(list, 2 * count);
+                }
+                list[count++] = otherId;
+            }
+            next[otherId] = CircleMath.max(next[otherId], passed);
+        }
+    }
+
+    /** The normal impulses on a circle. */
+    private float loadOf(int id, int slot) {
+        if (looked[id] != step) {
+            begin(id);
+            sumUp(id);
+        }
+        return load(id, slot);
+    }
+}

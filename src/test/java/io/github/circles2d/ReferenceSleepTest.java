@@ -1,0 +1,270 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.reference.ChainShape;
+import io.github.circles2d.reference.Event;
+import io.github.circles2d.reference.JointPlan;
+import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.Surfaces;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Random heaps that fall asleep, and calls that disturb them: World has the same bits, events and sleepers as its description in the plainest
+ * form, after every call. The system property circles2d.fuzz.sleep sets the number of programs, circles2d.fuzz.seed the first one's seed.
+ */
+@Tag("each-jdk")
+class ReferenceSleepTest {
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.sleep", 60);
+    private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
+    private static final float SIZE = 10f;
+    private static final long GROUND = 0;
+
+    @Test
+    void heapsSleepAndWakeAsTheReferencesDo() {
+        int asleep = 0;
+        int woken = 0;
+        for (int k = 0; k < PROGRAMS; k++) {
+            Program program = new Program(SEED + k);
+            program.run();
+            asleep += program.fellAsleep;
+            woken += program.woke;
+        }
+        assertThat(asleep).as("circles that fell asleep").isGreaterThan(3 * PROGRAMS);
+        assertThat(woken).as("circles that woke").isGreaterThan(PROGRAMS);
+    }
+
+    private static final class Program {
+        private final long seed;
+        private final SplittableRandom random;
+        private final boolean mixed;
+        private final boolean wraps;
+        private final boolean terrain;
+        private final Surfaces surfaces;
+        private World world;
+        private ReferenceWorld reference;
+        private List<Consumer<WorldCalls>> calls = new ArrayList<>();
+        private ByteBuffer snapshot;
+        private List<Consumer<WorldCalls>> callsUpToSnapshot;
+        private final List<Long> bodies = new ArrayList<>();
+        private List<Long> bodiesOfSnapshot;
+        private final List<Consumer<WorldCalls>> reports = new ArrayList<>();
+        private List<Long> sleeping = List.of();
+        int fellAsleep;
+        int woke;
+
+        Program(long seed) {
+            this.seed = seed;
+            random = new SplittableRandom(seed);
+            mixed = random.nextInt(3) == 0;
+            wraps = random.nextInt(4) == 0;
+            terrain = random.nextInt(3) == 0;
+            surfaces = random.nextInt(3) == 0
+                    ? Surfaces.NONE
+                    : new Surfaces(0.6f, random.nextInt(2) == 0 ? 0f : 0.1f, new float[][] {
+                        {0.6f, 0f, 0f}, {0.6f, 0f, 0f}, {0.6f, 0f, 0f}, {0.6f, 0f, 0f}
+                    });
+        }
+
+        void run() {
+            world = newWorld();
+            reference = newReference();
+            try {
+                if (random.nextBoolean()) {
+                    setReport(c -> c.report(Events.BEGIN | Events.END | Events.HIT | Events.WALL));
+                }
+                both("setGravity", c -> c.setGravity(0f, -10f));
+                if (terrain) {
+                    addTerrain();
+                }
+                int count = 3 + random.nextInt(10);
+                for (int k = 0; k < count; k++) {
+                    add(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
+                }
+                step(0.1f, 25);
+                for (int k = 0; k < 25; k++) {
+                    disturb();
+                    step(random.nextInt(3) == 0 ? 0.1f : 1 / 60f, 1 + random.nextInt(12));
+                    if (random.nextInt(3) == 0) {
+                        step(0.1f, 14);
+                    }
+                }
+            } finally {
+                world.close();
+            }
+        }
+
+        private World newWorld() {
+            World.Builder builder = WorldScenes.jvm()
+                    .bounds(0, 0, SIZE, SIZE)
+                    .edges(wraps ? Edge.WRAP : Edge.WALL, Edge.WALL)
+                    .restitution(0.2f)
+                    .sleep(true);
+            World built = WorldScenes.onThreads(seed % 3 == 0 ? 3 : 1, WorldScenes.with(surfaces, builder));
+            reports.forEach(report -> report.accept(WorldCalls.of(built)));
+            return built;
+        }
+
+        private ReferenceWorld newReference() {
+            ReferenceWorld fresh = new ReferenceWorld(0.2f, 4);
+            fresh.setBounds(0, 0, SIZE, SIZE);
+            return fresh.edges(wraps ? Edge.WRAP : Edge.WALL, Edge.WALL)
+                    .surfaces(surfaces)
+                    .sleep();
+        }
+
+        private void setReport(Consumer<WorldCalls> report) {
+            reports.add(report);
+            both("report", report);
+        }
+
+        private void addTerrain() {
+            both("addSegment", c -> c.addSegment(GROUND, 0f, 2f, 4f, 1f, 0f, 0));
+            both("addChain", c -> c.addChain(
+                    GROUND, new ChainShape(5f, 1.5f, new float[][] {{7f, 1f}, {9f, 1.5f}}, false), 0, new long[4]));
+            long[] body = new long[1];
+            both("addBody", c -> body[0] = c.addBody(8f, 3f, 0f));
+            bodies.add(body[0]);
+            both("addSegment", c -> c.addSegment(bodies.get(0), -1f, 0f, 1f, 0f, 0.2f, 0));
+        }
+
+        private void add(float x, float y) {
+            float radius = mixed ? 0.15f + 0.6f * (float) random.nextDouble() : 0.4f + 0.2f * (float) random.nextDouble();
+            float mass = random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : radius * radius;
+            int kind = random.nextInt(4) == 0 ? 1 : 0;
+            both("add", c -> c.add(x, y, radius, mass, 0f, 0f, kind));
+        }
+
+        private long some() {
+            long[] handles = new long[world.size()];
+            world.readHandles(handles);
+            return handles[random.nextInt(handles.length)];
+        }
+
+        private float little() {
+            return 0.4f * ((float) random.nextDouble() - 0.5f);
+        }
+
+        private void disturb() {
+            if (world.size() == 0) {
+                add(5f, 1f);
+                return;
+            }
+            long one = some();
+            float a = little();
+            float b = little();
+            switch (random.nextInt(25)) {
+                case 0 -> add(0.5f + 9f * (float) random.nextDouble(), 4f + 4f * (float) random.nextDouble());
+                case 1 -> both("remove", c -> c.remove(one));
+                case 2 -> both("setVelocity", c -> c.setVelocity(one, 10f * a, 10f * b));
+                case 3 -> both("applyImpulse", c -> c.applyImpulse(one, a, b));
+                case 4 -> both("setGravity", c -> c.setGravity(a, -10f));
+                case 5 -> both("setGravity", c -> c.setGravity(0f, a > 0f ? 0f : -10f));
+                case 6 -> both("setBounds", c -> c.setBounds(0f, 0f, SIZE + a, SIZE));
+                case 7 -> both("setBounds", c -> c.setBounds(0f, 0.5f * b, SIZE, SIZE));
+                case 8 -> both("setForce", c -> c.setForce(one, 10f * a, 10f * b));
+                case 9 -> both("setForce", c -> c.setForce(one, 0f, 0f));
+                case 10 -> both("applyForce", c -> c.applyForce(one, 10f * a, 0f));
+                case 11 -> both("wake", c -> c.wake(one));
+                case 12 -> both("wakeAll", WorldCalls::wakeAll);
+                case 13 -> both("setSleeps", c -> c.setSleeps(1, a > 0f));
+                case 14 -> both("setPosition", c -> c.setPosition(one, 5f + 20f * a, 3f + 5f * b));
+                case 15 -> both("teleport", c -> c.teleport(one, 5f + 20f * a, 3f + 5f * b));
+                case 16 -> both("setRadius", c -> c.setRadius(one, 0.5f + a));
+                case 17 -> both("setMass", c -> c.setMass(one, a > 0f ? 1f + a : Float.POSITIVE_INFINITY));
+                case 18 -> both("grow", c -> c.grow(one, 0.5f + a, 3));
+                case 19 -> both("setKind", c -> c.setKind(one, a > 0f ? 1 : 0));
+                case 20 -> both("setGroup", c -> c.setGroup(one, a > 0f ? 1 : 0));
+                case 21 -> saveOrRestore();
+                case 22 -> joint(one);
+                case 23 -> {
+                    if (terrain) {
+                        moveBody(a, b);
+                    } else {
+                        both("setTorque", c -> c.setTorque(one, a > 0f ? a : 0f));
+                    }
+                }
+                default -> both("setVelocity", c -> c.setVelocity(one, a, 0f));
+            }
+        }
+
+        private void moveBody(float a, float b) {
+            long body = bodies.get(0);
+            if (random.nextBoolean()) {
+                both("setBodyVelocity", c -> c.setBodyVelocity(body, 2f * a, 2f * b, a > 0.1f ? 3f * a : 0f));
+            } else {
+                both("setBodyVelocity", c -> c.setBodyVelocity(body, 0f, 0f, 0f));
+            }
+        }
+
+        private void joint(long one) {
+            if (random.nextBoolean()) {
+                both("clearJoints", WorldCalls::clearJoints);
+            } else {
+                both("addJoint", c -> c.addJoint(one, 5f, 5f, JointPlan.of(JointPlan.Kind.DISTANCE)));
+            }
+        }
+
+        private void saveOrRestore() {
+            if (snapshot == null || random.nextBoolean()) {
+                snapshot = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(snapshot);
+                snapshot.flip();
+                callsUpToSnapshot = new ArrayList<>(calls);
+                bodiesOfSnapshot = List.copyOf(bodies);
+                return;
+            }
+            world.close();
+            world = newWorld();
+            world.restore(snapshot.duplicate());
+            reference = newReference();
+            calls = new ArrayList<>(callsUpToSnapshot);
+            bodies.clear();
+            bodies.addAll(bodiesOfSnapshot);
+            calls.forEach(call -> call.accept(reference));
+            reference.takeEvents();
+            world.events();
+            compare("restore");
+        }
+
+        private void step(float dt, int steps) {
+            for (int k = 0; k < steps; k++) {
+                both("step " + dt, c -> c.step(dt, 1));
+                List<Long> now = new ArrayList<>();
+                long[] handles = new long[world.size()];
+                world.readHandles(handles);
+                for (long handle : handles) {
+                    assertThat(world.isAwake(handle)).isEqualTo(reference.isAwake(handle));
+                    if (!world.isAwake(handle)) {
+                        now.add(handle);
+                    }
+                }
+                fellAsleep += (int) now.stream().filter(c -> !sleeping.contains(c)).count();
+                woke += (int) sleeping.stream().filter(c -> !now.contains(c)).count();
+                sleeping = now;
+            }
+            assertThat(Event.of(world.events()))
+                    .as("events of the program of seed %d after call %d", seed, calls.size())
+                    .isEqualTo(reference.takeEvents());
+        }
+
+        private void both(String what, Consumer<WorldCalls> call) {
+            call.accept(WorldCalls.of(world));
+            call.accept(reference);
+            calls.add(call);
+            compare(what);
+        }
+
+        private void compare(String what) {
+            assertThat(world.hash())
+                    .as("hash of the program of seed %d after call %d: %s", seed, calls.size(), what)
+                    .isEqualTo(reference.hash());
+        }
+    }
+}
