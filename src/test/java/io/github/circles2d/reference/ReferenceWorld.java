@@ -888,9 +888,6 @@ public final class ReferenceWorld implements WorldCalls {
         max = arena.upperWalls();
         startMin = starts(startMin, min);
         startMax = starts(startMax, max);
-        if (arena.isWrapped(0) || arena.isWrapped(1)) {
-            wakeAll();
-        }
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
                 float low = min[a] + margin(startMin[a], min[a], c);

@@ -74,9 +74,6 @@ public final class Surroundings implements Calls.Effects {
         }
         world.pending.apply();
         world.copies.forget();
-        if (next.wraps() && world.settings.sleeps()) {
-            world.commands.wakeAll();
-        }
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
         Bounds start = WallMotion.start(world.settings.wallStart(), next, greatest);
         world.calls.begin(Call.BOUNDS, w);

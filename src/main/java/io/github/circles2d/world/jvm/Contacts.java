@@ -158,9 +158,16 @@ public final class Contacts {
     // -----------------------------------------------------------------------------------------------------
 
     /** Finds the circles that rest near to others, before all pairs. */
-    void findResting(int worker, StepConstants k) {
+    void findResting(int worker) {
         if (resting.areAny()) {
-            resting.find(worker, k);
+            resting.find(worker);
+        }
+    }
+
+    /** Makes them ready for the pairs. */
+    void beginResting(int worker, StepConstants k) {
+        if (resting.areAny()) {
+            resting.begin(worker, k);
         }
     }
 

@@ -228,7 +228,7 @@ public final class JvmPipeline implements Pipeline {
 
     private void makeStep(int worker) {
         grid.build(worker, constants);
-        if (waking != null) {
+        if (waking != null && state.sleepers.count > 0) {
             wake(worker);
         }
         end(worker, GRID);
@@ -243,9 +243,8 @@ public final class JvmPipeline implements Pipeline {
             pieces.find(worker, terrain, constants.turning);
         }
         end(worker, SWEEP);
-        if (waking == null) {
-            contacts.findResting(worker, constants);
-        }
+        contacts.findResting(worker);
+        contacts.beginResting(worker, constants);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
             contacts.find(worker);
@@ -273,7 +272,7 @@ public final class JvmPipeline implements Pipeline {
 
     /** Wakes circles; if there are any, the grid is another one. */
     private void wake(int worker) {
-        contacts.findResting(worker, constants);
+        contacts.findResting(worker); // continuous collision changes how far circles look
         team.sync(worker);
         if (worker == 0) {
             someWoke = waking.wake(constants, terrain, pieces);
@@ -284,7 +283,6 @@ public final class JvmPipeline implements Pipeline {
         team.sync(worker);
         if (someWoke) {
             grid.build(worker, constants);
-            contacts.findResting(worker, constants);
         }
     }
 

@@ -100,15 +100,15 @@ final class NearResting {
         return found[worker];
     }
 
-    /** Finds them, and makes them ready for the step. */
-    void find(int worker, StepConstants k) {
+    /** Finds them. */
+    void find(int worker) {
         int from = team.part(state.awake, worker);
         int to = team.part(state.awake, worker + 1);
         many[worker] = 0;
         for (int slot = from; slot < to; slot++) {
             first[slot] = many[worker];
             if (!state.isStatic(slot)) {
-                look(worker, slot, k);
+                look(worker, slot);
             }
         }
         team.sync(worker);
@@ -128,6 +128,20 @@ final class NearResting {
         team.sync(worker);
     }
 
+    /** Makes them ready for the contacts of the step, behind continuous collision; several workers may have found one. */
+    void begin(int worker, StepConstants k) {
+        int end = first[team.part(state.awake, worker + 1)];
+        for (int entry = first[team.part(state.awake, worker)]; entry < end; entry++) {
+            int other = slot(entry);
+            candidates.clear(other, other + 1);
+            Arrays.fill(state.load, CircleRow.of(other), CircleRow.of(other + 1), 0f);
+            if (k.turning) {
+                state.turning.begin(other, other + 1);
+            }
+        }
+        team.sync(worker);
+    }
+
     private int before(int worker) {
         int sum = 0;
         for (int w = 0; w < worker; w++) {
@@ -136,7 +150,7 @@ final class NearResting {
         return sum;
     }
 
-    private void look(int worker, int slot, StepConstants k) {
+    private void look(int worker, int slot) {
         float x = state.circle[CircleRow.of(slot) + X];
         float y = state.circle[CircleRow.of(slot) + Y];
         float far = grid.speculativeDistance[slot];
@@ -151,11 +165,6 @@ final class NearResting {
                             far,
                             grid.speculativeDistance[other])
                     != 0) {
-                candidates.clear(other, other + 1);
-                Arrays.fill(state.load, CircleRow.of(other), CircleRow.of(other + 1), 0f);
-                if (k.turning) {
-                    state.turning.begin(other, other + 1);
-                }
                 add(worker, other << WAY_LOG | way(slot, other));
             }
         }

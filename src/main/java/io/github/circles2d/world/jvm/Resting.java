@@ -77,7 +77,7 @@ final class Resting {
     /** Whether circles rest at all. */
     private boolean isOff;
 
-    /** That of the last step. */
+    /** That of the last step; null before the first. */
     private Bounds arena;
 
     private float lowX;
@@ -134,7 +134,7 @@ final class Resting {
             return;
         }
         wakeHeld(k.joints ? joints : null);
-        if (size > 0 && (!isInside(k.bounds) || state.wraps && k.arena.differs(arena))) {
+        if (size > 0 && (!isInside(k.bounds) || state.wraps && arena != null && k.arena.differs(arena))) {
             wakeMoved(k);
         }
         arena = k.arena;

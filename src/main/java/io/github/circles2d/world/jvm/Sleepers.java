@@ -171,7 +171,14 @@ final class Sleepers {
             links = newLinks;
             normal = newNormal;
         }
-        if (state.turning != null && rows.length < ContactRows.of(normal.length)) {
+        if (state.turning != null) {
+            ensureRows();
+        }
+    }
+
+    /** Makes room for the rows of impulses, so that circles can rotate. */
+    void ensureRows() {
+        if (rows.length < ContactRows.of(normal.length)) {
             rows = Arrays.copyOf(rows, ContactRows.of(normal.length));
         }
     }

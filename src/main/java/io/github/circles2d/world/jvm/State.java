@@ -207,6 +207,9 @@ public final class State implements ContactEvents.Sleepers {
         if (turning == null) {
             Turning all = new Turning(this);
             all.ensure(capacity);
+            if (sleepers != null) {
+                sleepers.ensureRows();
+            }
             turning = all;
         }
     }
@@ -322,9 +325,7 @@ public final class State implements ContactEvents.Sleepers {
                     circle[s + Y] = b;
                     motion[s + DX] = 0;
                     motion[s + DY] = 0;
-                    if (pieces != null) {
-                        pieces.forget(slot);
-                    }
+                    forgetPieces(slot);
                 }
                 case Commands.VELOCITY -> {
                     motion[s + VX] = a;
@@ -556,8 +557,15 @@ public final class State implements ContactEvents.Sleepers {
         if (turning != null) {
             turning.forget(slot);
         }
+        forgetPieces(slot);
+    }
+
+    private void forgetPieces(int slot) {
         if (pieces != null) {
             pieces.forget(slot);
+        }
+        if (sleepers != null) {
+            sleepers.forgetPieces(id[slot]);
         }
     }
 

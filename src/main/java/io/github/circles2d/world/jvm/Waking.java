@@ -104,6 +104,9 @@ final class Waking {
         all.ensureImpulses(contacts.impulseCache().most());
         contacts.impulseCache().ensure(2 * contacts.impulseCache().filled() + all.impulses());
         boolean onTerrain = constants.terrain && pieces != null;
+        if (onTerrain) {
+            pieces.ensure();
+        }
         for (int n = 0; n < state.drowsy(); n++) {
             int id = state.drowsyAt(n);
             int slot = state.slotOf[id];
@@ -130,11 +133,6 @@ final class Waking {
     /** Wakes circles; returns whether there are any. */
     boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
         k = constants;
-        if (sleepers().count == 0) {
-            borderCount = 0;
-            sleepers().forgetSuspects();
-            return false;
-        }
         begin();
         lookAtBorder();
         int bordering = count;
