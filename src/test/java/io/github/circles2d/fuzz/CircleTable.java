@@ -97,6 +97,7 @@ final class CircleTable extends Table {
         call("grow", circle, radius(), whole(draw -> draw.oneOf(9) ? draw.below(100_000) : draw.count(30)));
         call("setMass", circle, mass());
         call("setRestitution", circle, real(0, 1));
+        call("wake", circle);
         call("setTag", circle, number());
         call("setKind", circle, kind());
         call("setGroup", circle, whole(draw -> draw.below(4)));

@@ -32,7 +32,8 @@ final class ReadTable extends Table {
             "tag",
             "kindOf",
             "group",
-            "contains"
+            "contains",
+            "isAwake"
         }) {
             add(1, name, handle(Ref.Of.CIRCLE));
         }
@@ -63,6 +64,7 @@ final class ReadTable extends Table {
         add(2, "readRadiiById", byId(float[].class, 1), living());
         add(2, "readKindsById", byId(int[].class, 1), living());
         add(2, "readTagsById", byId(long[].class, 1), living());
+        add(2, "readAwakeById", living());
         add(3, "readLoadsById", byId(float[].class, 2), living());
         add(2, "positionsById", living());
         add(2, "positions");

@@ -43,7 +43,7 @@ final class Session implements AutoCloseable {
             for (int n : threads) {
                 add(Backend.JVM, n, ready);
             }
-            for (Backend device : devices) {
+            for (Backend device : program.setting.sleeps ? new Backend[0] : devices) {
                 add(device, 0, ready);
             }
             for (int k = 0; k < players.size(); k++) {

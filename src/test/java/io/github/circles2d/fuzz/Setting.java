@@ -37,6 +37,9 @@ final class Setting {
     /** How many circles there are at first. */
     final int circles;
 
+    /** Whether circles fall asleep. */
+    final boolean sleeps;
+
     final boolean recorded;
 
     /** Of a recording, and of a rewind and a rollback. */
@@ -84,6 +87,10 @@ final class Setting {
         drawGravity(random);
         drawContacts(random);
         drawSurfaces(random);
+        sleeps = random.nextInt(3) == 0;
+        if (sleeps) {
+            call("sleep", true);
+        }
     }
 
     private static Edge edge(Random random) {

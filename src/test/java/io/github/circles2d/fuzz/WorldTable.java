@@ -52,6 +52,7 @@ final class WorldTable extends Table {
         Drawn gravity = real(draw -> draw.between(-draw.setting.size, draw.setting.size));
         add(4, "setGravity", gravity, gravity);
         add(5, "setBounds", bound(s -> s.minX), bound(s -> s.minY), bound(s -> s.maxX), bound(s -> s.maxY));
+        add(1, "wakeAll");
         add(3, "setWallSurface", one(Wall.class), real(0, 2), real(0, 0.3f), real(-10, 10));
         add(4, "setResponse", kind(), kind(), one(Response.class));
     }
@@ -97,6 +98,7 @@ final class WorldTable extends Table {
         ofKind("setInertia", one(Inertia.class));
         ofKind("setAngularDamping", real(0, 2));
         ofKind("setOneWay", flag());
+        ofKind("setSleeps", flag());
         for (String name : new String[] {
             "number",
             "category",
@@ -112,6 +114,7 @@ final class WorldTable extends Table {
             "inertia",
             "angularDamping",
             "isOneWay",
+            "sleeps",
             "toString"
         }) {
             ofKind(name);
