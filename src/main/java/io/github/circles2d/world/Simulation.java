@@ -31,6 +31,7 @@ import io.github.circles2d.world.search.Searches;
 import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Moves;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.shared.WorldSettings;
@@ -66,6 +67,8 @@ public final class Simulation implements AutoCloseable {
     public final Searches searches;
     public final Searches terrainSearches;
 
+    public final Moves moves;
+
     private final WorldParts world;
     private final NextStep nextStep;
     private final GridLevels levels = new GridLevels();
@@ -75,11 +78,13 @@ public final class Simulation implements AutoCloseable {
     public Simulation(Pipeline pipeline, WorldParameters start) {
         world = new WorldParts(pipeline, start);
         calls = world.calls;
+        moves = world.moves;
         kinds = new Kinds(world);
         forces = new Forces(world);
         growth = new Growth(world);
         Travels travels = new Travels(world);
         nextStep = new NextStep(world, forces, travels, growth);
+        moves.alsoCarry(nextStep::carry);
         PreparedChanges changes = new PreparedChanges(world, kinds, travels);
         newCircles = new NewCircles(world, kinds);
         nets = new Nets(world, newCircles);
@@ -114,6 +119,7 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             world.log.step(timeStep, steps);
+            world.clock.beginStep();
             while (made < steps && nextStepDiffers()) {
                 makeDifferentStep(timeStep);
                 made++;
@@ -123,6 +129,7 @@ public final class Simulation implements AutoCloseable {
             }
             world.log.stepped(steps);
             stepCount += steps;
+            world.clock.end();
         } catch (RuntimeException | Error thrown) {
             world.guard.changing |= made > 0; // some of the steps have been made, and others never will
             throw world.guard.failed(thrown);
@@ -180,7 +187,8 @@ public final class Simulation implements AutoCloseable {
         boolean hasCircles = world.handles.size() > 0;
         if (hasCircles) {
             world.events.prepare(world.kinds, world.input.reports);
-            world.pipeline.prepareSteps(world.input.reports);
+            world.moves.beforeSteps(steps);
+            prepareSteps();
         }
         world.guard.changing = true;
         world.state.stepped(hasCircles);
@@ -205,6 +213,14 @@ public final class Simulation implements AutoCloseable {
         world.copies.forgetSaved();
         world.settings.setTimeStep(timeStep);
         world.guard.changing = false;
+    }
+
+    private void prepareSteps() {
+        try {
+            world.pipeline.prepareSteps(world.input.reports);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+        }
     }
 
     private void prepareInput(float timeStep) {
@@ -278,6 +294,12 @@ public final class Simulation implements AutoCloseable {
     /** Ends the simulation and closes its pipeline. */
     @Override
     public void close() {
-        world.guard.close();
+        world.guard.takeTurn();
+        try {
+            world.guard.close();
+            world.moves.close();
+        } finally {
+            world.guard.leave();
+        }
     }
 }

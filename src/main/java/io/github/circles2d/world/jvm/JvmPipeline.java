@@ -353,6 +353,17 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void saveIds(SavedState into) {
+        into.setCircles(state.n);
+        int k = 0;
+        for (int id = 0; id < state.slotOf.length; id++) {
+            if (state.slotOf[id] >= 0) {
+                into.id[k++] = id;
+            }
+        }
+    }
+
+    @Override
     public void save(SavedState into) {
         into.impulses = 0;
         into.setTurns(state.turning != null);
@@ -413,6 +424,11 @@ public final class JvmPipeline implements Pipeline {
         if (joints != null) {
             joints.states.load(from.jointStates);
         }
+    }
+
+    @Override
+    public void leave() {
+        recorder = null;
     }
 
     @Override
