@@ -10,8 +10,9 @@ import io.github.circles2d.world.shared.Pipeline;
  * @param pipeline the engine
  * @param reason why it was taken
  * @param lacksGpu whether the builder's capacity asks for a GPU, and none can be used
+ * @param running where it runs later; null if it stays
  */
-record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean lacksGpu) {
+record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean lacksGpu, RunningChoice running) {
     static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
@@ -33,14 +34,14 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
 
     private static BackendChoice fastest(BackendWish wish) {
         try {
-            return OpenClChoice.fastest(wish);
+            return wish.moves() ? OpenClChoice.moving(wish) : OpenClChoice.fastest(wish);
         } catch (LinkageError e) {
             return jvm(wish, "this system lacks a class that looks for devices: " + e.getMessage());
         }
     }
 
     BackendChoice(Backend backend, Pipeline pipeline, String reason) {
-        this(backend, pipeline, reason, false);
+        this(backend, pipeline, reason, false, null);
     }
 
     static BackendChoice jvm(BackendWish wish, String reason) {
@@ -48,7 +49,10 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
     }
 
     static BackendChoice jvm(BackendWish wish, String reason, boolean lacksGpu) {
-        Pipeline pipeline = new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
-        return new BackendChoice(Backend.JVM, pipeline, reason, lacksGpu);
+        return new BackendChoice(Backend.JVM, jvm(wish), reason, lacksGpu, null);
+    }
+
+    static Pipeline jvm(BackendWish wish) {
+        return new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
     }
 }

@@ -82,16 +82,24 @@ public final class World implements AutoCloseable {
     private final Joints joints;
     private final Backend backend;
     private final String reason;
+
+    /** Null if this world never moves. */
+    private final RunningChoice running;
+
     private final Events events = new Events();
 
     World(Builder b, BackendChoice choice) {
         backend = choice.backend();
         reason = choice.reason();
+        running = choice.running();
         simulation = new Simulation(
                 choice.pipeline(),
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
                         .with(b.surfaces()));
+        if (running != null) {
+            simulation.moves.by(running);
+        }
         queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
@@ -1563,9 +1571,11 @@ public final class World implements AutoCloseable {
                 figures.greatestContacts(),
                 figures.bytesHeld(),
                 figures.stageMillis(),
-                backend,
+                running != null && running.isAway() ? Backend.OPENCL_GPU : backend,
                 figures.device(),
-                reason);
+                running == null ? reason : running.reason(),
+                running == null ? 0 : running.moves(),
+                running == null ? 0 : running.moveMillis());
     }
 
     // ---- events
@@ -1792,8 +1802,11 @@ public final class World implements AutoCloseable {
         }
 
         static int defaultThreads() {
-            return defaultThreads(
-                    Runtime.getRuntime().availableProcessors(), "Dalvik".equals(System.getProperty("java.vm.name")));
+            return defaultThreads(Runtime.getRuntime().availableProcessors(), isAndroid());
+        }
+
+        static boolean isAndroid() {
+            return "Dalvik".equals(System.getProperty("java.vm.name"));
         }
 
         /** A phone has slow processors besides its fast ones, and threads that wait at a barrier drain its battery. */
@@ -2025,8 +2038,7 @@ public final class World implements AutoCloseable {
 
         /**
          * How many circles to make room for at once. By default 1,024. A world grows by itself; this saves it the growing, and tells
-         * {@link Backend#AUTO} for how many circles the world is to be fast. So name it for a large world: with the default AUTO looks
-         * for no GPU, unless a {@link Calibration} says otherwise.
+         * {@link Backend#AUTO} that a GPU may be of use before the circles are there.
          *
          * @param capacity number of circles, at least 0
          * @return this
@@ -2060,6 +2072,19 @@ public final class World implements AutoCloseable {
          */
         public Builder profiling(boolean profiling) {
             wish.profiling = profiling;
+            return this;
+        }
+
+        /**
+         * Whether a world of {@link Backend#AUTO} moves between the JVM and a GPU while it runs. By default it does: it starts at once on the JVM,
+         * and goes to a GPU when kernels have been compiled and frames are shorter there. One that does not move takes its back end when
+         * it is built, and a GPU's first step waits for kernels. No result depends on it.
+         *
+         * @param moving false to stay
+         * @return this
+         */
+        public Builder moving(boolean moving) {
+            wish.moving = moving;
             return this;
         }
 

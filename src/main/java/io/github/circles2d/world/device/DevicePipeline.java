@@ -32,6 +32,7 @@ import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -41,6 +42,11 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
+    private static final System.Logger LOG = System.getLogger("io.github.circles2d.World");
+
+    /** The log tells of a compiler that was waited for so long. */
+    private static final double LONG_SECONDS = 1;
+
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
@@ -156,12 +162,17 @@ public final class DevicePipeline implements Pipeline {
 
     /** Before something uses the kernels: if a compiler refuses them, nothing has changed. */
     private void compile(StageKernels loading, boolean reporting) {
-        loading.compile(Plans.CALLS);
-        if (steps) {
-            loading.compile(Plans.STEPS);
-        }
-        if (reporting) {
-            loading.compile(Plans.REPORTS);
+        long start = System.nanoTime();
+        compileParts(loading, steps, reporting);
+        double seconds = (System.nanoTime() - start) * 1e-9;
+        if (seconds >= LONG_SECONDS) {
+            LOG.log(
+                    System.Logger.Level.INFO,
+                    String.format(
+                            Locale.ROOT,
+                            "World has waited %.1f s until kernels were compiled for %s; most drivers keep them",
+                            seconds,
+                            session.device().name()));
         }
     }
 
@@ -216,9 +227,9 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void compile(Readiness wanted) {
         Readiness variant = withWhatThereIs(wanted);
-        compileAll(kernelsOf(variant.silent()), false);
+        compileParts(kernelsOf(variant.silent()), true, false);
         StageKernels all = kernelsOf(variant);
-        compileAll(all, wanted.reporting());
+        compileParts(all, true, wanted.reporting());
         for (Plan plan : plans) {
             if (Plans.partOf(plan) != null) {
                 all.compile(Plans.partOf(plan));
@@ -226,9 +237,11 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
-    private static void compileAll(StageKernels of, boolean reporting) {
+    private static void compileParts(StageKernels of, boolean ofSteps, boolean reporting) {
         of.compile(Plans.CALLS);
-        of.compile(Plans.STEPS);
+        if (ofSteps) {
+            of.compile(Plans.STEPS);
+        }
         if (reporting) {
             of.compile(Plans.REPORTS);
         }

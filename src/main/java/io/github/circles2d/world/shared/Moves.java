@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.snapshots.SavedState;
+import java.lang.ref.SoftReference;
 import java.util.function.Consumer;
 
 /**
@@ -20,6 +21,8 @@ public final class Moves {
     private Mover mover;
 
     private Consumer<SavedState> step;
+
+    private SoftReference<SavedState> memory = new SoftReference<>(null);
 
     /** What steps needed last. */
     private Readiness wanted = Readiness.USUAL;
@@ -110,7 +113,7 @@ public final class Moves {
         long start = System.nanoTime();
         Pipeline from = world.pipeline;
         world.pending.finish();
-        SavedState carried = new SavedState();
+        SavedState carried = carried();
         world.state.carry(carried);
         step.accept(carried);
         world.events.bringHere();
@@ -128,6 +131,16 @@ public final class Moves {
         world.state.forgetFigures();
         from.leave();
         mover.moved(from, next, System.nanoTime() - start, cause);
+    }
+
+    /** Memory of the last move, if it is still there. */
+    private SavedState carried() {
+        SavedState held = memory.get();
+        if (held == null) {
+            held = new SavedState();
+            memory = new SoftReference<>(held);
+        }
+        return held;
     }
 
     private void report(Pipeline next) {
