@@ -21,21 +21,12 @@ final class Notice {
         return GIVEN.add(subject) ? first : System.Logger.Level.DEBUG;
     }
 
-    /** Logs a text of World at INFO the first time, later at DEBUG. Does nothing on Android, which has no System.Logger. */
-    static void once(String subject, String text) {
-        try {
-            WorldLog.LOG.log(level(System.Logger.Level.INFO, subject), text);
-        } catch (LinkageError e) {
-            return; // No world fails because it cannot say what it runs on.
-        }
-    }
-
-    /** Logs a text of World at DEBUG, likewise. */
+    /** Logs a text of World at DEBUG. Does nothing on Android, which has no System.Logger. */
     static void debug(String text) {
         try {
             WorldLog.LOG.log(System.Logger.Level.DEBUG, text);
         } catch (LinkageError e) {
-            return;
+            return; // No world fails because it cannot say what it runs on.
         }
     }
 

@@ -74,7 +74,7 @@ final class OpenClChoice {
         try {
             return openCl(device, wish, why);
         } catch (OpenClException e) {
-            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage(), true);
+            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage());
         }
     }
 
@@ -128,7 +128,7 @@ final class OpenClChoice {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return BackendChoice.jvm(wish, reason + hint, wish.capacity >= LEAST_FOR_GPU);
+        return BackendChoice.jvm(wish, reason + hint);
     }
 
     private static Device gpu() {
