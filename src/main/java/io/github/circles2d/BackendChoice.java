@@ -9,10 +9,9 @@ import io.github.circles2d.world.shared.Pipeline;
  * @param backend the back end, never {@link Backend#AUTO}
  * @param pipeline the engine
  * @param reason why it was taken
- * @param lacksGpu whether the builder's capacity asks for a GPU, and none can be used
  * @param running where it runs later; null if it stays
  */
-record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean lacksGpu, RunningChoice running) {
+record BackendChoice(Backend backend, Pipeline pipeline, String reason, RunningChoice running) {
     static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
@@ -22,13 +21,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
                 : wish.device == null && wish.backend == Backend.JVM
                         ? jvm(wish, ASKED_FOR)
                         : OpenClChoice.askedFor(wish);
-        String device = choice.pipeline.device();
-        String text = "World on " + choice.backend + ", " + device + ": " + choice.reason;
-        if (choice.lacksGpu) {
-            Notice.once(choice.backend + device, text);
-        } else {
-            Notice.debug(text);
-        }
+        Notice.debug("World on " + choice.backend + ", " + choice.pipeline.device() + ": " + choice.reason);
         return choice;
     }
 
@@ -41,15 +34,11 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
     }
 
     BackendChoice(Backend backend, Pipeline pipeline, String reason) {
-        this(backend, pipeline, reason, false, null);
+        this(backend, pipeline, reason, null);
     }
 
     static BackendChoice jvm(BackendWish wish, String reason) {
-        return jvm(wish, reason, false);
-    }
-
-    static BackendChoice jvm(BackendWish wish, String reason, boolean lacksGpu) {
-        return new BackendChoice(Backend.JVM, jvm(wish), reason, lacksGpu, null);
+        return new BackendChoice(Backend.JVM, jvm(wish), reason);
     }
 
     static Pipeline jvm(BackendWish wish) {

@@ -45,7 +45,7 @@ final class OpenClChoice {
         FrameRule rule = new FrameRule();
         RunningChoice running = new RunningChoice(
                 home, () -> BackendChoice.jvm(wish), circles -> beside(wish, circles, rule), rule, wish.capacity);
-        return new BackendChoice(Backend.JVM, home, running.reason(), false, running);
+        return new BackendChoice(Backend.JVM, home, running.reason(), running);
     }
 
     private static Pipeline beside(BackendWish wish, int circles, FrameRule rule) {
@@ -95,7 +95,7 @@ final class OpenClChoice {
         try {
             return openCl(device, wish, why);
         } catch (OpenClException e) {
-            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage(), true);
+            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage());
         }
     }
 
@@ -149,7 +149,7 @@ final class OpenClChoice {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return BackendChoice.jvm(wish, reason + hint, wish.capacity >= LEAST_FOR_GPU);
+        return BackendChoice.jvm(wish, reason + hint);
     }
 
     private static Device gpu() {

@@ -112,7 +112,7 @@ final class RunningChoice implements Mover {
                             ? "this system lacks a class that looks for devices: "
                             : "no GPU can be used: ")
                     + failure.getMessage();
-            Notice.once(home().device(), "World on " + Backend.JVM + ", " + home().device() + ": " + reason);
+            Notice.debug("World on " + Backend.JVM + ", " + home().device() + ": " + reason);
         }
     }
 

@@ -11,11 +11,13 @@ import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SurfaceSettings;
+import io.github.circles2d.world.reads.CircleContacts;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -67,6 +69,26 @@ import java.util.Arrays;
  * rolling resistance up to 1,000; angles up to 1e6 and angular velocities up to 1e9 radians; steps 1e-6 to 1 second.
  */
 public final class World implements AutoCloseable {
+    /**
+     * Elements of a contact that {@link #contactsOf} gives: {@link #NORMAL_X}, {@link #NORMAL_Y}, {@link #DEPTH}, {@link #IMPULSE}.
+     */
+    public static final int CONTACT_STRIDE = CircleContacts.STRIDE;
+
+    /** In a contact: x of the unit normal, which leads from the partner to the circle. */
+    public static final int NORMAL_X = CircleContacts.NORMAL_X;
+
+    /** In a contact: y of that normal: 1 if the circle lies on a floor, where y points up. */
+    public static final int NORMAL_Y = CircleContacts.NORMAL_Y;
+
+    /** In a contact: how deep the two are in each other, a length; negative if they are apart. */
+    public static final int DEPTH = CircleContacts.DEPTH;
+
+    /**
+     * In a contact: mass times speed that the partner gave the circle along the normal in the last step, if it pushed evenly. Divided by the
+     * length of the step it is the force.
+     */
+    public static final int IMPULSE = CircleContacts.IMPULSE;
+
     /** By the settings of the matrix of kinds. */
     private static final Response[] RESPONSES = Response.values();
 
@@ -867,6 +889,37 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The way along x from one place to another: the short one if the axis {@linkplain Builder#edges wraps}, which may lead across the seam. So
+     * a thing beside another is drawn at {@code x + world.shortestX(x, otherX)}, though it may be at the other end of the bounds.
+     *
+     * @param fromX x of the place where the way begins, up to 1e9 in magnitude
+     * @param toX x of the place where it ends, likewise
+     * @return a length, negative to the left; at most half of the extent of an axis that wraps
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public float shortestX(float fromX, float toX) {
+        Limits.within("fromX", fromX, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("toX", toX, -Limits.COORDINATE, Limits.COORDINATE);
+        Bounds bounds = arena();
+        return CircleMath.shortWay(bounds.placeX(toX) - bounds.placeX(fromX), bounds.periodX());
+    }
+
+    /**
+     * The way along y from one place to another; see {@link #shortestX}.
+     *
+     * @param fromY y of the place where the way begins, up to 1e9 in magnitude
+     * @param toY y of the place where it ends, likewise
+     * @return a length, negative downwards if y points up; at most half of the extent of an axis that wraps
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public float shortestY(float fromY, float toY) {
+        Limits.within("fromY", fromY, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("toY", toY, -Limits.COORDINATE, Limits.COORDINATE);
+        Bounds bounds = arena();
+        return CircleMath.shortWay(bounds.placeY(toY) - bounds.placeY(fromY), bounds.periodY());
+    }
+
+    /**
      * What there is at the left and the right edge.
      *
      * @return as {@link Builder#edges} has set it, or a restored snapshot
@@ -1177,6 +1230,34 @@ public final class World implements AutoCloseable {
      */
     public void readLoadsById(float[] loads, long[] living) {
         simulation.loads.readById(loads, living);
+    }
+
+    /**
+     * Reads what presses a circle: other circles by id, then pieces of terrain by id, then walls. It is what the last step ended with, as {@link
+     * #readLoadsById} counts it, so it needs no {@link #report}; normals and depths are those of now. A bounce is over at once, and does not
+     * count. Sensors press nobody.
+     *
+     * <pre>{@code
+     * long[] partners = new long[8];
+     * float[] contacts = new float[8 * World.CONTACT_STRIDE];
+     * boolean onTheGround = false;
+     * for (int k = Math.min(8, world.contactsOf(hero, partners, contacts)) - 1; k >= 0; k--) {
+     *     onTheGround |= contacts[World.CONTACT_STRIDE * k + World.NORMAL_Y] > 0.7f; // at most 45 degrees steep
+     * }
+     * }</pre>
+     *
+     * <p>The first call after a step or a change copies the state, as {@link #snapshot} does; others look through that copy. The numbers are
+     * the same to the bit on every back end.
+     *
+     * @param circle a circle
+     * @param partners takes the handles of circles and pieces ({@link #contains} and {@link Terrain#contains} tell them apart), and 0 for a
+     *     wall; only the first ones if it is too short
+     * @param contacts takes {@link #CONTACT_STRIDE} elements each, likewise; may be null
+     * @return how many there are, which may be more than the arrays take
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public int contactsOf(long circle, long[] partners, float[] contacts) {
+        return simulation.contacts.of(circle, partners, contacts);
     }
 
     /**

@@ -122,7 +122,7 @@ class RunningChoiceTest {
         RunningChoice running = new RunningChoice(home, () -> new JvmPipeline(1, 1, 0, false), devices, rule, 1500);
         World.Builder builder = WorldScenes.builder(SCENE);
         return WorldScenes.load(
-                SCENE, new World(builder, new BackendChoice(Backend.JVM, home, running.reason(), false, running)));
+                SCENE, new World(builder, new BackendChoice(Backend.JVM, home, running.reason(), running)));
     }
 
     private static World stays() {

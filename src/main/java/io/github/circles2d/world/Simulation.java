@@ -21,6 +21,7 @@ import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.reads.CircleContacts;
 import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
@@ -60,6 +61,7 @@ public final class Simulation implements AutoCloseable {
     public final JointCalls joints;
     public final Readings readings;
     public final Loads loads;
+    public final CircleContacts contacts;
     public final JointReads jointReads;
     public final Reports reports;
     public final Snapshots snapshots;
@@ -98,6 +100,7 @@ public final class Simulation implements AutoCloseable {
         joints = new JointCalls(world);
         readings = new Readings(world);
         loads = new Loads(world);
+        contacts = new CircleContacts(world);
         jointReads = new JointReads(world);
         reports = new Reports(world);
         snapshots = new Snapshots(world, nextStep);

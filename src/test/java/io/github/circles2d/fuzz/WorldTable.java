@@ -97,6 +97,7 @@ final class WorldTable extends Table {
         ofKind("setInertia", one(Inertia.class));
         ofKind("setAngularDamping", real(0, 2));
         ofKind("setOneWay", flag());
+        ofKind("copyFrom", new Drawn(Kind.class, WorldTable::kindOf));
         for (String name : new String[] {
             "number",
             "category",
