@@ -59,14 +59,12 @@ public final class JvmPipeline implements Pipeline {
     private JointStep jointStep;
     private final StageTimes times;
     private final int leastShare;
-    private final Team.Work work = this::makeSteps;
+    private final Runnable work = this::makeStep;
 
-    /** What the workers are to do, and with what. */
+    /** What the step is to be made with. */
     StepConstants constants;
 
     private StepReports reports;
-
-    private int steps;
 
     /** Records what is reported; null if nobody is told. */
     private Recorder recorder;
@@ -148,7 +146,6 @@ public final class JvmPipeline implements Pipeline {
         state.jointed = null;
         state.parting = parts ? jointStep : null;
         state.partingStates = parts ? joints.states : null;
-        steps = count;
         state.wraps = constants.arena.wraps();
         state.periodX = constants.arena.periodX();
         state.periodY = constants.arena.periodY();
@@ -164,24 +161,13 @@ public final class JvmPipeline implements Pipeline {
         if (pieces != null) {
             pieces.touches = touches == null ? null : touches.pieces;
         }
-        team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
-    }
-
-    /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
-    private void makeSteps(int worker) {
-        for (int step = 0; step < steps; step++) {
-            if (worker == 0) {
-                begin(step);
-            }
-            team.sync(worker);
-            makeStep(worker);
+        for (int step = 0; step < count; step++) {
+            constants.warmScale = step > 0 ? 1f : constants.warmScale;
+            team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
         }
     }
 
-    private void begin(int step) {
-        if (step > 0) {
-            constants.warmScale = 1f;
-        }
+    private void begin() {
         times.begin();
         state.resting.settle(constants, jointStep);
         levels.copy(shape);
@@ -202,47 +188,42 @@ public final class JvmPipeline implements Pipeline {
         }
     }
 
-    private void makeStep(int worker) {
-        grid.build(worker, constants);
-        end(worker, GRID);
+    private void makeStep() {
+        begin();
+        grid.build(constants);
+        times.end(GRID);
         if (recorder != null) {
-            recorder.begin(worker, reports);
+            recorder.begin();
         }
         if (constants.joints) {
-            joints.begin(worker);
+            joints.begin();
         }
-        sweep.sweep(worker, constants);
+        sweep.sweep(constants);
         if (constants.terrain) {
-            pieces.find(worker, terrain, constants.turning);
+            pieces.find(terrain, constants.turning);
         }
-        end(worker, SWEEP);
-        contacts.findResting(worker, constants);
+        times.end(SWEEP);
+        contacts.findResting(constants);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
-            contacts.find(worker);
+            contacts.find();
             crowded = contacts.overflowed();
         }
         if (!crowded) {
-            solver.prepare(worker, constants, terrain);
+            solver.prepare(constants, terrain);
             crowded = contacts.crowded();
         }
         if (crowded) {
-            contacts.findShare(worker);
-            solver.prepare(worker, constants, terrain);
+            contacts.findShare();
+            solver.prepare(constants, terrain);
         }
-        contacts.settleResting(worker);
-        end(worker, CONTACTS);
-        solver.solve(worker, constants);
+        contacts.settleResting();
+        times.end(CONTACTS);
+        solver.solve();
         if (recorder != null) {
-            recorder.end(worker, terrain, constants, reports);
+            recorder.end(terrain, constants);
         }
-        end(worker, SOLVER);
-    }
-
-    private void end(int worker, int stage) {
-        if (worker == 0) {
-            times.end(stage);
-        }
+        times.end(SOLVER);
     }
 
     @Override
