@@ -1,6 +1,6 @@
 // uses: world/queries/Tree.cl
 // Queries, one a work-item: the tests of the Java class CircleTests, in double precision, and searches in the tree. Found circles have an
-// order: distance (of overlaps 0), then id. KIND_WORDS: ints in front of the queries, a bit for each kind that counts.
+// order: distance (of overlaps 0), then id. FILTER_WORDS: ints in front of the queries, a bit for each kind that counts, then the id LEFT_OUT.
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 
 #define AREA_MARGIN 0x1p-21  // more than the rounding of a disc's sides
@@ -34,7 +34,7 @@ typedef struct {
     int kind;
     double x, y, toX, toY, reach, unitX, unitY, length, margin;
     bool filtered;
-    global const int *kinds;
+    global const int *filter;
     global const CircleFields *fields;
 } Query;
 
@@ -46,11 +46,11 @@ bool isCast(int kind) { return kind == QUERY_RAY || kind == QUERY_DISC_CAST; }
 
 Query queryOf(const Tree *t, int kind, global const int *words, int number, float within, int filtered,
               global const CircleFields *fields) {
-    global const float *from = (global const float *) (words + KIND_WORDS) + strideOf(kind) * number;
+    global const float *from = (global const float *) (words + FILTER_WORDS) + strideOf(kind) * number;
     Query q;
     q.kind = kind;
     q.filtered = filtered != 0;
-    q.kinds = words;
+    q.filter = words;
     q.fields = fields;
     q.x = from[0];
     q.y = from[1];
@@ -111,7 +111,7 @@ bool meetsPath(const Query *q, float4 c, double *distance) {
 bool admits(const Query *q, int id) {
     if (!q->filtered) return true;
     int kind = q->fields[id].kind;
-    return (q->kinds[kind >> 5] >> (kind & 31) & 1) != 0;
+    return id != q->filter[LEFT_OUT] && (q->filter[kind >> 5] >> (kind & 31) & 1) != 0;
 }
 
 bool finds(const Query *q, float4 c, double *distance) {

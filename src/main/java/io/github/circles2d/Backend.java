@@ -3,11 +3,13 @@ package io.github.circles2d;
 /** The back ends: a {@link World} runs on one of them. All give the same bits. */
 public enum Backend {
     /**
-     * The back end that is likely to be the fastest for a world with the {@link World.Builder#capacity} and the {@link
-     * World.Builder#radii} given: the JVM or a GPU, never OpenCL on a CPU. If a {@link Calibration} has measured both, AUTO takes the
-     * one with the shorter frame (a step and a read of all circles). Without a calibration it takes a GPU, if there is one, from a
-     * capacity of 1,250 circles on, else the JVM. It never takes a device that does not round correctly.
-     * {@link World#stats()} says which back end was taken, and why. The log says it once if the capacity asks for a GPU and none can be used.
+     * Where frames are shortest, the JVM or a GPU; never OpenCL on a CPU, nor a device that does not round correctly. A world starts on the JVM
+     * at once. From 1,250 circles on, or with a {@link World.Builder#capacity} of so many, a thread beside it opens a GPU and compiles kernels.
+     * The world then moves between two steps, by the times of its own steps and reads: to where a frame takes at least a fifth less, and back
+     * if that has changed. {@link World#stats()} says where it is, and why. The log says it once if a large world finds no GPU.
+     *
+     * <p>With {@link World.Builder#moving moving(false)} a world stays where it is built. If a {@link Calibration} has measured both sides, AUTO
+     * takes the one with the shorter frame for the capacity and the {@link World.Builder#radii}; else a GPU from a capacity of 1,250 on.
      */
     AUTO,
     /** Plain Java threads, the fast way on processors: runs everywhere, needs no driver. */

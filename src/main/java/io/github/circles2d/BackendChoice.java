@@ -9,9 +9,9 @@ import io.github.circles2d.world.shared.Pipeline;
  * @param backend the back end, never {@link Backend#AUTO}
  * @param pipeline the engine
  * @param reason why it was taken
- * @param lacksGpu whether the builder's capacity asks for a GPU, and none can be used
+ * @param running where it runs later; null if it stays
  */
-record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean lacksGpu) {
+record BackendChoice(Backend backend, Pipeline pipeline, String reason, RunningChoice running) {
     static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
@@ -21,13 +21,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
                 : wish.device == null && wish.backend == Backend.JVM
                         ? jvm(wish, ASKED_FOR)
                         : OpenClChoice.askedFor(wish);
-        String device = choice.pipeline.device();
-        String text = "World on " + choice.backend + ", " + device + ": " + choice.reason;
-        if (choice.lacksGpu) {
-            Notice.once(choice.backend + device, text);
-        } else {
-            Notice.debug(text);
-        }
+        Notice.debug("World on " + choice.backend + ", " + choice.pipeline.device() + ": " + choice.reason);
         return choice;
     }
 
@@ -36,22 +30,21 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, boolean 
             return jvm(wish, "its circles sleep, which they do on no device so far");
         }
         try {
-            return OpenClChoice.fastest(wish);
+            return wish.moves() ? OpenClChoice.moving(wish) : OpenClChoice.fastest(wish);
         } catch (LinkageError e) {
             return jvm(wish, "this system lacks a class that looks for devices: " + e.getMessage());
         }
     }
 
     BackendChoice(Backend backend, Pipeline pipeline, String reason) {
-        this(backend, pipeline, reason, false);
+        this(backend, pipeline, reason, null);
     }
 
     static BackendChoice jvm(BackendWish wish, String reason) {
-        return jvm(wish, reason, false);
+        return new BackendChoice(Backend.JVM, jvm(wish), reason);
     }
 
-    static BackendChoice jvm(BackendWish wish, String reason, boolean lacksGpu) {
-        Pipeline pipeline = new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
-        return new BackendChoice(Backend.JVM, pipeline, reason, lacksGpu);
+    static Pipeline jvm(BackendWish wish) {
+        return new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
     }
 }

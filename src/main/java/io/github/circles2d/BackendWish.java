@@ -19,6 +19,14 @@ final class BackendWish {
     /** Whether the first step on a device waits for the kernels of its fastest plan. Measurements do. */
     boolean waits = Boolean.getBoolean("circles2d.plans.wait");
 
+    /** Whether a world that takes any back end moves while it runs. */
+    boolean moving = true;
+
+    /** Whether it does: it stays where steps wait for all kernels. */
+    boolean moves() {
+        return moving && !waits && !World.Builder.isAndroid();
+    }
+
     /** Greatest radius over least. */
     private double ratio = 1;
 

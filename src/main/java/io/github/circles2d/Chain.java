@@ -24,8 +24,8 @@ public final class Chain {
 
     private final ChainPath path;
 
-    private Chain(float x, float y) {
-        path = new ChainPath(x, y);
+    private Chain(ChainPath path) {
+        this.path = path;
     }
 
     /**
@@ -42,7 +42,7 @@ public final class Chain {
             throw new IllegalArgumentException(
                     "points has " + n + " elements, but must have two a point, of two points at least");
         }
-        Chain chain = new Chain(points[0], points[1]);
+        Chain chain = new Chain(new ChainPath(points[0], points[1]));
         for (int k = POINT_STRIDE; k < n; k += POINT_STRIDE) {
             chain.lineTo(points[k], points[k + 1]);
         }
@@ -58,7 +58,7 @@ public final class Chain {
      * @throws IllegalArgumentException if a value is out of range
      */
     public static Chain from(float x, float y) {
-        return new Chain(x, y);
+        return new Chain(new ChainPath(x, y));
     }
 
     /**
@@ -119,6 +119,26 @@ public final class Chain {
      */
     public boolean isClosed() {
         return path.isClosed();
+    }
+
+    /**
+     * A new chain along the same outline in the other direction, so that circles touch its other side. Ends of arcs may differ by rounding.
+     *
+     * @return a chain, which may go on unless this one is closed
+     */
+    public Chain reversed() {
+        return new Chain(path.reversed());
+    }
+
+    /**
+     * Points along the chain, to draw or to fill what it encloses: its own points, and points on arcs, joined by straight lines.
+     *
+     * @param tolerance how far lines may be from an arc, a length more than 0; an arc becomes at most 4,096 lines, however small it is
+     * @return x and y of one point after the other; if the chain is closed, the last is the first, but for rounding
+     * @throws IllegalArgumentException if the tolerance is not more than 0
+     */
+    public float[] points(float tolerance) {
+        return path.points(Limits.within("the tolerance", tolerance, Float.MIN_VALUE, Float.POSITIVE_INFINITY));
     }
 
     ChainPath path() {

@@ -68,6 +68,29 @@ public final class Kind {
     }
 
     /**
+     * Makes the kind what another kind is: all its values, and its rows of the matrix ({@link World#setResponse}). The two meet each other
+     * as circles of the other kind meet each other. So a variant of a kind is one call and what differs:
+     *
+     * <pre>{@code
+     * world.kind(FROZEN).copyFrom(world.kind(ENEMY)).setDamping(20);
+     * world.setKind(enemy, FROZEN);
+     * }</pre>
+     *
+     * <p>Circles of this kind keep their restitution. A later change of the other kind does not change this one.
+     *
+     * @param other a kind of the same world; this kind itself changes nothing
+     * @return this
+     * @throws IllegalArgumentException if the kind is of another world
+     */
+    public Kind copyFrom(Kind other) {
+        if (Limits.notNull("other", other).kinds != kinds) {
+            throw new IllegalArgumentException(other + " is of another world");
+        }
+        kinds.copy(other.number, number);
+        return this;
+    }
+
+    /**
      * Sets the categories of the kind, for the masks of others and of queries ({@link Queries#withMask}).
      *
      * @param category any bits; a kind without any is met by no mask

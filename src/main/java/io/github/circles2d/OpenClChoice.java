@@ -10,6 +10,7 @@ import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.device.DevicePipeline;
+import io.github.circles2d.world.shared.Pipeline;
 import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,6 +37,26 @@ final class OpenClChoice {
         }
         Device device = wish.backend == Backend.OPENCL_CPU ? OpenCl.cpuDevice() : gpu();
         return openCl(device, wish, BackendChoice.ASKED_FOR);
+    }
+
+    /** The JVM, from where the world moves to a GPU if that is there, ready and faster. */
+    static BackendChoice moving(BackendWish wish) {
+        Pipeline home = BackendChoice.jvm(wish);
+        FrameRule rule = new FrameRule();
+        RunningChoice running = new RunningChoice(
+                home, () -> BackendChoice.jvm(wish), circles -> beside(wish, circles, rule), rule, wish.capacity);
+        return new BackendChoice(Backend.JVM, home, running.reason(), running);
+    }
+
+    private static Pipeline beside(BackendWish wish, int circles, FrameRule rule) {
+        Device gpu = gpu();
+        if (!gpu.correctlyRounded()) {
+            throw new OpenClUnavailableException(gpu.name() + " does not round correctly, so its results would differ");
+        }
+        curvesOf(gpu, Calibration.timings())
+                .map(curves -> CurvesByRatio.at(wish.crowd().ratio(), Map.of(true, curves)))
+                .ifPresent(curves -> rule.expect(1e6 * curves.get(true).millis(circles), circles));
+        return new DevicePipeline(gpu, Math.max(wish.capacity, circles), wish.profiling, false);
     }
 
     /** Takes the fastest of all devices and the JVM. */
@@ -74,7 +95,7 @@ final class OpenClChoice {
         try {
             return openCl(device, wish, why);
         } catch (OpenClException e) {
-            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage(), true);
+            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage());
         }
     }
 
@@ -128,7 +149,7 @@ final class OpenClChoice {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return BackendChoice.jvm(wish, reason + hint, wish.capacity >= LEAST_FOR_GPU);
+        return BackendChoice.jvm(wish, reason + hint);
     }
 
     private static Device gpu() {

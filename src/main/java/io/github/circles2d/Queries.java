@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.Searches;
 
 /**
@@ -28,6 +28,7 @@ import io.github.circles2d.world.search.Searches;
  * nothing, and can be made at any time between two steps.
  *
  * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
+ * {@link #without} leaves out one circle.
  *
  * <p><b>Edges:</b> along an axis that {@linkplain World.Builder#edges wraps}, a place that a query names counts as the same place
  * inside the bounds, and a box as the one whose centre is inside. Overlaps, picks and the nearest go the short way round, across
@@ -92,7 +93,7 @@ public final class Queries extends ShapeQueries {
         this(searches, new TerrainQueries(ofTerrain, null), null);
     }
 
-    private Queries(Searches searches, TerrainQueries terrain, CategoryFilter filter) {
+    private Queries(Searches searches, TerrainQueries terrain, CircleFilter filter) {
         super(searches, filter);
         this.terrain = terrain;
     }
@@ -112,10 +113,30 @@ public final class Queries extends ShapeQueries {
      * are at each query. Keep the object, so that a frame leaves no garbage.
      *
      * @param mask the bits of the categories to find: -1 for all categories but 0, and 0 for no circle
-     * @return queries with this mask; a mask of this object no longer counts for them
+     * @return queries with this mask; a mask of this object no longer counts for them, but a circle that it leaves out stays out
      */
     public Queries withMask(int mask) {
-        return new Queries(searches, terrain.withMask(mask), searches.filter(mask));
+        return new Queries(searches, terrain.withMask(mask), searches.filter(filter, mask));
+    }
+
+    /**
+     * The same queries without one circle, such as the hero whose feet a ray starts from. The mask of this object goes on to count.
+     *
+     * <pre>{@code
+     * Queries others = world.queries().without(hero); // keep it
+     * long below = others.circleCast(world.x(hero), world.y(hero), world.radius(hero), 0, -0.2f, hit);
+     * }</pre>
+     *
+     * <p>To leave out all that a path begins in, take {@link #circleCastAll} or {@link #rayCastAll}, and go on to the first hit whose {@link
+     * #DISTANCE} is more than 0.
+     *
+     * @param circle the circle to leave out, in place of one that this object leaves out; 0, and a circle that has been removed, leave out
+     *     none
+     * @return queries of all other circles
+     * @throws IllegalArgumentException if the handle is of a piece of terrain, a body or a joint
+     */
+    public Queries without(long circle) {
+        return new Queries(searches, terrain, searches.without(filter, circle));
     }
 
     /**

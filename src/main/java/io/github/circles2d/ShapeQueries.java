@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.Searches;
 
 /** The queries that are the same of circles and of pieces of terrain: {@link Queries}, {@link TerrainQueries}. */
@@ -9,9 +9,9 @@ abstract class ShapeQueries {
     final Searches searches;
 
     /** What is found; null for all. */
-    final CategoryFilter filter;
+    final CircleFilter filter;
 
-    ShapeQueries(Searches searches, CategoryFilter filter) {
+    ShapeQueries(Searches searches, CircleFilter filter) {
         this.searches = searches;
         this.filter = filter;
     }

@@ -310,7 +310,39 @@ public final class TerrainBody {
     }
 
     /**
-     * The velocity along x that was set.
+     * How fast the body has carried a place along x in the last step, whether it moved by its velocities or by {@link #moveTo}. At the pivot,
+     * {@code vxAt(body.x(), body.y())}, it is the velocity that the body really had.
+     *
+     * <pre>{@code
+     * world.setVelocity(hero, walk + lift.vxAt(world.x(hero), world.y(hero)), world.vy(hero)); // walks as fast on a lift as on the ground
+     * }</pre>
+     *
+     * <p>It is 0 before the first step, after {@link #teleport}, and of the ground. Snapshots keep it; {@link World#hash} leaves it out, since
+     * no step depends on it.
+     *
+     * @param worldX x of the place in the world, up to 1e9 in magnitude; the image that is nearest to the pivot along an axis that wraps
+     * @param worldY y of it, likewise
+     * @return lengths per second
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float vxAt(float worldX, float worldY) {
+        return simulation.bodies.vxAt(handle, worldX, worldY);
+    }
+
+    /**
+     * How fast the body has carried a place along y in the last step; see {@link #vxAt}.
+     *
+     * @param worldX x of the place in the world, up to 1e9 in magnitude
+     * @param worldY y of it
+     * @return lengths per second
+     * @throws IllegalArgumentException if a value is out of range, or the body has been removed
+     */
+    public float vyAt(float worldX, float worldY) {
+        return simulation.bodies.vyAt(handle, worldX, worldY);
+    }
+
+    /**
+     * The velocity along x that was set; {@link #vxAt} has the real one.
      *
      * @return lengths per second; 0 at first
      */
@@ -319,7 +351,7 @@ public final class TerrainBody {
     }
 
     /**
-     * The velocity along y that was set.
+     * The velocity along y that was set; {@link #vyAt} has the real one.
      *
      * @return lengths per second; 0 at first
      */

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.Searches;
 
 /**
@@ -32,7 +32,7 @@ import io.github.circles2d.world.search.Searches;
  * round. Rays and discs go on beyond the seam, for half of the extent of the bounds, and find a piece once for each way on which they meet it.
  */
 public final class TerrainQueries extends ShapeQueries {
-    TerrainQueries(Searches searches, CategoryFilter filter) {
+    TerrainQueries(Searches searches, CircleFilter filter) {
         super(searches, filter);
     }
 
@@ -43,7 +43,7 @@ public final class TerrainQueries extends ShapeQueries {
      * @return queries with this mask; a mask of this object no longer counts for them
      */
     public TerrainQueries withMask(int mask) {
-        return new TerrainQueries(searches, searches.filter(mask));
+        return new TerrainQueries(searches, searches.filter(null, mask));
     }
 
     /**

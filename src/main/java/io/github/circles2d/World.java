@@ -11,11 +11,13 @@ import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SurfaceSettings;
+import io.github.circles2d.world.reads.CircleContacts;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -67,6 +69,26 @@ import java.util.Arrays;
  * rolling resistance up to 1,000; angles up to 1e6 and angular velocities up to 1e9 radians; steps 1e-6 to 1 second.
  */
 public final class World implements AutoCloseable {
+    /**
+     * Elements of a contact that {@link #contactsOf} gives: {@link #NORMAL_X}, {@link #NORMAL_Y}, {@link #DEPTH}, {@link #IMPULSE}.
+     */
+    public static final int CONTACT_STRIDE = CircleContacts.STRIDE;
+
+    /** In a contact: x of the unit normal, which leads from the partner to the circle. */
+    public static final int NORMAL_X = CircleContacts.NORMAL_X;
+
+    /** In a contact: y of that normal: 1 if the circle lies on a floor, where y points up. */
+    public static final int NORMAL_Y = CircleContacts.NORMAL_Y;
+
+    /** In a contact: how deep the two are in each other, a length; negative if they are apart. */
+    public static final int DEPTH = CircleContacts.DEPTH;
+
+    /**
+     * In a contact: mass times speed that the partner gave the circle along the normal in the last step, if it pushed evenly. Divided by the
+     * length of the step it is the force.
+     */
+    public static final int IMPULSE = CircleContacts.IMPULSE;
+
     /** By the settings of the matrix of kinds. */
     private static final Response[] RESPONSES = Response.values();
 
@@ -82,17 +104,25 @@ public final class World implements AutoCloseable {
     private final Joints joints;
     private final Backend backend;
     private final String reason;
+
+    /** Null if this world never moves. */
+    private final RunningChoice running;
+
     private final Events events = new Events();
 
     World(Builder b, BackendChoice choice) {
         backend = choice.backend();
         reason = choice.reason();
+        running = choice.running();
         simulation = new Simulation(
                 choice.pipeline(),
                 new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0)
                         .with(b.contacts)
                         .with(b.surfaces())
                         .sleeping(b.sleep));
+        if (running != null) {
+            simulation.moves.by(running);
+        }
         queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
@@ -876,6 +906,37 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The way along x from one place to another: the short one if the axis {@linkplain Builder#edges wraps}, which may lead across the seam. So
+     * a thing beside another is drawn at {@code x + world.shortestX(x, otherX)}, though it may be at the other end of the bounds.
+     *
+     * @param fromX x of the place where the way begins, up to 1e9 in magnitude
+     * @param toX x of the place where it ends, likewise
+     * @return a length, negative to the left; at most half of the extent of an axis that wraps
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public float shortestX(float fromX, float toX) {
+        Limits.within("fromX", fromX, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("toX", toX, -Limits.COORDINATE, Limits.COORDINATE);
+        Bounds bounds = arena();
+        return CircleMath.shortWay(bounds.placeX(toX) - bounds.placeX(fromX), bounds.periodX());
+    }
+
+    /**
+     * The way along y from one place to another; see {@link #shortestX}.
+     *
+     * @param fromY y of the place where the way begins, up to 1e9 in magnitude
+     * @param toY y of the place where it ends, likewise
+     * @return a length, negative downwards if y points up; at most half of the extent of an axis that wraps
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public float shortestY(float fromY, float toY) {
+        Limits.within("fromY", fromY, -Limits.COORDINATE, Limits.COORDINATE);
+        Limits.within("toY", toY, -Limits.COORDINATE, Limits.COORDINATE);
+        Bounds bounds = arena();
+        return CircleMath.shortWay(bounds.placeY(toY) - bounds.placeY(fromY), bounds.periodY());
+    }
+
+    /**
      * What there is at the left and the right edge.
      *
      * @return as {@link Builder#edges} has set it, or a restored snapshot
@@ -1186,6 +1247,34 @@ public final class World implements AutoCloseable {
      */
     public void readLoadsById(float[] loads, long[] living) {
         simulation.loads.readById(loads, living);
+    }
+
+    /**
+     * Reads what presses a circle: other circles by id, then pieces of terrain by id, then walls. It is what the last step ended with, as {@link
+     * #readLoadsById} counts it, so it needs no {@link #report}; normals and depths are those of now. A bounce is over at once, and does not
+     * count. Sensors press nobody.
+     *
+     * <pre>{@code
+     * long[] partners = new long[8];
+     * float[] contacts = new float[8 * World.CONTACT_STRIDE];
+     * boolean onTheGround = false;
+     * for (int k = Math.min(8, world.contactsOf(hero, partners, contacts)) - 1; k >= 0; k--) {
+     *     onTheGround |= contacts[World.CONTACT_STRIDE * k + World.NORMAL_Y] > 0.7f; // at most 45 degrees steep
+     * }
+     * }</pre>
+     *
+     * <p>The first call after a step or a change copies the state, as {@link #snapshot} does; others look through that copy. The numbers are
+     * the same to the bit on every back end.
+     *
+     * @param circle a circle
+     * @param partners takes the handles of circles and pieces ({@link #contains} and {@link Terrain#contains} tell them apart), and 0 for a
+     *     wall; only the first ones if it is too short
+     * @param contacts takes {@link #CONTACT_STRIDE} elements each, likewise; may be null
+     * @return how many there are, which may be more than the arrays take
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public int contactsOf(long circle, long[] partners, float[] contacts) {
+        return simulation.contacts.of(circle, partners, contacts);
     }
 
     /**
@@ -1602,9 +1691,11 @@ public final class World implements AutoCloseable {
                 figures.awake(),
                 figures.bytesHeld(),
                 figures.stageMillis(),
-                backend,
+                running != null && running.isAway() ? Backend.OPENCL_GPU : backend,
                 figures.device(),
-                reason);
+                running == null ? reason : running.reason(),
+                running == null ? 0 : running.moves(),
+                running == null ? 0 : running.moveMillis());
     }
 
     // ---- events
@@ -1832,8 +1923,11 @@ public final class World implements AutoCloseable {
         }
 
         static int defaultThreads() {
-            return defaultThreads(
-                    Runtime.getRuntime().availableProcessors(), "Dalvik".equals(System.getProperty("java.vm.name")));
+            return defaultThreads(Runtime.getRuntime().availableProcessors(), isAndroid());
+        }
+
+        static boolean isAndroid() {
+            return "Dalvik".equals(System.getProperty("java.vm.name"));
         }
 
         /** A phone has slow processors besides its fast ones, and threads that wait at a barrier drain its battery. */
@@ -2082,8 +2176,7 @@ public final class World implements AutoCloseable {
 
         /**
          * How many circles to make room for at once. By default 1,024. A world grows by itself; this saves it the growing, and tells
-         * {@link Backend#AUTO} for how many circles the world is to be fast. So name it for a large world: with the default AUTO looks
-         * for no GPU, unless a {@link Calibration} says otherwise.
+         * {@link Backend#AUTO} that a GPU may be of use before the circles are there.
          *
          * @param capacity number of circles, at least 0
          * @return this
@@ -2117,6 +2210,19 @@ public final class World implements AutoCloseable {
          */
         public Builder profiling(boolean profiling) {
             wish.profiling = profiling;
+            return this;
+        }
+
+        /**
+         * Whether a world of {@link Backend#AUTO} moves between the JVM and a GPU while it runs. By default it does: it starts at once on the JVM,
+         * and goes to a GPU when kernels have been compiled and frames are shorter there. One that does not move takes its back end when
+         * it is built, and a GPU's first step waits for kernels. No result depends on it.
+         *
+         * @param moving false to stay
+         * @return this
+         */
+        public Builder moving(boolean moving) {
+            wish.moving = moving;
             return this;
         }
 

@@ -15,7 +15,9 @@ import java.util.Map;
  * @param stageMillis milliseconds spent in each stage since the world was built, by the stage's name; empty unless profiling
  * @param backend the back end that the world runs on; never {@link Backend#AUTO}
  * @param device the device, in words
- * @param reason why this back end was taken
+ * @param reason why the world runs there
+ * @param moves how often the world has moved between back ends
+ * @param moveMillis what all moves together have taken, in milliseconds
  */
 public record WorldStats(
         int circles,
@@ -27,4 +29,6 @@ public record WorldStats(
         Map<String, Double> stageMillis,
         Backend backend,
         String device,
-        String reason) {}
+        String reason,
+        int moves,
+        double moveMillis) {}

@@ -7,11 +7,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Steps on a machine with as many other busy threads as processors, in a JVM that has all of these. */
+/** Steps beside busy threads, in a JVM that has all processors. */
 @Timeout(120)
 @Tag("each-jdk")
 class BusyMachineTest {
-    private static final double FACTOR = 20;
+    private static final double FACTOR = 1.5;
 
     private static String run(String what) {
         ForkedJvm.Result result = new ForkedJvm().run(BusySteps.class, what);
@@ -24,17 +24,14 @@ class BusyMachineTest {
         assertThat(run("bits")).contains("same bits: true");
     }
 
-    /**
-     * This measures time, so it asks only that steps are not tens of times as long: threads that wait in a wrong way make them a
-     * hundred times as long.
-     */
+    /** This compares medians. Threads that wait in a wrong way make steps twenty times as long as one thread does. */
     @Test
     @Tag("exhaustive")
-    void stepsBesideBusyThreadsTakeFewTimesAsLong() {
+    void stepsBesideBusyThreadsAreHardlyLongerThanWithOneThread() {
         String output = run("times");
         assertThat(output).contains("factor ");
         double factor =
                 Double.parseDouble(output.replaceAll("(?s).*factor ", "").strip());
-        assertThat(factor).as("times of steps over those on an idle machine").isLessThan(FACTOR);
+        assertThat(factor).as("times of steps over those with one thread").isLessThan(FACTOR);
     }
 }

@@ -1,14 +1,13 @@
 package io.github.circles2d;
 
+import io.github.circles2d.BusyMachine.Beside;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.Arrays;
 
-/** Prints what becomes of steps beside as many busy threads as processors. Argument: {@code bits} or {@code times}. */
+/** Prints what becomes of steps beside busy threads. Argument: {@code bits} or {@code times}. */
 final class BusySteps {
     private static final int ROUNDS = 5;
-    private static final int PROCESSORS = Runtime.getRuntime().availableProcessors();
-    private static final Scene SCENE = Scenes.packed(1250, 1);
 
     private BusySteps() {}
 
@@ -16,36 +15,46 @@ final class BusySteps {
         System.out.println(arguments[0].equals("bits") ? "same bits: " + haveTheSameBits() : "factor " + factor());
     }
 
-    private static World world() {
-        return WorldScenes.world(SCENE, WorldScenes.builder(SCENE).backend(Backend.JVM));
-    }
-
     private static boolean haveTheSameBits() {
-        BusyMachine.Others others = new BusyMachine.Others(PROCESSORS);
-        try (World expected = world();
-                World world = world()) {
-            expected.step(SCENE.timeStep(), 40);
+        Scene scene = Scenes.packed(1250, 1);
+        BusyMachine.Others others = new BusyMachine.Others(Beside.BUSY);
+        try (World expected = BusyMachine.world(scene, BusyMachine.DEFAULT);
+                World world = BusyMachine.world(scene, BusyMachine.DEFAULT)) {
+            expected.step(scene.timeStep(), 40);
             for (int step = 0; step < 20; step++) {
-                world.step(SCENE.timeStep());
+                world.step(scene.timeStep());
                 world.positions();
             }
-            world.step(SCENE.timeStep(), 20);
+            world.step(scene.timeStep(), 20);
             return world.hash() == expected.hash();
         } finally {
             others.stop();
         }
     }
 
-    /** Times of steps over those on an idle machine, in the middle one of several rounds. */
+    /** The greatest factor between steps with the default number of threads and with one, both beside the same threads. */
     private static double factor() {
-        double[] factors = new double[ROUNDS];
-        try (World world = world()) {
-            BusyMachine.round(world, SCENE.timeStep(), 0);
-            for (int round = 0; round < ROUNDS; round++) {
-                double idle = BusyMachine.round(world, SCENE.timeStep(), 0).mean();
-                factors[round] =
-                        BusyMachine.round(world, SCENE.timeStep(), PROCESSORS).mean() / idle;
+        double greatest = 0;
+        for (int circles : new int[] {1250, 2800, 10_000}) {
+            Scene scene = Scenes.packed(circles, 1);
+            try (World one = BusyMachine.world(scene, 1);
+                    World all = BusyMachine.world(scene, BusyMachine.DEFAULT)) {
+                BusyMachine.round(one, scene.timeStep(), Beside.NOTHING);
+                BusyMachine.round(all, scene.timeStep(), Beside.NOTHING);
+                for (Beside beside : new Beside[] {Beside.BUSY, Beside.TWICE_AS_BUSY}) {
+                    greatest = Math.max(greatest, factor(one, all, scene.timeStep(), beside));
+                }
             }
+        }
+        return greatest;
+    }
+
+    /** The one in the middle of several rounds. */
+    private static double factor(World one, World all, float timeStep, Beside beside) {
+        double[] factors = new double[ROUNDS];
+        for (int round = 0; round < ROUNDS; round++) {
+            double ofOne = BusyMachine.round(one, timeStep, beside).median();
+            factors[round] = BusyMachine.round(all, timeStep, beside).median() / ofOne;
         }
         Arrays.sort(factors);
         return factors[ROUNDS / 2];

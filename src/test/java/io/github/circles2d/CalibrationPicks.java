@@ -48,7 +48,10 @@ public final class CalibrationPicks {
             }
         }
         String pick;
-        World.Builder builder = World.builder().capacity(crowd.circles()).radii(1, (float) crowd.ratio());
+        World.Builder builder = World.builder()
+                .capacity(crowd.circles())
+                .radii(1, (float) crowd.ratio())
+                .moving(false);
         try (World world = builder.build()) {
             WorldStats stats = world.stats();
             pick = stats.backend() == Backend.JVM ? "JVM" : stats.device();

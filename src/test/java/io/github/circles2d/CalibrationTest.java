@@ -91,7 +91,7 @@ class CalibrationTest {
     }
 
     private static WorldStats statsOf(World.Builder builder) {
-        try (World world = builder.build()) {
+        try (World world = builder.moving(false).build()) {
             return world.stats();
         }
     }
@@ -202,7 +202,8 @@ class CalibrationTest {
             if (k == 1) {
                 calibrate(new FakeMeter());
             }
-            try (World world = World.builder().capacity(2_000).gravity(0, -1).build()) {
+            try (World world =
+                    World.builder().capacity(2_000).gravity(0, -1).moving(false).build()) {
                 for (int i = 0; i < 400; i++) {
                     world.add((i % 20 + 0.5f) / 20, (i / 20 + 0.5f) / 20, 0.026f, 1 + i % 3);
                 }
@@ -526,8 +527,8 @@ class CalibrationTest {
     static final class TwiceTheSame {
         public static void main(String[] args) throws IOException {
             for (int k = 0; k < 2; k++) {
-                World.builder().build().close();
-                World.builder().capacity(k).build().close();
+                World.builder().moving(false).build().close();
+                World.builder().capacity(k).moving(false).build().close();
                 engine(TestDevices.all().get(0), 3).close();
             }
         }

@@ -304,6 +304,11 @@ final class MemoryCalls {
             s.world.readLoadsById(all, null);
             return all;
         });
+        call("contactsOf", (s, r) -> {
+            long[] partners = new long[8];
+            float[] contacts = new float[8 * World.CONTACT_STRIDE];
+            return new Object[] {s.world.contactsOf(s.circle(r), partners, contacts), partners, contacts};
+        });
         call("readRadiiById", (s, r) -> {
             float[] all = new float[s.world.idLimit()];
             s.world.readRadiiById(all, null);

@@ -59,6 +59,7 @@ class NullArgumentsTest {
                         "y", () -> World.builder().edges(Edge.WALL, null)));
         calls.put("World.touching", Map.of("handles", () -> world.touching(0, 0, null)));
         calls.put("World.touchingPieces", Map.of("handles", () -> world.touchingPieces(0, 0, null)));
+        calls.put("World.contactsOf", Map.of("partners", () -> world.contactsOf(1, null, null)));
         calls.put("World.readLoadsById", Map.of("loads", () -> world.readLoadsById(null, null)));
         calls.put("World.addAll", Map.of("circles", () -> world.addAll(null, values, new int[0], handles)));
         calls.put(
@@ -101,6 +102,7 @@ class NullArgumentsTest {
         calls.put("World.wallRollingResistance", Map.of("wall", () -> world.wallRollingResistance(null)));
         calls.put("World.wallBeltSpeed", Map.of("wall", () -> world.wallBeltSpeed(null)));
         calls.put("Builder.wallSurface", Map.of("wall", () -> World.builder().wallSurface(null, 0, 0, 0)));
+        calls.put("Kind.copyFrom", Map.of("other", () -> world.kind(0).copyFrom(null)));
         calls.put("Kind.setInertia", Map.of("inertia", () -> world.kind(0).setInertia(null)));
         calls.put("World.readAnglesById", Map.of("angles", () -> world.readAnglesById(null, null)));
         calls.put(

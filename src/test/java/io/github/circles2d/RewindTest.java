@@ -30,10 +30,23 @@ class RewindTest {
     @MethodSource("backends")
     void rollingBackTenFramesInEachFrameGivesTheBitsOfRunningStraight(Backend backend) {
         Scene scene = Scenes.packed(300, 3);
+        try (World rolling = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
+            assertRollsBack(scene, rolling);
+        }
+    }
+
+    @Test
+    void soDoesAWorldThatMoves() {
+        Scene scene = Scenes.packed(300, 3);
+        try (World rolling = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            RandomMoves.of(rolling, 5, 1);
+            assertRollsBack(scene, rolling);
+        }
+    }
+
+    private static void assertRollsBack(Scene scene, World rolling) {
         try (World straight =
-                        WorldScenes.world(scene, WorldScenes.builder(scene).backend(Backend.JVM));
-                World rolling =
-                        WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
+                WorldScenes.world(scene, WorldScenes.builder(scene).backend(Backend.JVM))) {
             Rewind rewind = new Rewind(rolling, BACK + 1);
             for (int frame = 0; frame < FRAMES; frame++) {
                 rewind.save(frame);

@@ -68,6 +68,15 @@ class RollbackTest {
         assertThat(game.frames).isEqualTo(straight());
     }
 
+    @Test
+    void confirmedFramesAreThoseOfAStraightRunWhileTheWorldMoves() {
+        RollbackGame game = new RollbackGame(Backend.JVM);
+        RandomMoves moves = RandomMoves.of(game.world, 3, 1);
+        play(game, game, 2, Integer.MAX_VALUE);
+        assertThat(game.frames).isEqualTo(straight());
+        assertThat(moves.moves()).isGreaterThan(20);
+    }
+
     /** Any of its methods throws now and then, when it has begun, or when it is done. */
     @ParameterizedTest
     @ValueSource(ints = {11, 12, 13})

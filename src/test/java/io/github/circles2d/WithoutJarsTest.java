@@ -43,6 +43,9 @@ class WithoutJarsTest {
             try (World world = builder.build()) {
                 world.add(5, 5, 1, 1);
                 world.step(1 / 60f);
+                while (world.stats().reason().contains("made ready")) {
+                    Thread.onSpinWait();
+                }
                 System.out.println(backend + " takes " + world.stats().backend());
             }
         }

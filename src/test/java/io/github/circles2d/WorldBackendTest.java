@@ -180,6 +180,9 @@ class WorldBackendTest {
             try (World world = World.builder().capacity(1_000_000).build()) {
                 world.add(0.5f, 0.5f, 0.1f, 1);
                 world.step(1 / 60f);
+                while (world.stats().reason().contains("made ready")) {
+                    Thread.onSpinWait();
+                }
                 System.out.println(
                         "took " + world.stats().backend() + ": " + world.stats().reason());
             }
@@ -197,7 +200,7 @@ class WorldBackendTest {
                 .environment("OCL_ICD_VENDORS", noDrivers.toString())
                 .run(WithoutDriver.class);
         assertThat(result.output()).contains("took JVM: no GPU can be used: ", "done");
-        assertThat(result.output()).as("one line in the log").containsOnlyOnce("INFO");
+        assertThat(result.output()).as("nobody has asked for a GPU").doesNotContain("INFO");
         assertThat(result.exitStatus()).isZero();
     }
 
@@ -219,8 +222,14 @@ class WorldBackendTest {
     void aStartIsSilent() {
         TestDevices.all();
         ForkedJvm.Result result = new ForkedJvm().run(Quiet.class);
-        // newer JDKs warn of native access, which only the command line of a program can allow
-        assertThat(result.output().lines().filter(line -> !line.isEmpty() && !line.startsWith("WARNING: ")))
+        // newer JDKs warn of native access, which only the command line of a program can allow; POCL may compile for
+        // long
+        assertThat(result.output()
+                        .lines()
+                        .filter(line -> !line.isEmpty()
+                                && !line.startsWith("WARNING: ")
+                                && !line.contains("DevicePipeline compile")
+                                && !line.contains("until kernels were compiled")))
                 .containsExactly("done");
     }
 }

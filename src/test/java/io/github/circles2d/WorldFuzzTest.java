@@ -160,6 +160,15 @@ class WorldFuzzTest {
             return WorldScenes.jvm().threads(1).capacity(0);
         }
 
+        /** Every other program is of a world that moves. */
+        private World opened(World.Builder builder) {
+            World opened = builder.build();
+            if (seed % 2 != 0) {
+                RandomMoves.of(opened, seed, 1);
+            }
+            return opened;
+        }
+
         private World build() {
             World.Builder builder = builder();
             model.walls(0, 0, 1, 1);
@@ -187,7 +196,7 @@ class WorldFuzzTest {
             if (random.nextInt(3) == 0) {
                 setSurfaces(builder);
             }
-            return builder.build();
+            return opened(builder);
         }
 
         private void setSurfaces(World.Builder builder) {
@@ -959,7 +968,7 @@ class WorldFuzzTest {
             }
             if (random.nextBoolean()) {
                 world.close();
-                world = builder().build();
+                world = opened(builder());
                 requested = null;
             }
             world.restore(snapshot.duplicate());

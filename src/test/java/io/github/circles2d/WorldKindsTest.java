@@ -185,6 +185,60 @@ class WorldKindsTest {
     }
 
     @Test
+    void aCopyOfAKindMeetsAndMovesAsTheOtherDoesAndGoesItsOwnWay() {
+        world.kind(3)
+                .setCategory(6)
+                .setMask(5)
+                .setSensor(true)
+                .setRestitution(0.25f)
+                .setGravityScale(-2)
+                .setDamping(3)
+                .setGreatestSpeed(40)
+                .setFriction(0.5f)
+                .setRollingResistance(0.75f)
+                .setBeltSpeed(-8)
+                .setInertia(Inertia.RING)
+                .setAngularDamping(9)
+                .setOneWay(true);
+        world.setResponse(3, 3, Response.SOLID);
+        world.setResponse(3, 7, Response.SENSE);
+        world.setResponse(4, 9, Response.IGNORE);
+        Kind copy = world.kind(4).copyFrom(world.kind(3));
+        assertThat(copy).isSameAs(world.kind(4));
+        assertThat(copy.category()).isEqualTo(6);
+        assertThat(copy.mask()).isEqualTo(5);
+        assertThat(copy.isSensor()).isTrue();
+        assertThat(copy.restitution()).isEqualTo(0.25f);
+        assertThat(copy.gravityScale()).isEqualTo(-2);
+        assertThat(copy.damping()).isEqualTo(3);
+        assertThat(copy.greatestSpeed()).isEqualTo(40);
+        assertThat(copy.friction()).isEqualTo(0.5f);
+        assertThat(copy.rollingResistance()).isEqualTo(0.75f);
+        assertThat(copy.beltSpeed()).isEqualTo(-8);
+        assertThat(copy.inertia()).isEqualTo(Inertia.RING);
+        assertThat(copy.angularDamping()).isEqualTo(9);
+        assertThat(copy.isOneWay()).isTrue();
+        for (int[] pair : new int[][] {{4, 4}, {4, 3}, {3, 3}}) {
+            assertThat(world.response(pair[0], pair[1])).isEqualTo(Response.SOLID);
+        }
+        assertThat(world.response(4, 7)).isEqualTo(Response.SENSE);
+        assertThat(world.response(4, 9)).as("what 3 does to it").isEqualTo(Response.BY_MASK);
+        copy.setDamping(0).copyFrom(copy);
+        assertThat(copy.damping()).isZero();
+        assertThat(world.kind(3).damping()).isEqualTo(3);
+        world.kind(4).copyFrom(world.kind(200));
+        long hash = world.hash();
+        world.kind(3).copyFrom(world.kind(200));
+        assertThat(world.hash()).isNotEqualTo(hash);
+        try (World empty = WorldScenes.jvm().bounds(0, 0, 100, 100).build()) {
+            assertThat(world.hash()).isEqualTo(empty.hash());
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.kind(3).copyFrom(empty.kind(5)))
+                    .withMessage("kind 5 is of another world");
+        }
+    }
+
+    @Test
     void aKindIsTheSameObject() {
         assertThat(world.kind(3)).isSameAs(world.kind(3)).hasToString("kind 3");
         assertThat(world.kind(3).number()).isEqualTo(3);

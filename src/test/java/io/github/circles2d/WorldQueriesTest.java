@@ -260,6 +260,42 @@ class WorldQueriesTest {
     }
 
     @Test
+    void oneCircleIsLeftOutOfAllQueriesUntilItIsRemoved() {
+        try (World world = tenByTen()) {
+            long hero = world.add(5, 5, 1, 1);
+            long near = world.add(7.5f, 5, 1, 1);
+            Queries others = world.queries().without(hero);
+            assertThat(world.queries().rayCast(5, 5, 5, 0, hit)).isEqualTo(hero);
+            assertThat(others.rayCast(5, 5, 5, 0, hit)).isEqualTo(near);
+            assertThat(hit[Queries.DISTANCE]).isEqualTo(1.5f);
+            assertThat(others.circleCast(5, 5, 1, 5, 0, hit)).isEqualTo(near);
+            assertThat(hit[Queries.DISTANCE]).isEqualTo(0.5f);
+            assertThat(others.pick(5, 5)).isZero();
+            assertThat(others.overlapCircle(5, 5, 9, handles)).isEqualTo(1);
+            assertThat(others.nearest(5, 5, 9, 1, handles, null)).isEqualTo(1);
+            assertThat(handles[0]).isEqualTo(near);
+            assertThat(others.without(near).pick(5, 5))
+                    .as("in place of the first")
+                    .isEqualTo(hero);
+            assertThat(others.without(0).pick(5, 5)).isEqualTo(hero);
+            assertThat(others.withMask(1).pick(5, 5)).as("the mask is added").isZero();
+            assertThat(others.withMask(1).pick(7.5f, 5)).isEqualTo(near);
+            assertThat(others.withMask(2).without(hero).pick(7.5f, 5))
+                    .as("the mask stays")
+                    .isZero();
+            assertThat(others.terrain()).isSameAs(world.queries().terrain());
+            world.remove(hero);
+            long next = world.add(5, 5, 1, 1);
+            assertThat(World.id(next)).isEqualTo(World.id(hero));
+            assertThat(others.pick(5, 5)).as("another circle with its id").isEqualTo(next);
+            long piece = world.terrain().addSegment(1, 1, 2, 2);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> others.without(piece))
+                    .withMessage("no circle has the handle " + piece + ": it is of a piece of terrain");
+        }
+    }
+
+    @Test
     void anExplosionWithAMaskPushesTheCirclesOfItsCategories() {
         try (World world = tenByTen()) {
             long left = world.add(4, 5, 0.5f, 1);
@@ -527,6 +563,7 @@ class WorldQueriesTest {
         world.close();
         assertThatIllegalStateException().isThrownBy(world::queries).withMessageContaining("closed");
         assertThatIllegalStateException().isThrownBy(() -> queries.withMask(1)).withMessageContaining("closed");
+        assertThatIllegalStateException().isThrownBy(() -> queries.without(0)).withMessageContaining("closed");
     }
 
     @Test

@@ -183,6 +183,60 @@ class WorldTerrainTest {
     }
 
     @Test
+    void aBodyTellsHowFastItHasCarriedAPlaceInTheLastStep() {
+        try (World world = world()) {
+            TerrainBody body = world.terrain().addBody(10, 20, 0);
+            body.setVelocity(3, -2);
+            assertThat(body.vxAt(10, 20)).as("before the first step").isZero();
+            world.step(1f / 50);
+            assertThat(body.vxAt(10.06f, 19.96f)).isCloseTo(3, within(1e-4f));
+            assertThat(body.vyAt(10.06f, 19.96f)).isCloseTo(-2, within(1e-4f));
+            body.setVelocity(0, 0);
+            body.moveTo(11.06f, 18.96f, 0.1f);
+            world.step(1f / 50);
+            assertThat(body.vx()).isZero();
+            assertThat(body.vxAt(11.06f, 18.96f)).isCloseTo(50, within(1e-3f));
+            assertThat(body.vyAt(11.06f, 18.96f)).isCloseTo(-50, within(1e-3f));
+            assertThat(body.vxAt(11.06f, 20.96f)).as("above the pivot").isCloseTo(50 - 2 * 5, within(1e-3f));
+            assertThat(body.vyAt(13.06f, 18.96f)).as("beside it").isCloseTo(-50 + 2 * 5, within(1e-3f));
+            java.nio.ByteBuffer saved = java.nio.ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(saved);
+            world.step(1f / 50);
+            assertThat(body.vyAt(13, 18)).as("it has stopped").isZero();
+            world.restore(saved.flip());
+            assertThat(body.vxAt(11.06f, 18.96f)).isCloseTo(50, within(1e-3f));
+            world.step(1f / 50);
+            assertThat(body.vxAt(11.06f, 18.96f)).isZero();
+            body.moveTo(50, 50, 0);
+            world.step(1f / 50, 1);
+            body.teleport(1, 2, 0);
+            assertThat(body.vxAt(1, 2)).isZero();
+            assertThat(world.terrain().ground().vyAt(3, 4)).isZero();
+            assertThatThrownBy(() -> body.vxAt(Float.NaN, 0)).hasMessageStartingWith("x is NaN, but must be from");
+            body.remove();
+            assertThatThrownBy(() -> body.vyAt(0, 0)).hasMessageContaining("no body of terrain has the handle");
+        }
+    }
+
+    @Test
+    void acrossTheSeamABodyCarriesTheShortWay() {
+        try (World world = World.builder()
+                .bounds(0, 0, 100, 100)
+                .edges(Edge.WRAP, Edge.WRAP)
+                .backend(Backend.JVM)
+                .build()) {
+            TerrainBody body = world.terrain().addBody(99, 99, 0);
+            body.setAngularVelocity(2);
+            world.step(1f / 50);
+            assertThat(body.vxAt(99, 2)).isCloseTo(-6, within(1e-4f));
+            assertThat(body.vyAt(102, 99)).isCloseTo(6, within(1e-4f));
+            body.moveTo(1, 99, 0);
+            world.step(1f / 50);
+            assertThat(body.vxAt(1, 99)).as("the short way").isCloseTo(100, within(1e-3f));
+        }
+    }
+
+    @Test
     void placesOfABodyAreThoseOfTheWorldAndBack() {
         try (World world = world()) {
             Terrain terrain = world.terrain();

@@ -34,8 +34,13 @@ public final class RunningBuilds {
         return ALL.exits();
     }
 
-    /** Makes a compilation, which an exit waits for. Refuses it if the JVM exits already. */
-    static void make(Runnable build) {
+    /**
+     * Makes a compilation, or opens a device, which an exit waits for.
+     *
+     * @param build what is to be done
+     * @throws IllegalStateException if the JVM exits already: it is not done then
+     */
+    public static void make(Runnable build) {
         ALL.run(build);
     }
 

@@ -21,6 +21,7 @@ import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.reads.CircleContacts;
 import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
@@ -31,6 +32,7 @@ import io.github.circles2d.world.search.Searches;
 import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.Moves;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.shared.WorldSettings;
@@ -59,12 +61,15 @@ public final class Simulation implements AutoCloseable {
     public final JointCalls joints;
     public final Readings readings;
     public final Loads loads;
+    public final CircleContacts contacts;
     public final JointReads jointReads;
     public final Reports reports;
     public final Snapshots snapshots;
     public final Journal journal;
     public final Searches searches;
     public final Searches terrainSearches;
+
+    public final Moves moves;
 
     private final WorldParts world;
     private final NextStep nextStep;
@@ -75,11 +80,13 @@ public final class Simulation implements AutoCloseable {
     public Simulation(Pipeline pipeline, WorldParameters start) {
         world = new WorldParts(pipeline, start);
         calls = world.calls;
+        moves = world.moves;
         kinds = new Kinds(world);
         forces = new Forces(world);
         growth = new Growth(world);
         Travels travels = new Travels(world);
         nextStep = new NextStep(world, forces, travels, growth);
+        moves.alsoCarry(nextStep::carry);
         PreparedChanges changes = new PreparedChanges(world, kinds, travels);
         newCircles = new NewCircles(world, kinds);
         nets = new Nets(world, newCircles);
@@ -93,6 +100,7 @@ public final class Simulation implements AutoCloseable {
         joints = new JointCalls(world);
         readings = new Readings(world);
         loads = new Loads(world);
+        contacts = new CircleContacts(world);
         jointReads = new JointReads(world);
         reports = new Reports(world);
         snapshots = new Snapshots(world, nextStep);
@@ -114,6 +122,7 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             world.log.step(timeStep, steps);
+            world.clock.beginStep();
             while (made < steps && nextStepDiffers()) {
                 makeDifferentStep(timeStep);
                 made++;
@@ -123,6 +132,7 @@ public final class Simulation implements AutoCloseable {
             }
             world.log.stepped(steps);
             stepCount += steps;
+            world.clock.end();
         } catch (RuntimeException | Error thrown) {
             world.guard.changing |= made > 0; // some of the steps have been made, and others never will
             throw world.guard.failed(thrown);
@@ -180,7 +190,8 @@ public final class Simulation implements AutoCloseable {
         boolean hasCircles = world.handles.size() > 0;
         if (hasCircles) {
             world.events.prepare(world.kinds, world.input.reports);
-            world.pipeline.prepareSteps(world.input.reports);
+            world.moves.beforeSteps(steps);
+            prepareSteps();
         }
         world.guard.changing = true;
         world.state.stepped(hasCircles);
@@ -205,6 +216,14 @@ public final class Simulation implements AutoCloseable {
         world.copies.forgetSaved();
         world.settings.stepped(timeStep);
         world.guard.changing = false;
+    }
+
+    private void prepareSteps() {
+        try {
+            world.pipeline.prepareSteps(world.input.reports);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+        }
     }
 
     private void prepareInput(float timeStep) {
@@ -282,6 +301,12 @@ public final class Simulation implements AutoCloseable {
     /** Ends the simulation and closes its pipeline. */
     @Override
     public void close() {
-        world.guard.close();
+        world.guard.takeTurn();
+        try {
+            world.guard.close();
+            world.moves.close();
+        } finally {
+            world.guard.leave();
+        }
     }
 }

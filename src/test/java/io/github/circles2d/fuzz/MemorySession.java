@@ -30,8 +30,8 @@ final class MemorySession implements AutoCloseable {
         this.counts = counts;
         random = Program.random(program.seed, 99);
         reading = new Reading(api);
-        twin = new Player(api, program.setting, Backend.JVM, 1, 0, Ready.AS_NEEDED);
-        tested = new Player(api, program.setting, Backend.JVM, threads, 0, Ready.AS_NEEDED);
+        twin = new Player(api, program.setting, Backend.JVM, 1, 0, Ready.AS_NEEDED, null);
+        tested = new Player(api, program.setting, Backend.JVM, threads, 0, Ready.AS_NEEDED, null);
     }
 
     @Override

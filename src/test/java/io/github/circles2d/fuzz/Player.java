@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /** A world on a back end, and what programs use with it. */
 final class Player implements AutoCloseable {
@@ -43,9 +44,12 @@ final class Player implements AutoCloseable {
     /** Whose snapshots and logs this one gets. */
     Player next = this;
 
-    Player(Api api, Setting setting, Backend backend, int threads, int number, Ready ready) throws Throwable {
+    /** moving: who lets the world on the JVM move; null if it stays. */
+    Player(Api api, Setting setting, Backend backend, int threads, int number, Ready ready, Consumer<World> moving)
+            throws Throwable {
         this.api = api;
-        name = backend == Backend.JVM ? "JVM on " + threads + " threads" : backend.toString();
+        name = (backend == Backend.JVM ? "JVM on " + threads + " threads" : backend.toString())
+                + (moving == null ? "" : ", from where it moves");
         World.Builder builder = (World.Builder) api.call(World.class.getMethod("builder"), null);
         for (Object[] call : setting.calls) {
             Object[] arguments = java.util.Arrays.copyOfRange(call, 1, call.length);
@@ -63,6 +67,9 @@ final class Player implements AutoCloseable {
             api.named(builder, "threads", threads);
         }
         world = (World) api.named(builder, "build");
+        if (moving != null) {
+            moving.accept(world);
+        }
         ready.make(world);
         queries = world.queries();
         terrainQueries = queries.terrain();
@@ -73,7 +80,7 @@ final class Player implements AutoCloseable {
     }
 
     /** The device that the back end takes of itself. */
-    private static Device device(Backend backend) {
+    static Device device(Backend backend) {
         return OpenCl.devices().stream()
                 .filter(device -> (device.kind() == Device.Kind.GPU) == (backend == Backend.OPENCL_GPU))
                 .findFirst()

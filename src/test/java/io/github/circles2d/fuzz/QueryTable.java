@@ -1,6 +1,7 @@
 package io.github.circles2d.fuzz;
 
 import static io.github.circles2d.fuzz.Drawn.floats;
+import static io.github.circles2d.fuzz.Drawn.handle;
 import static io.github.circles2d.fuzz.Drawn.length;
 import static io.github.circles2d.fuzz.Drawn.offset;
 import static io.github.circles2d.fuzz.Drawn.optional;
@@ -28,6 +29,7 @@ final class QueryTable extends Table {
         type = Queries.class;
         receiver = own("queries", player -> player.queries);
         query("terrain");
+        query("without", handle(Ref.Of.CIRCLE));
         query("pick", x(), y());
         query("pick", shapes(2), count(), filled(long[].class, SHAPES));
         both();

@@ -4,7 +4,11 @@ import static io.github.circles2d.fuzz.Drawn.byCircle;
 import static io.github.circles2d.fuzz.Drawn.byId;
 import static io.github.circles2d.fuzz.Drawn.handle;
 import static io.github.circles2d.fuzz.Drawn.living;
+import static io.github.circles2d.fuzz.Drawn.optional;
+import static io.github.circles2d.fuzz.Drawn.room;
 import static io.github.circles2d.fuzz.Drawn.whole;
+import static io.github.circles2d.fuzz.Drawn.x;
+import static io.github.circles2d.fuzz.Drawn.y;
 
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
@@ -39,6 +43,8 @@ final class ReadTable extends Table {
         }
         call(1, null, World.class, "id", handle(Ref.Of.CIRCLE));
         add(1, "handle", whole(draw -> draw.below(20) - (draw.setting.hostile ? 1 : 0)));
+        add(1, "shortestX", x(), x());
+        add(1, "shortestY", y(), y());
         add(1, "idLimit");
         add(1, "size");
         add(1, "hash");
@@ -66,6 +72,7 @@ final class ReadTable extends Table {
         add(2, "readTagsById", byId(long[].class, 1), living());
         add(2, "readAwakeById", living());
         add(3, "readLoadsById", byId(float[].class, 2), living());
+        add(3, "contactsOf", handle(Ref.Of.CIRCLE), room(long[].class), optional(float[].class, "40", player -> 40));
         add(2, "positionsById", living());
         add(2, "positions");
         add(2, "angles");

@@ -146,6 +146,9 @@ final class Reading {
                 text.append(isOwn ? "" : method.getName() + " " + of(answer) + ", ");
             }
         }
+        if (object instanceof Chain) {
+            text.append("points ").append(of(api.named(object, "points", 0.5f)));
+        }
         return text.toString();
     }
 

@@ -3,6 +3,7 @@ package io.github.circles2d.fuzz;
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
 import io.github.circles2d.Queries;
+import io.github.circles2d.RandomMoves;
 import io.github.circles2d.Replay;
 import io.github.circles2d.Rollback;
 import io.github.circles2d.TerrainQueries;
@@ -16,11 +17,15 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /** Runs a program in worlds on several back ends side by side, and compares all that they say. */
 final class Session implements AutoCloseable {
     private static final Set<Class<?>> STEPPING = Set.of(World.class, FixedStep.class, Rollback.class);
     private static final Set<String> STEPS = Set.of("step", "advance", "reconcile", "restore");
+
+    /** Of so many programs one has a world that moves to a device, which compiles for it alone. */
+    private static final int SELDOM_ON_DEVICE = 4;
 
     private final Api api;
     private final Program program;
@@ -33,7 +38,7 @@ final class Session implements AutoCloseable {
     /** How many steps, calls and refusals there have been. */
     private final Counts counts;
 
-    /** Worlds on the JVM with such numbers of threads, and on devices. */
+    /** Worlds on the JVM with such numbers of threads, on devices, and one that moves between those. */
     Session(Api api, Program program, int[] threads, Backend[] devices, Ready ready, Counts counts) throws Throwable {
         this.api = api;
         this.program = program;
@@ -41,11 +46,12 @@ final class Session implements AutoCloseable {
         reading = new Reading(api);
         try {
             for (int n : threads) {
-                add(Backend.JVM, n, ready);
+                add(Backend.JVM, n, ready, null);
             }
             for (Backend device : program.setting.sleeps ? new Backend[0] : devices) {
-                add(device, 0, ready);
+                add(device, 0, ready, null);
             }
+            add(Backend.JVM, 2, ready, world -> move(world, devices, ready));
             for (int k = 0; k < players.size(); k++) {
                 players.get(k).next = players.get((k + 1) % players.size());
             }
@@ -55,8 +61,19 @@ final class Session implements AutoCloseable {
         }
     }
 
-    private void add(Backend backend, int threads, Ready ready) throws Throwable {
-        players.add(new Player(api, program.setting, backend, threads, players.size(), ready));
+    private void add(Backend backend, int threads, Ready ready, Consumer<World> moving) throws Throwable {
+        players.add(new Player(api, program.setting, backend, threads, players.size(), ready, moving));
+    }
+
+    private void move(World world, Backend[] devices, Ready ready) {
+        if (devices.length == 0 || program.seed % SELDOM_ON_DEVICE != 0) {
+            RandomMoves.of(world, program.seed, 2);
+            return;
+        }
+        RandomMoves moves = RandomMoves.of(world, program.seed, Player.device(devices[0]), Integer.MAX_VALUE);
+        if (ready == Ready.FOR_ALL) {
+            moves.readyForAll();
+        }
     }
 
     @Override

@@ -95,6 +95,10 @@ final class TerrainTable extends Table {
                 methods.add(Chain.class.getMethod("close"));
                 arguments.add(new Value[0]);
             }
+            if (draw.oneOf(4)) {
+                methods.add(Chain.class.getMethod("reversed"));
+                arguments.add(new Value[0]);
+            }
         } catch (NoSuchMethodException e) {
             throw new IllegalStateException(e);
         }
@@ -151,7 +155,7 @@ final class TerrainTable extends Table {
                 new String[] {"handle", "exists", "x", "y", "angle", "vx", "vy", "angularVelocity", "toString"}) {
             call(1, Drawn::body, TerrainBody.class, name);
         }
-        for (String name : new String[] {"localX", "localY", "worldX", "worldY"}) {
+        for (String name : new String[] {"localX", "localY", "worldX", "worldY", "vxAt", "vyAt"}) {
             call(1, Drawn::body, TerrainBody.class, name, x(), y());
         }
     }

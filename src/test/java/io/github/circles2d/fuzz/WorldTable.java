@@ -99,6 +99,7 @@ final class WorldTable extends Table {
         ofKind("setAngularDamping", real(0, 2));
         ofKind("setOneWay", flag());
         ofKind("setSleeps", flag());
+        ofKind("copyFrom", new Drawn(Kind.class, WorldTable::kindOf));
         for (String name : new String[] {
             "number",
             "category",

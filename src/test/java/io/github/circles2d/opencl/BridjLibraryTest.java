@@ -37,7 +37,7 @@ class BridjLibraryTest {
     /** Makes a world on whatever AUTO takes. */
     static final class Auto {
         public static void main(String[] args) {
-            try (World world = World.builder().capacity(1_000_000).build()) {
+            try (World world = World.builder().capacity(1_000_000).moving(false).build()) {
                 System.out.println("on " + world.stats().backend());
             }
         }

@@ -173,6 +173,19 @@ public final class Bodies implements Calls.Effects {
         return body == BodyTable.GROUND ? y : places.onBodyY(body, x, y, world.terrain.bounds());
     }
 
+    /** How fast a place of the world has moved with a body in the last step. */
+    public float vxAt(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y);
+        return table.lastVxAt(body, table.fromPivotY(body, y, world.terrain.bounds()));
+    }
+
+    public float vyAt(long handle, float x, float y) {
+        int body = require(handle);
+        checkPlace(x, y);
+        return table.lastVyAt(body, table.fromPivotX(body, x, world.terrain.bounds()));
+    }
+
     /** In radians, at least -pi and less than pi. */
     public float angle(long handle) {
         return (float) (table.angle(require(handle)) * Rotation.RADIANS_PER_UNIT);

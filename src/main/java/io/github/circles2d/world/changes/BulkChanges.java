@@ -4,7 +4,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.WorldParts;
 
@@ -13,14 +13,14 @@ public final class BulkChanges {
     private final WorldParts world;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
-    private final CategoryFilter filter;
+    private final CircleFilter filter;
     private final TerrainView view;
 
     public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView view) {
         this.world = world;
         this.changes = changes;
         this.view = view;
-        filter = new CategoryFilter(world, 0);
+        filter = new CircleFilter(world, 0);
     }
 
     /** Removes circles. Returns the number of handles that were left out, as all calls here do. */

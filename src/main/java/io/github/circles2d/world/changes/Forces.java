@@ -24,6 +24,9 @@ public final class Forces implements Calls.Effects {
 
     private int count;
 
+    /** Whether the step that is being made is theirs. */
+    private boolean acting;
+
     public Forces(WorldParts world) {
         this.world = world;
         fields = world.handles.fields();
@@ -135,6 +138,7 @@ public final class Forces implements Calls.Effects {
 
     /** Before the step: records what acts in it alone. There is room. */
     void begin() {
+        acting = true;
         for (int k = 0; k < count; k++) {
             if (isForced(ids[k])) {
                 hand(ids[k], CircleField.FORCE_X, CircleField.APPLIED_X);
@@ -147,7 +151,34 @@ public final class Forces implements Calls.Effects {
     }
 
     private void hand(int id, CircleField set, CircleField applied) {
-        world.commands.setField(set, id, CircleField.bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
+        world.commands.setField(set, id, sum(set, applied, id));
+    }
+
+    private int sum(CircleField set, CircleField applied, int id) {
+        return CircleField.bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id)));
+    }
+
+    /** What acts in the step that is being made alone, for a pipeline that takes it over. */
+    void carry(CircleFields into) {
+        for (int k = 0; acting && k < count; k++) {
+            if (isForced(ids[k])) {
+                carry(into, ids[k], CircleField.FORCE_X, CircleField.APPLIED_X);
+                carry(into, ids[k], CircleField.FORCE_Y, CircleField.APPLIED_Y);
+            }
+            if (isTurned(ids[k])) {
+                carry(into, ids[k], CircleField.TORQUE, CircleField.APPLIED_TORQUE);
+            }
+        }
+    }
+
+    private void carry(CircleFields into, int id, CircleField set, CircleField applied) {
+        into.ensure(set, id + 1);
+        into.set(set, id, sum(set, applied, id));
+    }
+
+    /** The step has not been made. */
+    void undo() {
+        acting = false;
     }
 
     /** After the step: puts back what has been set. There is room, since as many records were there for {@link #begin}. */
@@ -166,6 +197,7 @@ public final class Forces implements Calls.Effects {
             }
         }
         count = 0;
+        acting = false;
     }
 
     void makeRoom(SavedState from) {

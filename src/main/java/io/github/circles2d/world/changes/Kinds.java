@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.WorldParts;
@@ -51,6 +52,26 @@ public final class Kinds implements Calls.Effects {
     /** Sets what the matrix has of two kinds. */
     public void setSetting(int a, int b, int setting) {
         world.calls.make(Call.PAIR_OF_KINDS, a, b, setting, 0);
+    }
+
+    /** Makes a kind what another one is: its fields, and what it does to all kinds. */
+    public void copy(int from, int to) {
+        world.guard.check();
+        for (int k = 0; k < KindField.ALL.size(); k++) {
+            KindField field = KindField.ALL.get(k);
+            if (get(field, from) != get(field, to)) {
+                set(field, to, get(field, from));
+            }
+        }
+        int itself = setting(from, from);
+        for (int other = 0; other < PairTable.KINDS; other++) {
+            if (other != to && setting(from, other) != setting(to, other)) {
+                setSetting(to, other, setting(from, other));
+            }
+        }
+        if (itself != setting(to, to)) {
+            setSetting(to, to, itself);
+        }
     }
 
     @Override

@@ -54,9 +54,15 @@ public final class NextStep {
         travels.depart(timeStep, bounds);
     }
 
+    /** What a pipeline has of the step alone, for another one. */
+    public void carry(SavedState into) {
+        forces.carry(into.fields);
+    }
+
     /** The step has not begun for want of memory: all is as before {@link #begin}, and its commands are taken back. */
     public void undo() {
         world.commands.drop(world.commands.count() - before);
+        forces.undo();
         travels.stay();
         growth.undo();
     }

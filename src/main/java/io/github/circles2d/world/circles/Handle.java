@@ -31,6 +31,11 @@ public final class Handle {
         return (handle & mark) != 0;
     }
 
+    /** Whether a handle is of no piece, body or joint. */
+    public static boolean mayBeOfCircle(long handle) {
+        return ((int) handle & (JOINT | PIECE | BODY)) == 0;
+    }
+
     /** Why a handle names none of what a caller asks for: it is of something else, or of nothing. Ends a sentence. */
     public static String reason(long handle, int mark) {
         int found = (int) handle & (JOINT | PIECE | BODY);

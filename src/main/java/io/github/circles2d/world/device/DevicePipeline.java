@@ -7,6 +7,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
@@ -21,6 +22,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.queries.RemoteSearch;
@@ -30,6 +32,7 @@ import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -39,6 +42,11 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
+    private static final System.Logger LOG = System.getLogger("io.github.circles2d.World");
+
+    /** The log tells of a compiler that was waited for so long. */
+    private static final double LONG_SECONDS = 1;
+
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
@@ -46,16 +54,11 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** What kernels are compiled for: contacts of any settings, features of the world, and what steps report. */
-    private record Variant(boolean anySettings, Features features, boolean reporting, boolean recording) {
-        static final Variant USUAL = new Variant(false, Features.NONE, false, false);
-    }
-
     /** The kernels, in parts that are compiled when they are needed. */
-    private final Map<Variant, StageKernels> variants = new HashMap<>();
+    private final Map<Readiness, StageKernels> variants = new HashMap<>();
 
     /** What the plans share with these kernels. */
-    private final Map<Variant, Stages> stagesOf = new HashMap<>();
+    private final Map<Readiness, Stages> stagesOf = new HashMap<>();
 
     /** What the plans share, with the kernels of one variant. Null before anything has been prepared for steps. */
     private Stages stages;
@@ -111,7 +114,7 @@ public final class DevicePipeline implements Pipeline {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
             joints = new JointTransfer(arrays);
-            kernels = kernelsOf(Variant.USUAL);
+            kernels = kernelsOf(Readiness.USUAL);
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
@@ -137,7 +140,7 @@ public final class DevicePipeline implements Pipeline {
         boolean reporting = ofReports != null && ofReports.isActive();
         boolean recording = reporting && ofReports.isRecording();
         Features features = features(edges);
-        Variant variant = new Variant(anySettings, features, reporting, recording);
+        Readiness variant = new Readiness(anySettings, features, reporting, recording);
         StageKernels loading = kernelsOf(variant);
         compile(loading, reporting);
         kernels = loading;
@@ -159,12 +162,17 @@ public final class DevicePipeline implements Pipeline {
 
     /** Before something uses the kernels: if a compiler refuses them, nothing has changed. */
     private void compile(StageKernels loading, boolean reporting) {
-        loading.compile(Plans.CALLS);
-        if (steps) {
-            loading.compile(Plans.STEPS);
-        }
-        if (reporting) {
-            loading.compile(Plans.REPORTS);
+        long start = System.nanoTime();
+        compileParts(loading, steps, reporting);
+        double seconds = (System.nanoTime() - start) * 1e-9;
+        if (seconds >= LONG_SECONDS) {
+            LOG.log(
+                    System.Logger.Level.INFO,
+                    String.format(
+                            Locale.ROOT,
+                            "World has waited %.1f s until kernels were compiled for %s; most drivers keep them",
+                            seconds,
+                            session.device().name()));
         }
     }
 
@@ -178,14 +186,14 @@ public final class DevicePipeline implements Pipeline {
         return new Features(edges, arrays.turning(), arrays.terrain(), arrays.joints());
     }
 
-    private StageKernels kernelsOf(Variant variant) {
+    private StageKernels kernelsOf(Readiness variant) {
         return variants.computeIfAbsent(variant, this::newKernels);
     }
 
-    private StageKernels newKernels(Variant variant) {
+    private StageKernels newKernels(Readiness variant) {
         Features features = variant.features();
         KernelSource source = Plans.source(plans, session.device());
-        source = variant.anySettings() ? source.define("TUNED", 1) : source;
+        source = variant.tuned() ? source.define("TUNED", 1) : source;
         source = features.edges() ? source.define("EDGES", 1) : source;
         source = features.turning() ? source.define("TURNING", 1) : source;
         source = features.terrain() ? source.define("TERRAIN", 1) : source;
@@ -197,6 +205,52 @@ public final class DevicePipeline implements Pipeline {
                 variant.reporting(),
                 variant.recording(),
                 inParts ? kernel -> Plans.partOf(plans, kernel) : null);
+    }
+
+    @Override
+    public boolean isReady(Readiness wanted) {
+        Readiness variant = withWhatThereIs(wanted);
+        StageKernels all = variants.get(variant);
+        StageKernels silent = variants.get(variant.silent());
+        return all != null
+                && silent != null
+                && hasAll(silent, false)
+                && hasAll(all, wanted.reporting())
+                && plans.stream().map(Plans::partOf).allMatch(part -> part == null || all.has(part));
+    }
+
+    private static boolean hasAll(StageKernels of, boolean reporting) {
+        return of.has(Plans.CALLS) && of.has(Plans.STEPS) && (!reporting || of.has(Plans.REPORTS));
+    }
+
+    /** The silent kernels too: features are made ready before it is told what steps report. */
+    @Override
+    public void compile(Readiness wanted) {
+        Readiness variant = withWhatThereIs(wanted);
+        compileParts(kernelsOf(variant.silent()), true, false);
+        StageKernels all = kernelsOf(variant);
+        compileParts(all, true, wanted.reporting());
+        for (Plan plan : plans) {
+            if (Plans.partOf(plan) != null) {
+                all.compile(Plans.partOf(plan));
+            }
+        }
+    }
+
+    private static void compileParts(StageKernels of, boolean ofSteps, boolean reporting) {
+        of.compile(Plans.CALLS);
+        if (ofSteps) {
+            of.compile(Plans.STEPS);
+        }
+        if (reporting) {
+            of.compile(Plans.REPORTS);
+        }
+    }
+
+    /** What is prepared once stays so. */
+    private Readiness withWhatThereIs(Readiness wanted) {
+        return new Readiness(
+                tuned || wanted.tuned(), loaded.and(wanted.features()), wanted.reporting(), wanted.recording());
     }
 
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
@@ -254,7 +308,9 @@ public final class DevicePipeline implements Pipeline {
     /** If a compiler refuses the kernels, or there is no memory, the world does not have the features. */
     private void makeRoomFor(boolean anySettings, Features features) {
         boolean reporting = reader != null && reader.isActive();
-        compile(kernelsOf(new Variant(anySettings, features, reporting, reporting && reader.isRecording())), reporting);
+        compile(
+                kernelsOf(new Readiness(anySettings, features, reporting, reporting && reader.isRecording())),
+                reporting);
         stats.keep(); // the figures of the last step are worked out from arrays that give way
         if (features.turning()) {
             arrays.ensureTurning();
@@ -403,7 +459,7 @@ public final class DevicePipeline implements Pipeline {
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
-        if (stages != null && stages.reporting() != null) {
+        if (reader != null && stages != null && stages.reporting() != null) {
             load(tuned, loaded.edges(), null);
         }
         if (reader != null) {
@@ -453,6 +509,19 @@ public final class DevicePipeline implements Pipeline {
     public long hash() {
         settle();
         return new StateTransfer(arrays, home.slots, home.cachedContacts).hash();
+    }
+
+    @Override
+    public void saveIds(SavedState into) {
+        settle();
+        int[] slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
+        into.setCircles(home.circles);
+        int k = 0;
+        for (int id = 0; id < slotOf.length; id++) {
+            if (slotOf[id] >= 0) {
+                into.id[k++] = id;
+            }
+        }
     }
 
     @Override
@@ -510,6 +579,17 @@ public final class DevicePipeline implements Pipeline {
         home.circles = from.circles;
         home.cachedContacts = from.impulses;
         stats.loaded();
+    }
+
+    @Override
+    public void leave() {
+        settle();
+        requested.arrived();
+        if (reader != null) {
+            reader.close();
+            reader = null;
+            queue.use(stages, null);
+        }
     }
 
     @Override

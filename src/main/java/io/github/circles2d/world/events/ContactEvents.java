@@ -287,6 +287,11 @@ public final class ContactEvents {
         there = false;
     }
 
+    /** Who decides about pairs; null if this object does. */
+    public RemotePairs remote() {
+        return remote;
+    }
+
     /** Brings all pairs here; they stay on the device, too. */
     public void bringHere() {
         if (!here) {

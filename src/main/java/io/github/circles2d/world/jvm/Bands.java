@@ -30,7 +30,7 @@ final class Bands {
         surplus = new long[team.most() + 1];
     }
 
-    /** By one worker. contactsBefore and cross are null if not known. A band has at least an even number of rows, or none. */
+    /** Divides all levels. contactsBefore and cross are null if not known. A band has at least an even number of rows, or none. */
     void divide(int[] contactsBefore, CrossContacts cross, int least) {
         narrowest = Integer.MAX_VALUE;
         Arrays.fill(surplus, 0L);

@@ -63,6 +63,13 @@ public final class Contacts {
     /** By worker: the circles around the one that it looks at. */
     private final Nearby[] nearby;
 
+    private final Team.Work clearCandidates = this::clearCandidates;
+    private final Team.Work countCandidates = this::countCandidates;
+    private final Team.Work findPairs = this::findPairs;
+
+    /** Whether all pairs are listed, however many they are. */
+    private boolean all;
+
     /** Number of contacts: those of circles of one level, and behind them the cross contacts. */
     int count;
 
@@ -158,16 +165,16 @@ public final class Contacts {
     // -----------------------------------------------------------------------------------------------------
 
     /** Finds the circles that rest near to others, before all pairs. */
-    void findResting(int worker) {
+    void findResting() {
         if (resting.areAny()) {
-            resting.find(worker);
+            resting.find();
         }
     }
 
     /** Makes them ready for the pairs. */
-    void beginResting(int worker, StepConstants k) {
+    void beginResting(StepConstants k) {
         if (resting.areAny()) {
-            resting.begin(worker, k);
+            resting.begin(k);
         }
     }
 
@@ -175,9 +182,13 @@ public final class Contacts {
      * Finds the pairs and makes room for their contacts. Where circles crowd, so that a list of all pairs would take too much
      * memory, it stops half-way: {@link #overflowed} then says so.
      */
-    void find(int worker) {
+    void find() {
+        team.all(clearCandidates);
+        find(false);
+    }
+
+    private void clearCandidates(int worker) {
         candidates.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
-        find(worker, false);
     }
 
     /** Whether there was a crowd in the step before: then it is as good as sure that there is one again. */
@@ -186,47 +197,43 @@ public final class Contacts {
     }
 
     /** Finds the pairs, but only a share of those in a crowd. */
-    void findShare(int worker) {
-        team.sync(worker); // all have asked for crowds before that changes
-        found[worker].most = candidates.countAll(
-                nearby[worker], cross.near(worker), team.part(state.awake, worker), team.part(state.awake, worker + 1));
-        if (resting.areAny()) {
-            int most = resting.countAll(worker, team.part(state.awake, worker), team.part(state.awake, worker + 1));
-            found[worker].most = Math.max(found[worker].most, most);
+    void findShare() {
+        team.all(countCandidates);
+        int most = resting.areAny() ? resting.countAll() : 0;
+        for (int w = 0; w < team.size(); w++) {
+            most = Math.max(most, found[w].most);
         }
-        team.sync(worker);
-        if (worker == 0) {
-            wereCrowded = false;
-            for (int w = 0; w < team.size(); w++) {
-                wereCrowded |= found[w].most > Tuning.CROWD;
-            }
-            candidates.thinOut();
-        }
-        find(worker, true);
+        wereCrowded = most > Tuning.CROWD;
+        candidates.thinOut();
+        find(true);
     }
 
-    private void find(int worker, boolean all) {
-        if (worker == 0) {
-            bands.divide(null, null, 0);
+    private void countCandidates(int worker) {
+        found[worker].most = candidates.countAll(
+                nearby[worker], cross.near(worker), team.part(state.awake, worker), team.part(state.awake, worker + 1));
+    }
+
+    private void find(boolean listsAll) {
+        all = listsAll;
+        bands.divide(null, null, 0);
+        cross.find(all);
+        team.all(findPairs);
+        if (!overflowed()) {
+            layOut();
         }
-        team.sync(worker);
-        cross.find(
-                worker,
-                all ? Integer.MAX_VALUE : room(team.part(state.awake, worker + 1) - team.part(state.awake, worker)));
+    }
+
+    private void findPairs(int worker) {
         FoundPairs f = found[worker];
         f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
         for (int l = 0; l < levels.usedCount && !cross.overflowed(); l++) {
             findInBand(worker, levels.used[l]);
             f.ofLevel[l + 1] = f.count;
         }
-        team.sync(worker);
-        if (worker == 0 && !overflowed()) {
-            layOut();
-        }
-        team.sync(worker);
     }
 
-    private static int room(int circles) {
+    /** Number of contacts of so many circles for which a list has room, before it is given up. */
+    static int room(int circles) {
         return (int) Math.min(Integer.MAX_VALUE, LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles);
     }
 
@@ -324,12 +331,9 @@ public final class Contacts {
     }
 
     /** Once all contacts are filled. */
-    void settleResting(int worker) {
+    void settleResting() {
         if (resting.areAny()) {
-            if (worker == 0) {
-                resting.settle();
-            }
-            team.sync(worker);
+            resting.settle();
         }
     }
 

@@ -72,6 +72,17 @@ public final class ContinuousCollision {
     /** By block: least and greatest path x, least and greatest path y of its circles. */
     private float[] range = new float[0];
 
+    private final Team.Work setFreeClamps = this::setFreeClamps;
+    private final Team.Work start = this::start;
+    private final Team.Work add = this::add;
+    private final Team.Work lookForStops = this::lookForStops;
+    private final Team.Work summarize = this::summarize;
+    private final Team.Work lookForCarriers = worker -> lookForCarriers(worker, false);
+    private final Team.Work noteCarriers = worker -> lookForCarriers(worker, true);
+    private final Team.Work setMotionClamps = this::setMotionClamps;
+
+    private StepConstants constants;
+
     ContinuousCollision(State state, Grid grid, GridLevels levels, Team team) {
         this.state = state;
         this.grid = grid;
@@ -110,34 +121,53 @@ public final class ContinuousCollision {
         return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes() + sparse.bytes();
     }
 
-    void sweep(int worker, StepConstants constants) {
+    void sweep(StepConstants k) {
         if (!grid.anyFast()) {
-            setFreeClamps(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            team.all(setFreeClamps);
             return;
         }
+        constants = k;
+        team.all(start);
+        team.all(add);
+        sparse.settle();
+        team.all(lookForStops);
+        if (grid.anyMovingStatic()) {
+            team.all(summarize);
+            team.all(lookForCarriers);
+            team.all(noteCarriers);
+        }
+        team.all(setMotionClamps);
+    }
+
+    private void setFreeClamps(int worker) {
+        setFreeClamps(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+    }
+
+    private void start(int worker) {
         reaches.clear(worker);
         sparse.clear(worker);
         for (int round = 0; round < team.rounds(); round++) {
             start(team.from(state.awake, worker, round), team.to(state.awake, worker, round), constants);
         }
-        team.sync(worker);
+    }
+
+    private void add(int worker) {
         for (int round = 0; round < team.rounds(); round++) {
             reaches.add(team.from(state.awake, worker, round), team.to(state.awake, worker, round));
             sparse.add(worker, team.from(state.awake, worker, round), team.to(state.awake, worker, round));
         }
-        team.sync(worker);
-        sparse.settle(worker);
+    }
+
+    private void lookForStops(int worker) {
         for (int round = 0; round < team.rounds(); round++) {
             lookForStops(worker, team.from(state.awake, worker, round), team.to(state.awake, worker, round));
         }
-        team.sync(worker);
-        if (grid.anyMovingStatic()) {
-            lookForCarriers(worker);
-        }
+    }
+
+    private void setMotionClamps(int worker) {
         for (int round = 0; round < team.rounds(); round++) {
             setMotionClamps(team.from(state.awake, worker, round), team.to(state.awake, worker, round), constants);
         }
-        team.sync(worker);
     }
 
     /** What a circle must move in a step to look ahead, and against another to matter. */
@@ -254,7 +284,7 @@ public final class ContinuousCollision {
             float right = CircleMath.max(x, x + px) + margin;
             float low = CircleMath.min(y, y + py) - margin;
             float high = CircleMath.max(y, y + py) + margin;
-            if (sparse.holds(worker, level)) {
+            if (sparse.holds(level)) {
                 int count = sparse.find(worker, slot, level, left, right, low, high, reaches.reaches());
                 meetNear(slot, sparse.hits(worker), count);
             } else if (levels.folded[level]) {
@@ -347,17 +377,12 @@ public final class ContinuousCollision {
         return looksAhead(slot) && !state.isStatic(slot);
     }
 
-    private void lookForCarriers(int worker) {
+    private void summarize(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
             summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
         }
-        team.sync(worker);
-        lookForCarriers(worker, false);
-        team.sync(worker);
-        lookForCarriers(worker, true);
-        team.sync(worker);
     }
 
     /** The first time for when circles are taken along, the second to note by which static circle. */

@@ -49,6 +49,12 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
+    private final Team.Work clear = this::clear;
+    private final Team.Work findAll = this::findAll;
+    private final Team.Work countHeavyCircles = this::countHeavyCircles;
+    private final Team.Work place = this::place;
+    private final Team.Work numberAll = this::numberAll;
+
     CrossContacts(
             State state,
             Grid grid,
@@ -132,53 +138,73 @@ final class CrossContacts {
         return lightStart[slot];
     }
 
-    /**
-     * Finds all cross contacts; nothing where there is one level.
-     *
-     * @param room number of contacts a worker from which on they are given up
-     */
-    void find(int worker, int room) {
-        FoundCross f = found[worker];
-        f.begin(room);
+    /** Finds the cross contacts; nothing where there is one level. If there are many, they are given up unless all are listed. */
+    void find(boolean all) {
+        for (int w = 0; w < team.size(); w++) {
+            found[w].begin(all ? Integer.MAX_VALUE : Contacts.room(to(w) - from(w)));
+        }
         if (levels.usedCount < 2) {
             return;
         }
-        int from = team.part(state.awake, worker);
-        int to = team.part(state.awake, worker + 1);
-        Arrays.fill(lightStart, from, to, 0);
-        Arrays.fill(load, from, to, 0);
-        team.sync(worker);
+        team.all(clear);
+        team.all(findAll);
+        if (overflowed()) {
+            return;
+        }
+        team.all(countHeavyCircles);
+        ensureContacts();
+        sums.sumUp(lightStart, state.awake);
+        heavyCircles.ensure(heavyCirclesBefore(team.size()));
+        team.all(place);
+        team.all(numberAll);
+    }
+
+    private int from(int worker) {
+        return team.part(state.awake, worker);
+    }
+
+    private int to(int worker) {
+        return team.part(state.awake, worker + 1);
+    }
+
+    private void clear(int worker) {
+        Arrays.fill(lightStart, from(worker), to(worker), 0);
+        Arrays.fill(load, from(worker), to(worker), 0);
+    }
+
+    private void findAll(int worker) {
+        FoundCross f = found[worker];
         for (int round = 0; round < team.rounds(); round++) {
             int end = team.to(state.awake, worker, round);
             for (int slot = team.from(state.awake, worker, round); slot < end && !f.overflowed; slot++) {
                 find(f, nearby[worker], slot);
             }
         }
-        team.sync(worker);
-        if (overflowed()) {
-            return;
+    }
+
+    private void countHeavyCircles(int worker) {
+        int sum = 0;
+        int to = to(worker);
+        for (int slot = from(worker); slot < to; slot++) {
+            sum += load[slot] != 0 ? 1 : 0;
         }
-        for (int slot = from; slot < to; slot++) {
-            f.heavyCircles += load[slot] != 0 ? 1 : 0;
-        }
-        if (worker == 0) {
-            ensureContacts();
-        }
-        sums.sumUp(worker, lightStart, state.awake);
-        if (worker == 0) {
-            heavyCircles.ensure(heavyCirclesBefore(team.size()));
-        }
+        found[worker].heavyCircles = sum;
+    }
+
+    private void place(int worker) {
+        FoundCross f = found[worker];
         for (int k = 0; k < f.count; k++) {
             int c = lightStart[f.light[k]] + f.rank[k];
             light[c] = f.light[k];
             heavy[c] = f.heavy[k];
         }
-        team.sync(worker);
-        numberHeavyCircles(heavyCirclesBefore(worker), from, to);
+    }
+
+    private void numberAll(int worker) {
+        numberHeavyCircles(heavyCirclesBefore(worker), from(worker), to(worker));
         if (anyFromFiner()) {
-            order(from, to);
+            order(from(worker), to(worker));
         }
-        team.sync(worker);
     }
 
     /** Room of a worker for slots, outside of {@link #find}. */

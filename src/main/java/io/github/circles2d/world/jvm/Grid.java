@@ -67,6 +67,17 @@ public final class Grid {
 
     private final Sums sums;
 
+    private final Team.Work clear = this::clear;
+    private final Team.Work count = this::count;
+    private final Team.Work scatter = this::scatter;
+    private final Team.Work sortBuckets = this::sortBuckets;
+    private final Team.Work permute = this::permute;
+    private final Team.Work copyResting = this::copyResting;
+    private final Team.Work takeBack = this::takeBack;
+    private final Team.Work describe = this::describe;
+
+    private StepConstants constants;
+
     private volatile boolean moved;
     private volatile boolean fast;
 
@@ -116,34 +127,63 @@ public final class Grid {
         longestPath.set(0);
     }
 
-    void build(int worker, StepConstants constants) {
-        int n = state.awake;
-        int buckets = levels.buckets();
-        Arrays.fill(start, team.part(buckets, worker), team.part(buckets, worker + 1), 0);
-        team.sync(worker);
-        count(team.part(n, worker), team.part(n, worker + 1));
-        team.sync(worker);
-        sums.sumUp(worker, start, buckets);
-        scatter(team.part(n, worker), team.part(n, worker + 1));
-        team.sync(worker);
-        sortBuckets(team.part(buckets, worker), team.part(buckets, worker + 1));
-        team.sync(worker);
+    void build(StepConstants k) {
+        constants = k;
+        team.all(clear);
+        team.all(count);
+        sums.sumUp(start, levels.buckets());
+        team.all(scatter);
+        team.all(sortBuckets);
         if (moved) {
-            state.permute(order, team.part(n, worker), team.part(n, worker + 1));
-            team.sync(worker);
-            if (2 * n >= state.n) {
-                state.copyResting(team.part(state.n - n, worker), team.part(state.n - n, worker + 1));
-                team.sync(worker);
-                if (worker == 0) {
-                    state.swap();
-                }
+            team.all(permute);
+            if (2 * state.awake >= state.n) {
+                team.all(copyResting);
+                state.swap();
             } else {
-                state.takeBack(team.part(n, worker), team.part(n, worker + 1));
+                team.all(takeBack);
             }
-            team.sync(worker);
         }
-        describe(team.part(n, worker), team.part(n, worker + 1), constants);
-        team.sync(worker);
+        team.all(describe);
+    }
+
+    private int from(int worker) {
+        return team.part(state.awake, worker);
+    }
+
+    private int to(int worker) {
+        return team.part(state.awake, worker + 1);
+    }
+
+    private void clear(int worker) {
+        Arrays.fill(start, team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1), 0);
+    }
+
+    private void permute(int worker) {
+        state.permute(order, from(worker), to(worker));
+    }
+
+    private void copyResting(int worker) {
+        state.copyResting(team.part(state.n - state.awake, worker), team.part(state.n - state.awake, worker + 1));
+    }
+
+    private void takeBack(int worker) {
+        state.takeBack(from(worker), to(worker));
+    }
+
+    private void count(int worker) {
+        count(from(worker), to(worker));
+    }
+
+    private void scatter(int worker) {
+        scatter(from(worker), to(worker));
+    }
+
+    private void sortBuckets(int worker) {
+        sortBuckets(team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1));
+    }
+
+    private void describe(int worker) {
+        describe(from(worker), to(worker));
     }
 
     private void count(int from, int to) {
@@ -237,7 +277,7 @@ public final class Grid {
         }
     }
 
-    private void describe(int from, int to, StepConstants constants) {
+    private void describe(int from, int to) {
         float[] circle = state.circle;
         float[] motion = state.motion;
         float[] plan = state.plan;

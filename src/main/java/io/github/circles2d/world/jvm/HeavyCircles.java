@@ -88,7 +88,7 @@ final class HeavyCircles {
         return SPIN_SUMS * number;
     }
 
-    /** Makes room, also for one more, which is still and takes nothing: all that rest are alike. One worker does it for all. */
+    /** Makes room, also for one more, which is still and takes nothing: all that rest are alike. */
     void ensure(int heavy) {
         count = heavy;
         int circles = heavy + 1;

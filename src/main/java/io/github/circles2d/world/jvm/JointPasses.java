@@ -32,6 +32,19 @@ final class JointPasses {
     /** By slot: whether a joint holds the circle. */
     private boolean[] jointed = new boolean[0];
 
+    private final Team.Work clear = this::clear;
+    private final Team.Work begin = this::begin;
+    private final Team.Work visitBatches = this::visitBatches;
+    private final Team.Work visitShare = this::visitShare;
+
+    // of the pass
+    private int what;
+    private int sub;
+
+    // of the colour: its first joint and the one behind its last
+    private int from;
+    private int to;
+
     JointPasses(State state, Team team) {
         this.state = state;
         this.team = team;
@@ -46,7 +59,7 @@ final class JointPasses {
         return states.bytes() + split.bytes() + 4L * (work.length + slots.length) + jointed.length;
     }
 
-    /** Makes room for a step; one worker does it for all. */
+    /** Makes room for a step. */
     void ensure(JointStep step, StepConstants constants) {
         joints = step;
         k = constants;
@@ -69,17 +82,23 @@ final class JointPasses {
     }
 
     /** Begins the joints of a step, once their circles have slots, and finds out which circles they hold. */
-    void begin(int worker) {
+    void begin() {
+        team.all(clear);
+        team.all(begin);
+    }
+
+    private void clear(int worker) {
         Arrays.fill(jointed, team.part(state.awake, worker), team.part(state.awake, worker + 1), false);
-        team.sync(worker);
-        int to = team.part(joints.count, worker + 1);
-        for (int place = team.part(joints.count, worker); place < to; place++) {
+    }
+
+    private void begin(int worker) {
+        int end = team.part(joints.count, worker + 1);
+        for (int place = team.part(joints.count, worker); place < end; place++) {
             if (workers[worker].begin(place)) {
                 mark(slots[JointWork.slots(place) + JointWork.A]);
                 mark(slots[JointWork.slots(place) + JointWork.B]);
             }
         }
-        team.sync(worker);
     }
 
     private void mark(int slot) {
@@ -88,37 +107,28 @@ final class JointPasses {
         }
     }
 
-    void prepare(int worker) {
-        pass(worker, PREPARE, 0);
+    void prepare() {
+        pass(PREPARE, 0);
         if (joints.splits()) {
-            if (worker == 0) {
-                split.prepare(joints, workers[0], work, k);
-            }
-            team.sync(worker);
+            split.prepare(joints, workers[0], work, k);
         }
     }
 
-    void solve(int worker, int sub) {
-        pass(worker, SOLVE, sub);
+    void solve(int subStep) {
+        pass(SOLVE, subStep);
         if (joints.splits()) {
-            if (worker == 0) {
-                split.solve(sub);
-            }
-            team.sync(worker);
+            split.solve(subStep);
         }
     }
 
-    void relax(int worker, int sub) {
-        boolean last = sub == k.subSteps - 1;
-        pass(worker, last ? RELAX_LAST : RELAX, sub);
+    void relax(int subStep) {
+        boolean last = subStep == k.subSteps - 1;
+        pass(last ? RELAX_LAST : RELAX, subStep);
         if (joints.splits()) {
-            if (worker == 0) {
-                split.relax(sub);
-                split.end(last);
-            }
-            team.sync(worker);
+            split.relax(subStep);
+            split.end(last);
         }
-        if (last && worker == 0) {
+        if (last) {
             if (joints.breakable) {
                 breakJoints();
             }
@@ -127,38 +137,41 @@ final class JointPasses {
     }
 
     /** A pass over the joints that have a colour. */
-    private void pass(int worker, int what, int sub) {
-        JointWorker own = workers[worker];
-        int to = team.part(joints.batches, worker + 1);
-        for (int batch = team.part(joints.batches, worker); batch < to; batch++) {
-            int first = JointStep.BATCH_STRIDE * batch;
-            visit(own, what, sub, joints.starts[first], joints.starts[first + JointStep.COLOURS]);
+    private void pass(int kind, int subStep) {
+        what = kind;
+        sub = subStep;
+        if (joints.batches > 0) {
+            team.all(visitBatches);
         }
-        team.sync(worker);
         int first = JointStep.BATCH_STRIDE * joints.batches;
         for (int colour = first; colour < first + joints.colours; colour++) {
-            visitShare(worker, own, what, sub, joints.starts[colour], joints.starts[colour + 1]);
+            from = joints.starts[colour];
+            to = joints.starts[colour + 1];
+            if (to - from >= LEAST_SHARE) {
+                team.all(visitShare);
+            } else if (from < to) {
+                visit(workers[0], from, to);
+            }
         }
     }
 
-    private void visitShare(int worker, JointWorker own, int what, int sub, int from, int to) {
-        int joints = to - from;
-        if (joints == 0) {
-            return;
+    private void visitBatches(int worker) {
+        int end = team.part(joints.batches, worker + 1);
+        for (int batch = team.part(joints.batches, worker); batch < end; batch++) {
+            int first = JointStep.BATCH_STRIDE * batch;
+            visit(workers[worker], joints.starts[first], joints.starts[first + JointStep.COLOURS]);
         }
-        if (joints >= LEAST_SHARE) {
-            visit(own, what, sub, from + team.part(joints, worker), from + team.part(joints, worker + 1));
-        } else if (worker == 0) {
-            visit(own, what, sub, from, to);
-        }
-        team.sync(worker);
     }
 
-    private static void visit(JointWorker own, int what, int sub, int from, int to) {
+    private void visitShare(int worker) {
+        visit(workers[worker], from + team.part(to - from, worker), from + team.part(to - from, worker + 1));
+    }
+
+    private void visit(JointWorker own, int first, int end) {
         switch (what) {
-            case PREPARE -> own.prepare(from, to);
-            case SOLVE -> own.solve(from, to, sub);
-            default -> own.relax(from, to, sub, what == RELAX_LAST);
+            case PREPARE -> own.prepare(first, end);
+            case SOLVE -> own.solve(first, end, sub);
+            default -> own.relax(first, end, sub, what == RELAX_LAST);
         }
     }
 

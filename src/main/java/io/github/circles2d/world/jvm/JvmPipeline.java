@@ -67,19 +67,15 @@ public final class JvmPipeline implements Pipeline {
     /** Whether a circle has fallen asleep in the step. */
     private volatile boolean someFellAsleep;
 
-    /** Whether a circle has woken in the step. */
-    private boolean someWoke;
-
     private final StageTimes times;
     private final int leastShare;
-    private final Team.Work work = this::makeSteps;
+    private final Runnable work = this::makeStep;
+    private final Team.Work fallAsleep = this::fallAsleep;
 
-    /** What the workers are to do, and with what. */
+    /** What the step is to be made with. */
     StepConstants constants;
 
     private StepReports reports;
-
-    private int steps;
 
     /** Records what is reported; null if nobody is told. */
     private Recorder recorder;
@@ -166,7 +162,6 @@ public final class JvmPipeline implements Pipeline {
         state.jointed = null;
         state.parting = parts ? jointStep : null;
         state.partingStates = parts ? joints.states : null;
-        steps = count;
         state.setArena(constants.arena);
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
@@ -180,25 +175,14 @@ public final class JvmPipeline implements Pipeline {
         if (pieces != null) {
             pieces.touches = touches == null ? null : touches.pieces;
         }
-        team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
-    }
-
-    /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
-    private void makeSteps(int worker) {
-        for (int step = 0; step < steps; step++) {
-            if (worker == 0) {
-                begin(step);
-            }
-            team.sync(worker);
-            makeStep(worker);
+        for (int step = 0; step < count; step++) {
+            constants.warmScale = step > 0 ? 1f : constants.warmScale;
+            constants.tilted &= step == 0;
+            team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
         }
     }
 
-    private void begin(int step) {
-        if (step > 0) {
-            constants.warmScale = 1f;
-            constants.tilted = false;
-        }
+    private void begin() {
         times.begin();
         if (waking != null) {
             waking.settle(constants, terrain, pieces);
@@ -226,63 +210,65 @@ public final class JvmPipeline implements Pipeline {
         }
     }
 
-    private void makeStep(int worker) {
-        grid.build(worker, constants);
+    private void makeStep() {
+        begin();
+        grid.build(constants);
         if (waking != null && state.sleepers.count > 0) {
-            wake(worker);
+            wake();
         }
-        end(worker, GRID);
+        times.end(GRID);
         if (recorder != null) {
-            recorder.begin(worker, reports);
+            recorder.begin();
         }
         if (constants.joints) {
-            joints.begin(worker);
+            joints.begin();
         }
-        sweep.sweep(worker, constants);
+        sweep.sweep(constants);
         if (constants.terrain) {
-            pieces.find(worker, terrain, constants.turning);
+            pieces.find(terrain, constants.turning);
         }
-        end(worker, SWEEP);
-        contacts.findResting(worker);
-        contacts.beginResting(worker, constants);
+        times.end(SWEEP);
+        contacts.findResting();
+        contacts.beginResting(constants);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
-            contacts.find(worker);
+            contacts.find();
             crowded = contacts.overflowed();
         }
         if (!crowded) {
-            solver.prepare(worker, constants, terrain);
+            solver.prepare(constants, terrain);
             crowded = contacts.crowded();
         }
         if (crowded) {
-            contacts.findShare(worker);
-            solver.prepare(worker, constants, terrain);
+            contacts.findShare();
+            solver.prepare(constants, terrain);
         }
-        contacts.settleResting(worker);
-        end(worker, CONTACTS);
-        solver.solve(worker, constants);
+        contacts.settleResting();
+        times.end(CONTACTS);
+        solver.solve();
         if (recorder != null) {
-            recorder.end(worker, terrain, constants, reports);
+            recorder.end(terrain, constants);
         }
         if (waking != null) {
-            fallAsleep(worker);
+            fallAsleep();
         }
-        end(worker, SOLVER);
+        times.end(SOLVER);
     }
 
     /** Wakes circles; if there are any, the grid is another one. */
-    private void wake(int worker) {
-        contacts.findResting(worker); // continuous collision changes how far circles look
-        team.sync(worker);
-        if (worker == 0) {
-            someWoke = waking.wake(constants, terrain, pieces);
-            if (someWoke) {
-                makeRoom();
-            }
+    private void wake() {
+        contacts.findResting(); // continuous collision changes how far circles look
+        if (waking.wake(constants, terrain, pieces)) {
+            makeRoom();
+            grid.build(constants);
         }
-        team.sync(worker);
-        if (someWoke) {
-            grid.build(worker, constants);
+    }
+
+    private void fallAsleep() {
+        team.all(fallAsleep);
+        if (someFellAsleep) {
+            someFellAsleep = false;
+            state.noteDrowsy();
         }
     }
 
@@ -291,18 +277,6 @@ public final class JvmPipeline implements Pipeline {
         int to = team.part(state.awake, worker + 1);
         if (FallingAsleep.find(state, kindSleep, from, to, constants)) {
             someFellAsleep = true;
-        }
-        team.sync(worker);
-        if (worker == 0 && someFellAsleep) {
-            someFellAsleep = false;
-            state.noteDrowsy();
-        }
-        team.sync(worker);
-    }
-
-    private void end(int worker, int stage) {
-        if (worker == 0) {
-            times.end(stage);
         }
     }
 
@@ -422,6 +396,17 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void saveIds(SavedState into) {
+        into.setCircles(state.n);
+        int k = 0;
+        for (int id = 0; id < state.slotOf.length; id++) {
+            if (state.slotOf[id] >= 0) {
+                into.id[k++] = id;
+            }
+        }
+    }
+
+    @Override
     public void save(SavedState into) {
         into.impulses = 0;
         into.setTurns(state.turning != null);
@@ -488,6 +473,11 @@ public final class JvmPipeline implements Pipeline {
         if (joints != null) {
             joints.states.load(from.jointStates);
         }
+    }
+
+    @Override
+    public void leave() {
+        recorder = null;
     }
 
     @Override

@@ -47,6 +47,17 @@ final class NearResting {
 
     private final int[] lowerCount;
 
+    private final Team.Work lookAll = this::lookAll;
+    private final Team.Work copy = this::copy;
+    private final Team.Work begin = this::begin;
+    private final Team.Work clearCounts = this::clearCounts;
+    private final Team.Work count = this::count;
+
+    /** By worker: the greatest number of candidates that one of its circles has. */
+    private final int[] mostCandidates;
+
+    private StepConstants constants;
+
     NearResting(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
         this.state = state;
         this.grid = grid;
@@ -56,6 +67,7 @@ final class NearResting {
         found = new Resting.Found[team.most()];
         ofWorker = new int[team.most()][64];
         many = new int[team.most()];
+        mostCandidates = new int[team.most()];
         lower = new int[team.most()][64];
         lowerCount = new int[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
@@ -101,45 +113,53 @@ final class NearResting {
     }
 
     /** Finds them. */
-    void find(int worker) {
-        int from = team.part(state.awake, worker);
-        int to = team.part(state.awake, worker + 1);
+    void find() {
+        team.all(lookAll);
+        int all = before(team.size());
+        if (list.length < all) {
+            list = new int[all + (all >> 2)];
+        }
+        first[state.awake] = all;
+        team.all(copy);
+    }
+
+    private void lookAll(int worker) {
         many[worker] = 0;
-        for (int slot = from; slot < to; slot++) {
+        int to = team.part(state.awake, worker + 1);
+        for (int slot = team.part(state.awake, worker); slot < to; slot++) {
             first[slot] = many[worker];
             if (!state.isStatic(slot)) {
                 look(worker, slot);
             }
         }
-        team.sync(worker);
-        if (worker == 0) {
-            int all = before(team.size());
-            if (list.length < all) {
-                list = new int[all + (all >> 2)];
-            }
-            first[state.awake] = all;
-        }
-        team.sync(worker);
-        int before = before(worker);
-        System.arraycopy(ofWorker[worker], 0, list, before, many[worker]);
-        for (int slot = from; slot < to; slot++) {
-            first[slot] += before;
-        }
-        team.sync(worker);
     }
 
-    /** Makes them ready for the contacts of the step, behind continuous collision; several workers may have found one. */
-    void begin(int worker, StepConstants k) {
+    private void copy(int worker) {
+        int before = before(worker);
+        System.arraycopy(ofWorker[worker], 0, list, before, many[worker]);
+        int to = team.part(state.awake, worker + 1);
+        for (int slot = team.part(state.awake, worker); slot < to; slot++) {
+            first[slot] += before;
+        }
+    }
+
+    /** Makes them ready for the contacts of the step, behind continuous collision. */
+    void begin(StepConstants k) {
+        constants = k;
+        team.all(begin);
+    }
+
+    /** Several workers may have found a circle. */
+    private void begin(int worker) {
         int end = first[team.part(state.awake, worker + 1)];
         for (int entry = first[team.part(state.awake, worker)]; entry < end; entry++) {
             int other = slot(entry);
             candidates.clear(other, other + 1);
             Arrays.fill(state.load, CircleRow.of(other), CircleRow.of(other + 1), 0f);
-            if (k.turning) {
+            if (constants.turning) {
                 state.turning.begin(other, other + 1);
             }
         }
-        team.sync(worker);
     }
 
     private int before(int worker) {
@@ -221,13 +241,27 @@ final class NearResting {
     }
 
     /** Counts the candidates of circles in a crowd and of those that rest near to them; returns the greatest number. */
-    int countAll(int worker, int from, int to) {
-        for (int entry = first[from]; entry < first[to]; entry++) {
+    int countAll() {
+        team.all(clearCounts);
+        team.all(count);
+        int most = 0;
+        for (int w = 0; w < team.size(); w++) {
+            most = Math.max(most, mostCandidates[w]);
+        }
+        return most;
+    }
+
+    private void clearCounts(int worker) {
+        int to = first[team.part(state.awake, worker + 1)];
+        for (int entry = first[team.part(state.awake, worker)]; entry < to; entry++) {
             candidates.clear(slot(entry), slot(entry) + 1);
         }
-        team.sync(worker);
+    }
+
+    private void count(int worker) {
         int most = 0;
-        for (int slot = from; slot < to; slot++) {
+        int to = team.part(state.awake, worker + 1);
+        for (int slot = team.part(state.awake, worker); slot < to; slot++) {
             for (int entry = first[slot]; entry < first[slot + 1]; entry++) {
                 if (PairFilter.mayMeet(state, slot, slot(entry))) {
                     most = Math.max(most, way(entry) == FINER ? 0 : candidates.count(slot, 1));
@@ -235,7 +269,7 @@ final class NearResting {
                 }
             }
         }
-        return most;
+        mostCandidates[worker] = most;
     }
 
     // ---- impulses
@@ -255,7 +289,7 @@ final class NearResting {
         lower[worker][count] = state.id[slot];
     }
 
-    /** Once all contacts are filled, by one worker: impulses of the step before are gone. */
+    /** Once all contacts are filled: impulses of the step before are gone. */
     void settle() {
         state.resting.forgetImpulses();
         for (int w = 0; w < team.size(); w++) {

@@ -37,6 +37,11 @@ final class PieceSearch {
 
     private PieceMeasure measure;
 
+    private final Team.Work findAll = this::findAll;
+    private final Team.Work copy = this::copy;
+
+    private TerrainStep terrain;
+
     /** What is told of contacts; null if they are not recorded. */
     PieceTouches touches;
 
@@ -65,31 +70,31 @@ final class PieceSearch {
     }
 
     /** Finds the contacts of all circles, each worker those of its part. */
-    void find(int worker, TerrainStep terrain, boolean turning) {
-        int from = team.part(state.awake, worker);
-        int to = team.part(state.awake, worker + 1);
-        finders[worker].find(from, to, terrain);
-        team.sync(worker);
-        if (worker == 0) {
-            contacts.ensureNext(found());
+    void find(TerrainStep step, boolean turning) {
+        terrain = step;
+        team.all(findAll);
+        contacts.ensureNext(found());
+        team.all(copy);
+        contacts.take();
+        if (turning) {
+            contacts.ensureSurfaces();
         }
-        team.sync(worker);
+        if (touches != null) {
+            touches.ensure(found());
+        }
+    }
+
+    private void findAll(int worker) {
+        finders[worker].find(team.part(state.awake, worker), team.part(state.awake, worker + 1), terrain);
+    }
+
+    private void copy(int worker) {
         Finder mine = finders[worker];
         contacts.copyNext(mine.rows, mine.numbers, mine.found, mine.place, terrain.rows);
-        for (int slot = from; slot < to; slot++) {
+        int to = team.part(state.awake, worker + 1);
+        for (int slot = team.part(state.awake, worker); slot < to; slot++) {
             contacts.first[slot] += mine.place;
         }
-        team.sync(worker);
-        if (worker == 0) {
-            contacts.take();
-            if (turning) {
-                contacts.ensureSurfaces();
-            }
-            if (touches != null) {
-                touches.ensure(found());
-            }
-        }
-        team.sync(worker);
     }
 
     // ---- circles that sleep

@@ -19,6 +19,15 @@ final class Recorder {
 
     private final TouchRecords[] records;
 
+    private final Team.Work beginSensing = this::beginSensing;
+    private final Team.Work recordAll = this::recordAll;
+    private final Team.Work stamp = this::stamp;
+    private final Team.Work learn;
+
+    private TerrainStep terrain;
+    private StepConstants constants;
+    private StepReports reports;
+
     Recorder(State state, Grid grid, GridLevels levels, Contacts contacts, Team team, ContactEvents events) {
         this.state = state;
         this.contacts = contacts;
@@ -30,6 +39,7 @@ final class Recorder {
             records[worker] = new TouchRecords();
         }
         touches = new Touches(state, contacts, team, events, records);
+        learn = touches::learn;
     }
 
     /** Before the first step of which it tells. */
@@ -43,7 +53,8 @@ final class Recorder {
         return reports.recording ? touches : null;
     }
 
-    void ensure(StepReports reports) {
+    void ensure(StepReports ofStep) {
+        reports = ofStep;
         for (TouchRecords each : records) {
             each.clear();
         }
@@ -56,36 +67,45 @@ final class Recorder {
     }
 
     /** Begins a step, once the circles lie in the order of the grid. */
-    void begin(int worker, StepReports reports) {
+    void begin() {
         if (reports.sensing) {
-            sensing.begin(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            team.all(beginSensing);
         }
     }
 
-    void end(int worker, TerrainStep terrain, StepConstants k, StepReports reports) {
+    private void beginSensing(int worker) {
+        sensing.begin(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+    }
+
+    void end(TerrainStep step, StepConstants k) {
+        terrain = step;
+        constants = k;
+        team.all(recordAll);
+        if (state.sleepers != null && state.sleepers.count > 0) {
+            events.keep(state);
+        }
+        if (reports.recording && events.misses(records)) {
+            team.all(stamp);
+        }
+        events.endStep(records);
+        if (reports.recording) {
+            team.all(learn);
+        }
+    }
+
+    private void recordAll(int worker) {
         int from = team.part(state.awake, worker);
         int to = team.part(state.awake, worker + 1);
         if (reports.recording) {
-            touches.endStep(worker, from, to, terrain, k);
+            touches.endStep(worker, from, to, terrain, constants);
         }
         if (reports.sensing) {
-            sensing.find(worker, records[worker], from, to, k);
+            sensing.find(worker, records[worker], from, to, constants);
         }
-        if (worker == 0 && state.sleepers != null && state.sleepers.count > 0) {
-            events.keep(state);
-        }
-        team.sync(worker);
-        if (reports.recording && events.misses(records)) {
-            touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
-        }
-        team.sync(worker);
-        if (worker == 0) {
-            events.endStep(records);
-        }
-        team.sync(worker);
-        if (reports.recording) {
-            touches.learn(worker);
-        }
+    }
+
+    private void stamp(int worker) {
+        touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
     }
 
     /** Memory of the arrays. */

@@ -56,6 +56,36 @@ public final class Solver {
     /** Records what contacts do; null if nobody is told. */
     private Touches touches;
 
+    private final Team.Work begin = this::begin;
+    private final Team.Work prepareRows = this::prepareRows;
+    private final Team.Work prepareEdge = this::prepareEdge;
+    private final Team.Work prepareHeavyCircles = this::prepareHeavyCircles;
+    private final Team.Work prepareCross = this::prepareCross;
+    private final Team.Work takeImpulses = this::takeImpulses;
+    private final Team.Work sweepInwards = this::sweepInwards;
+    private final Team.Work sweepOutwards = this::sweepOutwards;
+    private final Team.Work integrateVelocities = this::integrateVelocities;
+    private final Team.Work integratePositions = this::integratePositions;
+    private final Team.Work finalizePositions = this::finalizePositions;
+    private final Team.Work passOverRows = this::passOverRows;
+    private final Team.Work passOverEdge = this::passOverEdge;
+    private final Team.Work look = this::look;
+    private final Team.Work solveCross = this::solveCross;
+    private final Team.Work relaxCross = this::relaxCross;
+    private final Team.Work takeGains = this::takeGains;
+    private final Team.Work endRelaxing = this::endRelaxing;
+
+    private StepConstants constants;
+    private TerrainStep terrain;
+
+    /** The sub-step, and the one behind the last of a sweep. */
+    private int sub;
+
+    private int endSub;
+
+    /** Whether a pass over all rows relaxes. */
+    private boolean relaxes;
+
     Solver(State state, Grid grid, Contacts contacts, GridLevels levels, Team team) {
         this.state = state;
         this.grid = grid;
@@ -97,110 +127,137 @@ public final class Solver {
     }
 
     /** Fills the contacts, and measures them for the first sub-step. */
-    void prepare(int worker, StepConstants k, TerrainStep terrain) {
-        movers[worker].beginTerrain(terrain, k);
-        if (worker == 0) {
-            boolean alike = levels.usedCount == 1;
-            bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && joints == null ? 2 * LAG : 0);
+    void prepare(StepConstants k, TerrainStep step) {
+        constants = k;
+        terrain = step;
+        boolean alike = levels.usedCount == 1;
+        bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && joints == null ? 2 * LAG : 0);
+        team.all(begin);
+        team.all(prepareRows);
+        team.all(prepareEdge);
+        if (joints != null) {
+            joints.prepare();
         }
-        movers[worker].begin(team.part(state.awake, worker), team.part(state.awake, worker + 1), k);
-        likeVisits[worker].turn(k.turning);
-        crossVisits[worker].turn(k.turning);
+        for (int worker = 0; worker < team.size(); worker++) {
+            if (alike) {
+                shares[worker].takeSlots(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            } else {
+                shares[worker].takeBands(bands, worker);
+            }
+        }
+        if (!alike) {
+            team.all(prepareHeavyCircles);
+            team.all(prepareCross);
+            team.all(takeImpulses);
+        }
+    }
+
+    private void begin(int worker) {
+        int from = team.part(state.awake, worker);
+        int to = team.part(state.awake, worker + 1);
+        movers[worker].beginTerrain(terrain, constants);
+        movers[worker].begin(from, to, constants);
+        likeVisits[worker].turn(constants.turning);
+        crossVisits[worker].turn(constants.turning);
         if (movers[worker].walls.touches != null) {
-            movers[worker].walls.touches.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            movers[worker].walls.touches.clear(from, to);
         }
         if (movers[worker].pieceTouches != null) {
-            movers[worker].pieceTouches.clear(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+            movers[worker].pieceTouches.clear(from, to);
         }
         contacts.beginToFill(worker);
-        team.sync(worker);
+    }
+
+    private void prepareRows(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int from = contacts.firstRow(levels.used[l], worker);
             int to = contacts.firstRow(levels.used[l], worker + 1);
             for (int row = from; row < to; row += 2) {
-                prepare(worker, l, row, k);
+                prepare(worker, l, row);
                 if (row > from) {
-                    prepare(worker, l, row - 1, k);
+                    prepare(worker, l, row - 1);
                 }
             }
         }
-        team.sync(worker);
+    }
+
+    /** The last row of each band, which needs the first one of the next band. */
+    private void prepareEdge(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int to = contacts.firstRow(levels.used[l], worker + 1);
             if (contacts.firstRow(levels.used[l], worker) < to) {
-                prepare(worker, l, to - 1, k);
+                prepare(worker, l, to - 1);
             }
-        }
-        team.sync(worker);
-        if (joints != null) {
-            joints.prepare(worker);
-        }
-        if (levels.usedCount > 1) {
-            shares[worker].takeBands(bands, worker);
-            prepareCross(worker, k);
-        } else {
-            shares[worker].takeSlots(team.part(state.awake, worker), team.part(state.awake, worker + 1));
         }
     }
 
-    private void prepareCross(int worker, StepConstants k) {
+    private void prepareHeavyCircles(int worker) {
         Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
-            heavyCircles.prepare(share.fromHeavy[l], share.toHeavy[l], k);
+            heavyCircles.prepare(share.fromHeavy[l], share.toHeavy[l], constants);
         }
-        team.sync(worker);
+    }
+
+    private void prepareCross(int worker) {
+        Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
             int from = firstCross(share, l);
             int to = endCross(share, l);
-            contacts.fillCross(worker, from, to, k);
+            contacts.fillCross(worker, from, to, constants);
             crossVisits[worker].prepare(from, to);
             if (touches != null) {
                 touches.clear(worker, from, to);
             }
         }
-        team.sync(worker);
-        takeImpulses(share, k);
-        team.sync(worker);
     }
 
-    void solve(int worker, StepConstants k) {
+    /** With the constants of {@link #prepare}. */
+    void solve() {
         if (levels.usedCount == 1 && joints == null && bands.narrowest() >= 2 * LAG) {
-            solveInSweeps(worker, k);
+            solveInSweeps();
         } else {
-            solveInPasses(worker, k);
+            solveInPasses();
         }
     }
 
     // ---- sweeps, where there is one level
     // ----------------------------------------------------------------------------
 
-    private void solveInSweeps(int worker, StepConstants k) {
-        int from = bands.first(levels.used[0], worker);
-        int to = bands.first(levels.used[0], worker + 1);
+    private void solveInSweeps() {
         int most = Math.max(1, bands.narrowest() / ROWS_PER_SUB_STEP);
-        for (int sub = 0; sub < k.subSteps; sub += most) {
-            int end = Math.min(k.subSteps, sub + most);
-            sweep(worker, from, to, 1, sub, end, k);
-            team.sync(worker);
-            sweep(worker, to, to, -1, sub, end, k);
-            team.sync(worker);
+        for (sub = 0; sub < constants.subSteps; sub = endSub) {
+            endSub = Math.min(constants.subSteps, sub + most);
+            team.all(sweepInwards);
+            team.all(sweepOutwards);
         }
+    }
+
+    private void sweepInwards(int worker) {
+        int level = levels.used[0];
+        sweep(worker, bands.first(level, worker), bands.first(level, worker + 1), 1, constants);
+    }
+
+    private void sweepOutwards(int worker) {
+        int edge = bands.first(levels.used[0], worker + 1);
+        sweep(worker, edge, edge, -1, constants);
     }
 
     /**
      * Makes sub-steps [sub, endSub) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
      * (inwards -1, from an empty band at the edge of two).
      */
-    private void sweep(int worker, int low, int high, int inwards, int sub, int endSub, StepConstants k) {
-        int lag = LAG * (endSub - sub);
+    private void sweep(int worker, int low, int high, int inwards, StepConstants k) {
+        int begin = sub;
+        int finish = endSub;
+        int lag = LAG * (finish - begin);
         int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
         for (int front = low; front < end; front += 2) {
             int behind = 0;
-            for (int s = sub; s < endSub; s++) {
+            for (int s = begin; s < finish; s++) {
                 subStep(worker, front - behind, low + inwards * behind, high - inwards * behind, inwards, s, k);
                 behind += LAG;
             }
-            if (endSub == k.subSteps) {
+            if (finish == k.subSteps) {
                 finalizePositions(worker, front - lag, low + inwards * lag, high - inwards * lag, k);
                 finalizePositions(worker, front - lag + 1, low + inwards * lag, high - inwards * lag, k);
             }
@@ -266,70 +323,91 @@ public final class Solver {
     // ---- pass after pass, where there are more levels, or hardly any rows
     // --------------------------------------------
 
-    private void solveInPasses(int worker, StepConstants k) {
-        Share share = shares[worker];
+    private void solveInPasses() {
         boolean crosses = levels.usedCount > 1;
-        for (int sub = 0; sub < k.subSteps; sub++) {
-            boolean last = sub == k.subSteps - 1;
-            for (int l = 0; l < share.count; l++) {
-                movers[worker].integrateVelocities(share.fromSlot[l], share.toSlot[l], k, sub);
-            }
-            team.sync(worker);
-            passOverAll(worker, false, sub, k);
+        for (sub = 0; sub < constants.subSteps; sub++) {
+            team.all(integrateVelocities);
+            passOverAll(false);
             if (joints != null) {
-                joints.solve(worker, sub);
+                joints.solve(sub);
             }
             if (crosses) {
-                solveCross(worker, k);
+                team.all(look);
+                team.all(solveCross);
+                team.all(takeGains);
             }
-            for (int l = 0; l < share.count; l++) {
-                movers[worker].integratePositions(share.fromSlot[l], share.toSlot[l], k, sub);
-            }
-            team.sync(worker);
-            passOverAll(worker, true, sub, k);
+            team.all(integratePositions);
+            passOverAll(true);
             if (joints != null) {
-                joints.relax(worker, sub);
+                joints.relax(sub);
             }
             if (crosses) {
-                relaxCross(worker, k, last);
+                team.all(look);
+                team.all(relaxCross);
+                team.all(endRelaxing);
             }
         }
+        team.all(finalizePositions);
+    }
+
+    private void integrateVelocities(int worker) {
+        Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
-            movers[worker].finalizePositions(share.fromSlot[l], share.toSlot[l], k);
+            movers[worker].integrateVelocities(share.fromSlot[l], share.toSlot[l], constants, sub);
         }
-        team.sync(worker);
+    }
+
+    private void integratePositions(int worker) {
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            movers[worker].integratePositions(share.fromSlot[l], share.toSlot[l], constants, sub);
+        }
+    }
+
+    private void finalizePositions(int worker) {
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            movers[worker].finalizePositions(share.fromSlot[l], share.toSlot[l], constants);
+        }
     }
 
     /**
      * A pass over the contacts of circles of one level. The levels share no circle but in cross contacts, so all of them run at the same
      * time.
      */
-    private void passOverAll(int worker, boolean relaxes, int sub, StepConstants k) {
+    private void passOverAll(boolean relaxing) {
+        relaxes = relaxing;
+        team.all(passOverRows);
+        team.all(passOverEdge);
+    }
+
+    private void passOverRows(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int from = bands.first(levels.used[l], worker);
             int to = bands.first(levels.used[l], worker + 1);
             for (int row = from; row < to; row += 2) {
-                pass(worker, levels.used[l], row, relaxes, sub, k);
+                pass(worker, levels.used[l], row);
                 if (row > from) {
-                    pass(worker, levels.used[l], row - 1, relaxes, sub, k);
+                    pass(worker, levels.used[l], row - 1);
                 }
             }
         }
-        team.sync(worker);
+    }
+
+    private void passOverEdge(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int to = bands.first(levels.used[l], worker + 1);
             if (bands.first(levels.used[l], worker) < to) {
-                pass(worker, levels.used[l], to - 1, relaxes, sub, k);
+                pass(worker, levels.used[l], to - 1);
             }
         }
-        team.sync(worker);
     }
 
-    private void pass(int worker, int level, int row, boolean relaxes, int sub, StepConstants k) {
+    private void pass(int worker, int level, int row) {
         if (relaxes) {
-            relax(worker, level, row, sub, k);
+            relax(worker, level, row, sub, constants);
         } else {
-            solve(worker, level, row, k);
+            solve(worker, level, row, constants);
         }
     }
 
@@ -344,57 +422,60 @@ public final class Solver {
         return contacts.firstCross + share.toCross[l];
     }
 
-    private void solveCross(int worker, StepConstants k) {
+    private void look(int worker) {
         Share share = shares[worker];
-        look(share);
-        team.sync(worker);
-        for (int l = 0; l < share.count; l++) {
-            crossVisits[worker].solve(firstCross(share, l), endCross(share, l), k);
-            if (touches != null) {
-                touches.afterSolve(worker, firstCross(share, l), endCross(share, l), k);
-            }
-        }
-        team.sync(worker);
-        takeGains(share, k);
-        team.sync(worker);
-    }
-
-    private void relaxCross(int worker, StepConstants k, boolean last) {
-        Share share = shares[worker];
-        look(share);
-        team.sync(worker);
-        for (int l = 0; l < share.count; l++) {
-            crossVisits[worker].relax(firstCross(share, l), endCross(share, l), k, last);
-            if (touches != null && last) {
-                touches.tell(worker, firstCross(share, l), endCross(share, l), k);
-            }
-        }
-        team.sync(worker);
-        takeGains(share, k);
-        for (int l = 0; l < share.count; l++) {
-            heavyCircles.forgetClaims(share.fromHeavy[l], share.toHeavy[l]);
-        }
-        if (!last) {
-            takeImpulses(share, k);
-        }
-        team.sync(worker);
-    }
-
-    private void look(Share share) {
         for (int l = 0; l < share.count; l++) {
             heavyCircles.look(share.fromHeavy[l], share.toHeavy[l]);
         }
     }
 
-    private void takeGains(Share share, StepConstants k) {
+    private void solveCross(int worker) {
+        Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
-            heavyCircles.takeGains(share.fromHeavy[l], share.toHeavy[l], k);
+            crossVisits[worker].solve(firstCross(share, l), endCross(share, l), constants);
+            if (touches != null) {
+                touches.afterSolve(worker, firstCross(share, l), endCross(share, l), constants);
+            }
         }
     }
 
-    private void takeImpulses(Share share, StepConstants k) {
+    private void relaxCross(int worker) {
+        Share share = shares[worker];
+        boolean last = isLast();
         for (int l = 0; l < share.count; l++) {
-            heavyCircles.takeImpulses(share.fromHeavy[l], share.toHeavy[l], k);
+            crossVisits[worker].relax(firstCross(share, l), endCross(share, l), constants, last);
+            if (touches != null && last) {
+                touches.tell(worker, firstCross(share, l), endCross(share, l), constants);
+            }
+        }
+    }
+
+    private void endRelaxing(int worker) {
+        Share share = shares[worker];
+        takeGains(worker);
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.forgetClaims(share.fromHeavy[l], share.toHeavy[l]);
+        }
+        if (!isLast()) {
+            takeImpulses(worker);
+        }
+    }
+
+    private boolean isLast() {
+        return sub == constants.subSteps - 1;
+    }
+
+    private void takeGains(int worker) {
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.takeGains(share.fromHeavy[l], share.toHeavy[l], constants);
+        }
+    }
+
+    private void takeImpulses(int worker) {
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.takeImpulses(share.fromHeavy[l], share.toHeavy[l], constants);
         }
     }
 
@@ -405,8 +486,8 @@ public final class Solver {
         return contacts.rowStart[levels.firstRow[level] + row];
     }
 
-    private void prepare(int worker, int l, int row, StepConstants k) {
-        contacts.fillRow(worker, l, row, k);
+    private void prepare(int worker, int l, int row) {
+        contacts.fillRow(worker, l, row, constants);
         int level = levels.used[l];
         likeVisits[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
         if (touches != null) {

@@ -51,8 +51,8 @@ final class SparseGrid {
     /** By worker and level: the pairs of circles of one cell that it has made, each with itself and with those before. */
     private final long[][] pairs;
 
-    /** By worker and level. */
-    private final boolean[][] held;
+    /** By level. */
+    private final boolean[] held = new boolean[GridLevels.COUNT];
 
     /** By worker: slots near the one that is looked at. */
     private final int[][] hits;
@@ -63,7 +63,6 @@ final class SparseGrid {
         this.levels = levels;
         this.team = team;
         pairs = new long[team.most()][GridLevels.COUNT];
-        held = new boolean[team.most()][GridLevels.COUNT];
         hits = new int[team.most()][64];
     }
 
@@ -145,21 +144,21 @@ final class SparseGrid {
         }
     }
 
-    /** Decides, for a worker, which levels are held; behind {@link #add} of all workers. */
-    void settle(int worker) {
+    /** Decides which levels are held; behind {@link #add} of all workers. */
+    void settle() {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             long sum = 0;
             for (int w = 0; w < team.size(); w++) {
                 sum += pairs[w][level];
             }
-            held[worker][level] = columns[level] > 0 && sum <= (long) CROWDED * levels.population[level];
+            held[level] = columns[level] > 0 && sum <= (long) CROWDED * levels.population[level];
         }
     }
 
-    /** Whether {@link #find} finds the circles of a level; as {@link #settle} found for a worker. */
-    boolean holds(int worker, int level) {
-        return held[worker][level];
+    /** Whether {@link #find} finds the circles of a level. */
+    boolean holds(int level) {
+        return held[level];
     }
 
     /** The slots that were found last. */

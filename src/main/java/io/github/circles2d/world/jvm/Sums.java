@@ -12,28 +12,43 @@ public final class Sums {
     /** By worker: what its part adds up to. */
     private final long[] totals;
 
+    private final Team.Work addUp = this::addUp;
+    private final Team.Work setStarts = this::setStarts;
+
+    private int[] counts;
+    private int n;
+
     Sums(Team team) {
         this.team = team;
         totals = new long[APART * team.most()];
     }
 
-    /** Sums up counts [0, n) in place, and writes the total to element n. Counts have been synchronized before. */
-    void sumUp(int worker, int[] counts, int n) {
-        int from = team.part(n, worker);
+    /** Sums up counts [0, length) in place, and writes the total to the element behind them. */
+    void sumUp(int[] of, int length) {
+        counts = of;
+        n = length;
+        if (team.size() > 1) {
+            team.all(addUp);
+        }
+        team.all(setStarts);
+    }
+
+    private void addUp(int worker) {
         int to = team.part(n, worker + 1);
         int sum = 0;
-        if (team.size() > 1) {
-            for (int k = from; k < to; k++) {
-                sum += counts[k];
-            }
-            totals[APART * worker] = sum;
-            team.sync(worker);
-            sum = 0;
-            for (int w = 0; w < worker; w++) {
-                sum += (int) totals[APART * w];
-            }
+        for (int k = team.part(n, worker); k < to; k++) {
+            sum += counts[k];
         }
-        for (int k = from; k < to; k++) {
+        totals[APART * worker] = sum;
+    }
+
+    private void setStarts(int worker) {
+        int sum = 0;
+        for (int w = 0; w < worker; w++) {
+            sum += (int) totals[APART * w];
+        }
+        int to = team.part(n, worker + 1);
+        for (int k = team.part(n, worker); k < to; k++) {
             int count = counts[k];
             counts[k] = sum;
             sum += count;
@@ -41,6 +56,5 @@ public final class Sums {
         if (worker == team.size() - 1) {
             counts[n] = sum;
         }
-        team.sync(worker);
     }
 }

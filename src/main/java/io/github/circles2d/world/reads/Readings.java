@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldParts;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
@@ -26,6 +27,9 @@ public final class Readings {
     /** Whether positions have been requested since the last were taken. */
     private boolean positionsRequested;
 
+    /** Who was asked for positions last: the world may have moved since. */
+    private Pipeline asked;
+
     /** The number of requests for positions; may overflow. */
     private int requests;
 
@@ -42,7 +46,9 @@ public final class Readings {
         try {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
             world.pending.settle();
+            world.clock.begin();
             world.pipeline.readCircles(world.handles, circles);
+            world.clock.end();
         } finally {
             world.guard.leave();
         }
@@ -66,7 +72,9 @@ public final class Readings {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.end());
             requireRoom(living, world.handles.end());
             world.pending.settle();
+            world.clock.begin();
             world.pipeline.readCircles(world.handles, circles);
+            world.clock.end();
             spread(circles, CircleRow.STRIDE, living);
         } finally {
             world.guard.leave();
@@ -80,7 +88,9 @@ public final class Readings {
             requireRoom("velocities", velocities, 2L * world.handles.end());
             requireRoom(living, world.handles.end());
             world.pending.settle();
+            world.clock.begin();
             world.pipeline.readVelocities(world.handles, velocities);
+            world.clock.end();
             spread(velocities, 2, living);
         } finally {
             world.guard.leave();
@@ -270,7 +280,10 @@ public final class Readings {
         world.guard.enter();
         try {
             world.pending.settle();
-            return world.pipeline.positions(world.handles, false);
+            world.clock.begin();
+            FloatBuffer positions = world.pipeline.positions(world.handles, false);
+            world.clock.end();
+            return positions;
         } finally {
             world.guard.leave();
         }
@@ -282,7 +295,9 @@ public final class Readings {
         try {
             requireRoom(living, world.handles.end());
             world.pending.settle();
+            world.clock.begin();
             FloatBuffer positions = world.pipeline.positions(world.handles, true);
+            world.clock.end();
             mask.copy(world.handles);
             copy(mask, living);
             return positions;
@@ -300,7 +315,8 @@ public final class Readings {
             world.pipeline.makeRoomForPositions(world.handles);
             positionsRequested = false; // what was requested before is lost if the pipeline fails
             world.handles.markSurvivors();
-            world.pipeline.requestPositions(world.handles);
+            asked = world.pipeline;
+            asked.requestPositions(world.handles);
             requests++;
             positionsRequested = true;
         } finally {
@@ -347,10 +363,12 @@ public final class Readings {
     }
 
     private FloatBuffer take(IdMask shown) {
-        if (!world.pipeline.positionsArrived()) {
+        if (!asked.positionsArrived()) {
             world.pending.finish();
         }
-        FloatBuffer taken = world.pipeline.takePositions(shown);
+        world.clock.begin();
+        FloatBuffer taken = asked.takePositions(shown);
+        world.clock.end();
         positionsRequested = false;
         return taken;
     }
@@ -398,7 +416,9 @@ public final class Readings {
         try {
             requireRoom("velocities", velocities, 2L * world.handles.size());
             world.pending.settle();
+            world.clock.begin();
             world.pipeline.readVelocities(world.handles, velocities);
+            world.clock.end();
         } finally {
             world.guard.leave();
         }

@@ -68,7 +68,13 @@ public final class Reports {
 
     /** Makes the last room, and begins a change of the settings. */
     private void begin(ReportSettings then) {
-        world.pipeline.makeRoomToReport(world.events);
+        world.moves.beforeReports();
+        try {
+            world.pipeline.makeRoomToReport(world.events);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+            world.pipeline.makeRoomToReport(world.events);
+        }
         world.copies.forgetSaved();
         next = then;
         wasOn = world.events.isOn();
@@ -138,9 +144,11 @@ public final class Reports {
                         + " call requestEvents before each takeEvents");
             }
             if (!world.events.queue().haveArrived()) {
+                world.clock.begin();
                 world.guard.changing = true;
                 world.pipeline.finishRequestedEvents();
                 world.guard.changing = false;
+                world.clock.end();
             }
             return world.events.queue().takeRequested();
         } finally {
@@ -189,9 +197,11 @@ public final class Reports {
     public EventRows take() {
         world.guard.enter();
         try {
+            world.clock.begin();
             world.guard.changing = true;
             world.pipeline.finishEvents();
             world.guard.changing = false;
+            world.clock.end();
             return world.events.queue().take();
         } finally {
             world.guard.leave();

@@ -96,8 +96,8 @@ final class DeviceAnswers implements Answers {
         return world.handles.size() >= MANY_CIRCLES && ++calls <= world.handles.size() / CIRCLES_A_CALL;
     }
 
-    private static int[] kinds(QueryBatch batch) {
-        return batch.filter == null ? null : batch.filter.kinds();
+    private static int[] filter(QueryBatch batch) {
+        return batch.filter == null ? null : batch.filter.words();
     }
 
     /** May be {@link #LEFT}. */
@@ -109,7 +109,7 @@ final class DeviceAnswers implements Answers {
         if (ends.length < batch.n) {
             ends = new int[Math.max(batch.n, ends.length + (ends.length >> 1))];
         }
-        if (!search.count(batch.shape, queries, batch.n, kinds(batch), ends)) {
+        if (!search.count(batch.shape, queries, batch.n, filter(batch), ends)) {
             return LEFT;
         }
         int room = batch.room();
@@ -151,7 +151,7 @@ final class DeviceAnswers implements Answers {
     /** May be {@link #LEFT}. */
     @Override
     public int one(QueryBatch batch) {
-        if (!takes(batch) || !search.few(batch.shape, queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
+        if (!takes(batch) || !search.few(batch.shape, queries, batch.n, 0, 1, filter(batch), batch.hits != null)) {
             return LEFT;
         }
         int count = 0;
@@ -183,7 +183,7 @@ final class DeviceAnswers implements Answers {
                         batch.n,
                         batch.within,
                         most,
-                        kinds(batch),
+                        filter(batch),
                         batch.distances != null)) {
             return LEFT;
         }

@@ -10,7 +10,7 @@ final class PieceAnswers implements Answers {
     private final IdFilter admitted = this::admits;
 
     /** That of the batch. */
-    private CategoryFilter filter;
+    private CircleFilter filter;
 
     PieceAnswers(TerrainView view) {
         this.view = view;

@@ -16,7 +16,7 @@ final class QueryBatch {
     private final int[] singleEnd = new int[1];
 
     QueryShape shape;
-    CategoryFilter filter;
+    CircleFilter filter;
 
     /** Whether the caller made a batch: then exceptions name the query, and what has no circle is filled up. */
     boolean isBatch;
@@ -45,7 +45,7 @@ final class QueryBatch {
         this.settings = settings;
     }
 
-    void begin(CategoryFilter only, QueryShape what, float[] numbers, int count) {
+    void begin(CircleFilter only, QueryShape what, float[] numbers, int count) {
         end();
         Limits.notNull(what.plural(), numbers);
         int has = numbers.length / what.stride();
@@ -62,7 +62,7 @@ final class QueryBatch {
     }
 
     /** Begins with a single query: its numbers, and zeros. */
-    void begin(CategoryFilter only, QueryShape what, float a, float b, float c, float d, float e) {
+    void begin(CircleFilter only, QueryShape what, float a, float b, float c, float d, float e) {
         single[0] = a;
         single[1] = b;
         single[2] = c;

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.search;
 
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.shared.WorldParts;
@@ -48,10 +49,19 @@ public final class Searches {
         world.guard.check();
     }
 
-    /** Admits those whose kind's category has a bit of a mask. */
-    public CategoryFilter filter(int mask) {
+    /** Admits those whose kind's category has a bit of a mask, but for the circle that the filter before leaves out. */
+    public CircleFilter filter(CircleFilter before, int mask) {
         requireOpen();
-        return new CategoryFilter(world, mask);
+        return CircleFilter.masked(world, before, mask);
+    }
+
+    /** Admits those that the filter before admits, with another circle left out, which may be gone, or 0 for none. */
+    public CircleFilter without(CircleFilter before, long circle) {
+        requireOpen();
+        if (!Handle.mayBeOfCircle(circle)) {
+            throw new IllegalArgumentException(WorldParts.goneCircle(circle));
+        }
+        return CircleFilter.without(world, before, circle);
     }
 
     /** Answers on any device from now on, whether or not it is the faster way: for tests. */
@@ -66,7 +76,7 @@ public final class Searches {
 
     /** All circles of a query of these numbers and zeros; hits of paths may be null. */
     public int all(
-            CategoryFilter filter,
+            CircleFilter filter,
             QueryShape shape,
             float a,
             float b,
@@ -79,23 +89,22 @@ public final class Searches {
     }
 
     /** The same for each query of a batch. */
-    public int all(
-            CategoryFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
+    public int all(CircleFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
         return (int) answer(Wanted.ALL, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, ends, to, hits);
     }
 
     /** The circle at a point, or the first on a path; its hit may be null. */
-    public long one(CategoryFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
+    public long one(CircleFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
         return answer(Wanted.ONE, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, found, hit);
     }
 
     /** The same for each query of a batch. */
-    public int one(CategoryFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
+    public int one(CircleFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
         return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
     }
 
     /** The nearest piece to a point, or 0. */
-    public long nearestOne(CategoryFilter filter, float x, float y, float within, float[] hit) {
+    public long nearestOne(CircleFilter filter, float x, float y, float within, float[] hit) {
         QueryShape shape = QueryShape.NEAREST;
         found[0] = 0;
         answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, 1, null, found, hit);
@@ -103,7 +112,7 @@ public final class Searches {
     }
 
     /** Finds the circles nearest to a point, and their distances, or pieces, and their hits. */
-    public int nearest(CategoryFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
+    public int nearest(CircleFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int)
                 answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, most, null, to, distances);
@@ -111,7 +120,7 @@ public final class Searches {
 
     /** The same for each of many points. */
     public int nearest(
-            CategoryFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
+            CircleFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int) answer(
                 Wanted.NEAREST, filter, shape, true, points, n, 0, 0, 0, 0, 0, within, most, null, to, distances);
@@ -120,7 +129,7 @@ public final class Searches {
     /** A single query has the numbers a to e. Returns the number of circles found; of a single query for one circle, that circle. */
     private long answer(
             Wanted wanted,
-            CategoryFilter filter,
+            CircleFilter filter,
             QueryShape shape,
             boolean isBatch,
             float[] queries,

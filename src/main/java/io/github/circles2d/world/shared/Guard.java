@@ -22,8 +22,6 @@ public final class Guard {
     private static final AtomicReferenceFieldUpdater<Guard, Thread> USER =
             AtomicReferenceFieldUpdater.newUpdater(Guard.class, Thread.class, "user");
 
-    private final Pipeline pipeline;
-
     /** The thread that is inside; null if there is none. */
     private volatile Thread user;
 
@@ -35,9 +33,9 @@ public final class Guard {
     /** Why the state is lost; null if it is not, or if nobody knows why a change has ended half-way. */
     private Throwable failure;
 
-    public Guard(Pipeline pipeline) {
-        this.pipeline = pipeline;
-        pipeline.watch(cause -> failure = cause);
+    /** A device has failed, and with it the state. */
+    void lose(Throwable cause) {
+        failure = cause;
     }
 
     /** Does nothing, if a call can be made at all. */
@@ -76,13 +74,7 @@ public final class Guard {
 
     /** From now on no call that needs the state is made. */
     public void close() {
-        takeTurn();
-        try {
-            closed = true;
-            pipeline.close();
-        } finally {
-            user = null;
-        }
+        closed = true;
     }
 
     /** Takes note of what has ended a change half-way, if it has begun, and returns it. */

@@ -53,7 +53,9 @@ public final class LastReading {
             if (circles.length < CircleRow.STRIDE * world.handles.size()) {
                 circles = new float[CircleRow.STRIDE * world.handles.size()];
             }
+            world.clock.begin();
             world.pipeline.readCircles(world.handles, circles);
+            world.clock.end();
             circlesCurrent = true;
             number++;
         }
@@ -77,7 +79,9 @@ public final class LastReading {
             if (velocities.length < 2 * world.handles.size()) {
                 velocities = new float[2 * world.handles.size()];
             }
+            world.clock.begin();
             world.pipeline.readVelocities(world.handles, velocities);
+            world.clock.end();
             velocitiesCurrent = true;
         }
         return velocities;
@@ -92,7 +96,9 @@ public final class LastReading {
             if (angles.length < world.handles.size()) {
                 angles = new int[world.handles.size()];
             }
+            world.clock.begin();
             world.pipeline.readAngles(world.handles, angles);
+            world.clock.end();
             anglesCurrent = true;
         }
         return world.needs.turns() ? angles : null;
@@ -104,7 +110,9 @@ public final class LastReading {
             if (angularVelocities.length < world.handles.size()) {
                 angularVelocities = new float[world.handles.size()];
             }
+            world.clock.begin();
             world.pipeline.readAngularVelocities(world.handles, angularVelocities);
+            world.clock.end();
             angularVelocitiesCurrent = true;
         }
         return world.needs.turns() ? angularVelocities : null;

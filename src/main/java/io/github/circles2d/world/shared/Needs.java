@@ -33,6 +33,11 @@ public final class Needs {
         return turns;
     }
 
+    /** What the pipeline is ready for. */
+    Features features() {
+        return Features.of(!world.settings.bounds().isWalled(), turns, hasTerrain, hasJoints, world.settings.sleeps());
+    }
+
     /** A call makes a circle turn, or gives it a surface or a torque. */
     public void askToTurn() {
         asked = true;
@@ -70,8 +75,14 @@ public final class Needs {
     }
 
     private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
-        world.pipeline.prepare(
-                p.contacts(), Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps()));
+        Features features = Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps());
+        world.moves.beforeFeatures(p.contacts(), features);
+        try {
+            world.pipeline.prepare(p.contacts(), features);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+            world.pipeline.prepare(p.contacts(), features);
+        }
         turns = turning;
         hasTerrain = withTerrain;
         hasJoints = withJoints;

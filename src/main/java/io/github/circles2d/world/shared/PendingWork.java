@@ -33,6 +33,7 @@ public final class PendingWork {
         boolean changes = !world.commands.isEmpty();
         boolean learns = world.events.isOn() && !world.events.knowsPieces();
         if (changes || learns) {
+            world.clock.begin();
             finish();
             makeRoom(changes);
             world.guard.changing = true;
@@ -47,6 +48,7 @@ public final class PendingWork {
                 throw world.guard.failed(e);
             }
             world.guard.changing = false;
+            world.clock.end();
         }
     }
 
@@ -54,7 +56,12 @@ public final class PendingWork {
     private void makeRoom(boolean changes) {
         if (changes) {
             prepareNeeds();
-            world.pipeline.makeRoom(world.commands);
+            try {
+                world.pipeline.makeRoom(world.commands);
+            } catch (RuntimeException e) {
+                world.moves.goHome(e);
+                world.pipeline.makeRoom(world.commands);
+            }
         }
         if (world.events.isOn()) {
             world.events.makeRoom(world.commands);
@@ -93,6 +100,7 @@ public final class PendingWork {
 
     /** Waits for all steps, and is told if one has failed. Joints that have broken go. */
     public void finish() {
+        world.clock.begin();
         world.guard.changing = true;
         try {
             world.pipeline.finish();
@@ -101,6 +109,7 @@ public final class PendingWork {
         }
         world.guard.changing = false;
         takeBroken();
+        world.clock.end();
     }
 
     /** All these steps are of one length if a joint may break. */

@@ -11,6 +11,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.queries.RemoteSearch;
@@ -36,6 +37,14 @@ public interface Pipeline extends AutoCloseable {
      * pipeline is ready for once, it stays ready for.
      */
     default void prepare(ContactSettings contacts, Features features) {}
+
+    /** Whether nothing is compiled for such worlds any more, nor beside their steps. */
+    default boolean isReady(Readiness wanted) {
+        return true;
+    }
+
+    /** Compiles all that {@link #isReady} asks for. Another thread may call this while nobody uses the pipeline. */
+    default void compile(Readiness wanted) {}
 
     /** Makes the pipeline ready for steps of circles that report this, which may take a compiler seconds; changes nothing if it fails. */
     default void prepareSteps(StepReports reports) {}
@@ -107,6 +116,9 @@ public interface Pipeline extends AutoCloseable {
     /** Sets the bits of the ids of circles that sleep, of bits that are 0. All steps have been finished. */
     default void readAsleep(long[] byId) {}
 
+    /** Saves which ids have a circle here: changes that wait have not been applied. */
+    void saveIds(SavedState into);
+
     /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
     void save(SavedState into);
 
@@ -136,6 +148,9 @@ public interface Pipeline extends AutoCloseable {
      * have the serials of now.
      */
     void load(SavedState from);
+
+    /** The world has moved elsewhere, from where {@link #load} may bring it back: reports end, and requested positions arrive. */
+    void leave();
 
     /** Always the same; null if only the host can search the circles. */
     default RemoteSearch search() {

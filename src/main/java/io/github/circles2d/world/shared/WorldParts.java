@@ -15,8 +15,10 @@ import io.github.circles2d.world.terrain.TerrainTables;
  * above it.
  */
 public final class WorldParts {
-    public final Pipeline pipeline;
-    public final Guard guard;
+    /** Who makes the steps. */
+    public Pipeline pipeline;
+
+    public final Guard guard = new Guard();
     public final HandleTable handles = new HandleTable();
     public final Commands commands = new Commands();
     public final KindTable kinds = new KindTable();
@@ -27,6 +29,8 @@ public final class WorldParts {
     public final JointTables joints;
     public final CallLog log = new CallLog(this);
     public final Calls calls = new Calls(this);
+    public final FrameClock clock = new FrameClock();
+    public final Moves moves = new Moves(this);
     public final Needs needs = new Needs(this);
     public final PendingWork pending = new PendingWork(this);
     public final LastReading last = new LastReading(this);
@@ -35,12 +39,21 @@ public final class WorldParts {
 
     /** Those of a world without circles. The parameters have been checked. */
     public WorldParts(Pipeline pipeline, WorldParameters start) {
-        this.pipeline = pipeline;
-        guard = new Guard(pipeline);
+        use(pipeline);
         settings = new WorldSettings(events, start);
         terrain = new TerrainTables(input.terrain, settings.bounds());
         events.setPieces(terrain.pieces);
         joints = new JointTables(input.joints, handles, terrain);
+    }
+
+    /** Sets who makes the steps to come. */
+    void use(Pipeline next) {
+        pipeline = next;
+        next.watch(cause -> {
+            if (pipeline == next) {
+                guard.lose(cause);
+            }
+        });
     }
 
     /** The id of the circle that has a handle. */

@@ -54,6 +54,19 @@ public final class WorldState {
         into.kinds.copy(world.kinds);
     }
 
+    /** Copies what the pipeline holds, for another one: without the changes that wait. */
+    void carry(SavedState into) {
+        into.setIds(world.handles.end());
+        into.fields.copy(world.handles.fields());
+        world.pipeline.saveIds(into);
+        world.pipeline.save(into);
+        into.turns &= world.needs.turns(); // else no circle has turned since there were none
+        savePieceContacts(into.pieceContacts);
+        saveJointStates(into.jointStates);
+        into.jointStates.joints =
+                world.joints.table.ids.end(); // a pipeline has room for more, and room for that would be made
+    }
+
     private void savePieceContacts(SavedPieceContacts into) {
         into.clear();
         if (world.terrain.isThere()) {
@@ -64,6 +77,10 @@ public final class WorldState {
 
     private void saveJoints(SavedJoints into, SavedJointStates states) {
         world.joints.saves.save(into);
+        saveJointStates(states);
+    }
+
+    private void saveJointStates(SavedJointStates states) {
         states.begin(0);
         if (world.joints.isThere()) {
             world.pipeline.saveJoints(states);
@@ -89,7 +106,7 @@ public final class WorldState {
         world.terrain.makeRoom(saved.terrain);
         world.joints.makeRoom(saved.joints, saved.ids);
         world.needs.prepare(saved); // first, since the room depends on it
-        world.pipeline.makeRoom(saved);
+        makePipelineRoom(saved);
         world.events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
     }
 
@@ -109,7 +126,16 @@ public final class WorldState {
     /** Makes room for {@link #removeCircles}. If that fails, nothing has changed. */
     public void makeRoomToRemoveCircles() {
         empty.ids = world.handles.end();
-        world.pipeline.makeRoom(empty);
+        makePipelineRoom(empty);
+    }
+
+    private void makePipelineRoom(SavedState saved) {
+        try {
+            world.pipeline.makeRoom(saved);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+            world.pipeline.makeRoom(saved);
+        }
     }
 
     /** All circles go at once: the pipeline gets a state without circles, which takes no command for each. */

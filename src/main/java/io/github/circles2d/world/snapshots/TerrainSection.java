@@ -16,7 +16,8 @@ import java.util.Arrays;
  *
  * <pre>
  * section    of terrain: int ids of pieces, ids of bodies; for each body but the ground: byte flags; varint generation if it is not 0; if it
- *            lives: double x, y, int angle; if it moves: float velocity x, y, angular velocity; if it travels: float x, y, int angle.
+ *            lives: double x, y, int angle; if it moves: float velocity x, y, angular velocity; if it travels: float x, y, int angle;
+ *            if it has moved otherwise in the last step: float velocity x, y, angular velocity.
  *            For each piece: byte flags, of which the lowest three are the form and the side; if the flags say so: varint generation, byte
  *            kind, varint body, varint piece that follows in the chain; then of a line float x, y of its ends and, if the flags say so, the
  *            thickness; of an arc float x, y, direction of the middle x, y, radius, int half of the opening
@@ -33,6 +34,7 @@ final class TerrainSection {
     private static final int HAS_GENERATION = 2;
     private static final int MOVES = 4;
     private static final int TRAVELS = 8;
+    private static final int MOVED_OTHERWISE = 16;
 
     private static final int POSE = 2 * Double.BYTES + Integer.BYTES;
     private static final int MOTION = 3 * Float.BYTES;
@@ -77,7 +79,8 @@ final class TerrainSection {
                     + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(t.bodyGeneration[id]))
                     + ((flags & LIVES) == 0 ? 0 : POSE)
                     + ((flags & MOVES) == 0 ? 0 : MOTION)
-                    + ((flags & TRAVELS) == 0 ? 0 : TARGET);
+                    + ((flags & TRAVELS) == 0 ? 0 : TARGET)
+                    + ((flags & MOVED_OTHERWISE) == 0 ? 0 : MOTION);
         }
         for (int piece = 0; piece < t.pieceIds; piece++) {
             int flags = pieceFlags(t, piece);
@@ -105,7 +108,16 @@ final class TerrainSection {
             return generation;
         }
         boolean moves = !(isZero(t.vx[id]) && isZero(t.vy[id]) && isZero(t.omega[id]));
-        return LIVES | generation | (moves ? MOVES : 0) | (t.travels[id] ? TRAVELS : 0);
+        return LIVES
+                | generation
+                | (moves ? MOVES : 0)
+                | (t.travels[id] ? TRAVELS : 0)
+                | (hasMovedOtherwise(t, id) ? MOVED_OTHERWISE : 0);
+    }
+
+    /** Whether a body has not moved in the last step as its velocities say. */
+    private static boolean hasMovedOtherwise(SavedTerrain t, int id) {
+        return t.lastVx[id] != t.vx[id] || t.lastVy[id] != t.vy[id] || t.lastOmega[id] != t.omega[id];
     }
 
     private static int pieceFlags(SavedTerrain t, int piece) {
@@ -147,6 +159,9 @@ final class TerrainSection {
         }
         if ((flags & TRAVELS) != 0) {
             out.putFloat(t.targetX[id]).putFloat(t.targetY[id]).putInt(t.targetAngle[id]);
+        }
+        if ((flags & MOVED_OTHERWISE) != 0) {
+            out.putFloat(t.lastVx[id]).putFloat(t.lastVy[id]).putFloat(t.lastOmega[id]);
         }
     }
 
@@ -260,7 +275,8 @@ final class TerrainSection {
         int flags = SnapshotCodec.getByte(in);
         boolean lives = (flags & LIVES) != 0;
         SnapshotCodec.require(
-                flags <= (LIVES | HAS_GENERATION | MOVES | TRAVELS) && (lives || (flags & ~HAS_GENERATION) == 0),
+                flags <= (LIVES | HAS_GENERATION | MOVES | TRAVELS | MOVED_OTHERWISE)
+                        && (lives || (flags & ~HAS_GENERATION) == 0),
                 "a body of terrain has no such flags");
         t.bodyGeneration[id] = SnapshotCodec.getGeneration(in, (flags & HAS_GENERATION) != 0);
         t.bodyLives[id] = lives;
@@ -294,6 +310,16 @@ final class TerrainSection {
             t.targetX[id] = (float) place(in.getFloat(), bounds.minX(), bounds.maxX(), bounds.periodX());
             t.targetY[id] = (float) place(in.getFloat(), bounds.minY(), bounds.maxY(), bounds.periodY());
             t.targetAngle[id] = in.getInt();
+        }
+        t.lastVx[id] = t.vx[id];
+        t.lastVy[id] = t.vy[id];
+        t.lastOmega[id] = t.omega[id];
+        if ((flags & MOVED_OTHERWISE) != 0) {
+            room(in, MOTION);
+            t.lastVx[id] = velocity(in.getFloat());
+            t.lastVy[id] = velocity(in.getFloat());
+            t.lastOmega[id] = velocity(in.getFloat());
+            SnapshotCodec.require(hasMovedOtherwise(t, id), "a body of terrain has not moved otherwise");
         }
     }
 

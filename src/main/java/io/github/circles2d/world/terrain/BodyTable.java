@@ -29,6 +29,12 @@ public final class BodyTable {
     float[] vy = new float[0];
     float[] omega = new float[0];
 
+    /** How the body has moved in the last step, since it jumped. No later step depends on it. */
+    float[] lastVx = new float[0];
+
+    float[] lastVy = new float[0];
+    float[] lastOmega = new float[0];
+
     /** Whether the body travels to its target in the next step. */
     boolean[] travels = new boolean[0];
 
@@ -69,6 +75,9 @@ public final class BodyTable {
         float[] newVx = Arrays.copyOf(vx, bodies);
         float[] newVy = Arrays.copyOf(vy, bodies);
         float[] newOmega = Arrays.copyOf(omega, bodies);
+        float[] newLastVx = Arrays.copyOf(lastVx, bodies);
+        float[] newLastVy = Arrays.copyOf(lastVy, bodies);
+        float[] newLastOmega = Arrays.copyOf(lastOmega, bodies);
         boolean[] newTravels = Arrays.copyOf(travels, bodies);
         float[] newTargetX = Arrays.copyOf(targetX, bodies);
         float[] newTargetY = Arrays.copyOf(targetY, bodies);
@@ -82,6 +91,9 @@ public final class BodyTable {
         vx = newVx;
         vy = newVy;
         omega = newOmega;
+        lastVx = newLastVx;
+        lastVy = newLastVy;
+        lastOmega = newLastOmega;
         travels = newTravels;
         targetX = newTargetX;
         targetY = newTargetY;
@@ -106,10 +118,7 @@ public final class BodyTable {
         x[id] = atX;
         y[id] = atY;
         angle[id] = atAngle;
-        vx[id] = 0f;
-        vy[id] = 0f;
-        omega[id] = 0f;
-        travels[id] = false;
+        stop(id);
         firstPiece[id] = -1;
         return id;
     }
@@ -125,6 +134,18 @@ public final class BodyTable {
         vy[id] = 0f;
         omega[id] = 0f;
         travels[id] = false;
+        stay(id);
+    }
+
+    /** The body has not moved in the last step. */
+    void stay(int id) {
+        lastVx[id] = 0f;
+        lastVy[id] = 0f;
+        lastOmega[id] = 0f;
+    }
+
+    private boolean hasMoved(int id) {
+        return lastVx[id] != 0f || lastVy[id] != 0f || lastOmega[id] != 0f;
     }
 
     public float x(int id) {
@@ -149,6 +170,24 @@ public final class BodyTable {
 
     public float omega(int id) {
         return omega[id];
+    }
+
+    /** How fast a place of the world, so far from the pivot, has moved with the body in the last step. */
+    public float lastVxAt(int id, double dy) {
+        return (float) (lastVx[id] - lastOmega[id] * dy);
+    }
+
+    public float lastVyAt(int id, double dx) {
+        return (float) (lastVy[id] + lastOmega[id] * dx);
+    }
+
+    /** How far a place of the world is from the pivot, the short way. */
+    public double fromPivotX(int id, float toX, Bounds bounds) {
+        return shortWay(bounds.placeX(toX) - x[id], bounds.periodX());
+    }
+
+    public double fromPivotY(int id, float toY, Bounds bounds) {
+        return shortWay(bounds.placeY(toY) - y[id], bounds.periodY());
     }
 
     public void setVelocity(int id, float toX, float toY) {
@@ -176,6 +215,7 @@ public final class BodyTable {
         y[id] = toY;
         angle[id] = toAngle;
         travels[id] = false;
+        stay(id);
         jumps++;
     }
 
@@ -189,7 +229,7 @@ public final class BodyTable {
     }
 
     private void note(int id) {
-        if (moves(id) && !isMover[id]) {
+        if ((moves(id) || hasMoved(id)) && !isMover[id]) {
             isMover[id] = true;
             movers[moverCount++] = id;
         }
@@ -246,9 +286,9 @@ public final class BodyTable {
         int at = BodyRow.of(number, subSteps);
         motion[at + BodyRow.PIVOT_X] = (float) x[id];
         motion[at + BodyRow.PIVOT_Y] = (float) y[id];
-        motion[at + BodyRow.VX] = Velocity.limitSpeed((float) (travelX / dt));
-        motion[at + BodyRow.VY] = Velocity.limitSpeed((float) (travelY / dt));
-        motion[at + BodyRow.OMEGA] = Velocity.limitSpeed((float) (turn * Rotation.RADIANS_PER_UNIT / dt));
+        motion[at + BodyRow.VX] = velocity(travelX, dt);
+        motion[at + BodyRow.VY] = velocity(travelY, dt);
+        motion[at + BodyRow.OMEGA] = velocity(turn * Rotation.RADIANS_PER_UNIT, dt);
         for (int boundary = 0; boundary <= subSteps; boundary++) {
             int pose = at + BodyRow.pose(boundary);
             double share = (double) boundary / subSteps;
@@ -259,6 +299,10 @@ public final class BodyTable {
             motion[pose + BodyRow.SIN] = (float) Rotation.sin(turned);
         }
         return Math.sqrt(travelX * travelX + travelY * travelY);
+    }
+
+    private static float velocity(double way, float dt) {
+        return Velocity.limitSpeed((float) (way / dt));
     }
 
     /** In radians, of the body whose row was filled last. */
@@ -272,6 +316,9 @@ public final class BodyTable {
         x[id] = place(nextX, bounds.minX(), bounds.periodX());
         y[id] = place(nextY, bounds.minY(), bounds.periodY());
         angle[id] += (int) turn;
+        lastVx[id] = velocity(travelX, dt) + 0f; // one zero, as of velocities that are set
+        lastVy[id] = velocity(travelY, dt) + 0f;
+        lastOmega[id] = velocity(turn * Rotation.RADIANS_PER_UNIT, dt) + 0f;
         travels[id] = false;
         jumps++;
     }
@@ -285,6 +332,9 @@ public final class BodyTable {
     void dropResting() {
         int kept = 0;
         for (int k = 0; k < moverCount; k++) {
+            if (!moves(movers[k])) {
+                stay(movers[k]);
+            }
             isMover[movers[k]] = moves(movers[k]);
             if (isMover[movers[k]]) {
                 movers[kept++] = movers[k];
@@ -332,6 +382,9 @@ public final class BodyTable {
         System.arraycopy(vx, 0, to.vx, 0, n);
         System.arraycopy(vy, 0, to.vy, 0, n);
         System.arraycopy(omega, 0, to.omega, 0, n);
+        System.arraycopy(lastVx, 0, to.lastVx, 0, n);
+        System.arraycopy(lastVy, 0, to.lastVy, 0, n);
+        System.arraycopy(lastOmega, 0, to.lastOmega, 0, n);
         System.arraycopy(travels, 0, to.travels, 0, n);
         System.arraycopy(targetX, 0, to.targetX, 0, n);
         System.arraycopy(targetY, 0, to.targetY, 0, n);
@@ -379,6 +432,9 @@ public final class BodyTable {
         System.arraycopy(from.vx, 0, vx, 0, n);
         System.arraycopy(from.vy, 0, vy, 0, n);
         System.arraycopy(from.omega, 0, omega, 0, n);
+        System.arraycopy(from.lastVx, 0, lastVx, 0, n);
+        System.arraycopy(from.lastVy, 0, lastVy, 0, n);
+        System.arraycopy(from.lastOmega, 0, lastOmega, 0, n);
         System.arraycopy(from.travels, 0, travels, 0, n);
         System.arraycopy(from.targetX, 0, targetX, 0, n);
         System.arraycopy(from.targetY, 0, targetY, 0, n);

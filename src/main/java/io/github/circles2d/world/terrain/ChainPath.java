@@ -8,6 +8,9 @@ import java.util.Arrays;
 
 /** Points in a row, and what joins them: lines, and arcs. It only grows, so a thread that reads a part of it finds that part whole. */
 public final class ChainPath {
+    /** Of an arc. */
+    private static final int MOST_LINES = 4096;
+
     private int pieces;
     private boolean closed;
 
@@ -167,6 +170,57 @@ public final class ChainPath {
         centres[2 * pieces + 1] = centreY;
         turns[pieces] = turn;
         pieces = next;
+    }
+
+    /** The same outline from its end to its start. Arcs end where they are computed to end, as those of a log do. */
+    public ChainPath reversed() {
+        ChainPath back = new ChainPath(x(pieces), y(pieces));
+        for (int k = pieces - 1; k >= 0; k--) {
+            if (turns[k] == 0) {
+                back.lineTo(x(k), y(k));
+            } else {
+                back.arcBy(centreX(k), centreY(k), -turns[k]);
+            }
+        }
+        if (closed) {
+            back.close();
+        }
+        return back;
+    }
+
+    /** x and y of points on the outline, between which lines are at most so far from it. */
+    public float[] points(float tolerance) {
+        int count = 1;
+        for (int k = 0; k < pieces; k++) {
+            count += lines(k, tolerance);
+        }
+        float[] to = new float[2 * count];
+        int at = 0;
+        for (int k = 0; k < pieces; k++) {
+            int lines = lines(k, tolerance);
+            for (int line = 0; line < lines; line++) {
+                to[at] = x(k);
+                to[at + 1] = y(k);
+                if (line > 0) {
+                    int turned = (int) Rotation.nearest((double) turns[k] * line / lines);
+                    double dx = (double) x(k) - centreX(k);
+                    double dy = (double) y(k) - centreY(k);
+                    to[at] = (float) (centreX(k) + (Rotation.cos(turned) * dx - Rotation.sin(turned) * dy));
+                    to[at + 1] = (float) (centreY(k) + (Rotation.sin(turned) * dx + Rotation.cos(turned) * dy));
+                }
+                at += 2;
+            }
+        }
+        to[at] = x(pieces);
+        to[at + 1] = y(pieces);
+        return to;
+    }
+
+    /** Lines in place of a piece: over an angle a the middle of a chord is less than r a^2 / 8 from the arc. */
+    private int lines(int piece, float tolerance) {
+        double angle = Math.abs(turns[piece]) * Rotation.RADIANS_PER_UNIT;
+        double lines = Math.ceil(angle * Math.sqrt(radius(piece) / (8.0 * tolerance)));
+        return turns[piece] == 0 ? 1 : (int) Math.max(1, Math.min(MOST_LINES, lines));
     }
 
     /** Joins the last point to the first, by a line unless they are one point but for rounding. */

@@ -47,6 +47,12 @@ public final class SavedTerrain {
     public float[] vy = new float[1];
     public float[] omega = new float[1];
 
+    /** By body: how it has moved in the last step. */
+    public float[] lastVx = new float[1];
+
+    public float[] lastVy = new float[1];
+    public float[] lastOmega = new float[1];
+
     /** By body: whether it travels to its target in the next step. */
     public boolean[] travels = new boolean[1];
 
@@ -111,6 +117,9 @@ public final class SavedTerrain {
             float[] newVx = new float[c];
             float[] newVy = new float[c];
             float[] newOmega = new float[c];
+            float[] newLastVx = new float[c];
+            float[] newLastVy = new float[c];
+            float[] newLastOmega = new float[c];
             boolean[] newTravels = new boolean[c];
             float[] newTargetX = new float[c];
             float[] newTargetY = new float[c];
@@ -123,6 +132,9 @@ public final class SavedTerrain {
             vx = newVx;
             vy = newVy;
             omega = newOmega;
+            lastVx = newLastVx;
+            lastVy = newLastVy;
+            lastOmega = newLastOmega;
             travels = newTravels;
             targetX = newTargetX;
             targetY = newTargetY;

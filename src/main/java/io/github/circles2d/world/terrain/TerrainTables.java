@@ -363,6 +363,8 @@ public final class TerrainTables {
             if (bodies.moves(bodies.mover(k))) {
                 bodies.end(bodies.mover(k), timeStep, subSteps, bounds);
                 lags = true;
+            } else {
+                bodies.stay(bodies.mover(k));
             }
         }
     }

@@ -26,7 +26,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -466,7 +466,7 @@ final class OclgrindWorlds {
         long[] handles = new long[1000];
         float[] hits = new float[CastSearch.HIT_STRIDE * handles.length];
         int found = 0;
-        for (CategoryFilter filter : new CategoryFilter[] {null, simulation.searches.filter(1)}) {
+        for (CircleFilter filter : new CircleFilter[] {null, simulation.searches.filter(null, 1)}) {
             found += switch (shape) {
                 case POINT -> simulation.searches.one(filter, shape, numbers, 2, handles, null);
                 case NEAREST -> simulation.searches.nearest(filter, numbers, 2, 100, 3, handles, hits);

@@ -39,7 +39,7 @@ class SparseGridTest {
         for (Bounds bounds :
                 new Bounds[] {new Bounds(0, 0, 1, 1), new Bounds(-3, 2, 500, 2.01f), new Bounds(0, 0, 0.01f, 90)}) {
             build(bounds, 1.02f);
-            assertThat(sparse.holds(0, 0)).isTrue();
+            assertThat(sparse.holds(0)).isTrue();
             for (int slot = 0; slot < MANY; slot++) {
                 float x = state.circle[CircleRow.of(slot) + CircleRow.X];
                 float y = state.circle[CircleRow.of(slot) + CircleRow.Y];
@@ -70,21 +70,17 @@ class SparseGridTest {
     void threadsFillTheSameCellsAsOneAndDecideAlike() {
         for (float share : new float[] {0.02f, 1}) {
             build(new Bounds(0, 0, 1, 1), share);
-            boolean held = sparse.holds(0, 0);
+            boolean held = sparse.holds(0);
             TreeSet<Integer> expected = slotsOfAll(sparse);
             try (Team three = new Team(3)) {
                 SparseGrid shared = new SparseGrid(state, grid, levels, three);
                 shared.ensure();
-                boolean[] decisions = new boolean[3];
-                three.run(3, worker -> {
-                    shared.clear(worker);
-                    three.sync(worker);
-                    shared.add(worker, three.part(MANY, worker), three.part(MANY, worker + 1));
-                    three.sync(worker);
-                    shared.settle(worker);
-                    decisions[worker] = shared.holds(worker, 0);
+                three.run(3, () -> {
+                    three.all(shared::clear);
+                    three.all(worker -> shared.add(worker, three.part(MANY, worker), three.part(MANY, worker + 1)));
+                    shared.settle();
                 });
-                assertThat(decisions).containsOnly(held);
+                assertThat(shared.holds(0)).isEqualTo(held);
                 assertThat(slotsOfAll(shared)).hasSize(MANY).isEqualTo(expected);
             }
         }
@@ -106,13 +102,13 @@ class SparseGridTest {
     @Test
     void holdsNoLevelWhoseCirclesLieClose() {
         build(new Bounds(0, 0, 1, 1), 0.02f);
-        assertThat(sparse.holds(0, 0)).isFalse();
+        assertThat(sparse.holds(0)).isFalse();
     }
 
     @Test
     void holdsNoLevelWhereAnEdgeWraps() {
         build(new Bounds(0, 0, 1, 1, AxisEdge.WRAP, AxisEdge.WALL), 1);
-        assertThat(sparse.holds(0, 0)).isFalse();
+        assertThat(sparse.holds(0)).isFalse();
         assertThat(sparse.bytes()).isLessThan(MANY);
     }
 
@@ -136,7 +132,7 @@ class SparseGridTest {
         sparse.ensure();
         sparse.clear(0);
         sparse.add(0, 0, MANY);
-        sparse.settle(0);
+        sparse.settle();
     }
 
     private float place(float min, float max, float share) {

@@ -156,6 +156,8 @@ class TerrainSectionTest {
         refused("out of range", s -> s.terrain.y[2] = 2e9);
         refused("velocity", s -> s.terrain.vx[2] = Float.POSITIVE_INFINITY);
         refused("velocity", s -> s.terrain.omega[2] = -0f);
+        refused("velocity", s -> s.terrain.lastVx[2] = Float.NaN);
+        refused("velocity", s -> s.terrain.lastOmega[2] = 2e9f);
         refused("out of range", s -> s.terrain.targetX[2] = -1);
         refused("generation", s -> s.terrain.pieceGeneration[0] = -1);
         refused("generation", s -> s.terrain.bodyGeneration[2] = -1);

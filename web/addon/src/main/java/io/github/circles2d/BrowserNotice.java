@@ -4,7 +4,5 @@ package io.github.circles2d;
 final class BrowserNotice {
     private BrowserNotice() {}
 
-    static void once(String subject, String text) {}
-
     static void debug(String text) {}
 }

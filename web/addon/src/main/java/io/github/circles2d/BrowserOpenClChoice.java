@@ -10,6 +10,10 @@ final class BrowserOpenClChoice {
         throw new OpenClUnavailableException("there is no OpenCL in a browser: take Backend.JVM or Backend.AUTO");
     }
 
+    static BackendChoice moving(BackendWish wish) {
+        return fastest(wish);
+    }
+
     static BackendChoice fastest(BackendWish wish) {
         return BackendChoice.jvm(wish, "there is no OpenCL in a browser");
     }

@@ -96,7 +96,7 @@ public final class DeviceSearch implements RemoteSearch {
         for (QueryShape shape : QueryShape.values()) {
             source = source.define("QUERY_" + shape.name(), shape.ordinal());
         }
-        return DeviceTree.define(source.define("KIND_WORDS", KIND_WORDS));
+        return DeviceTree.define(source.define("FILTER_WORDS", FILTER_WORDS).define("LEFT_OUT", LEFT_OUT));
     }
 
     @Override
@@ -131,13 +131,13 @@ public final class DeviceSearch implements RemoteSearch {
     }
 
     @Override
-    public boolean count(QueryShape shape, float[] queries, int n, int[] kinds, int[] counts) {
+    public boolean count(QueryShape shape, float[] queries, int n, int[] filter, int[] counts) {
         return n <= MOST_NUMBERS / shape.stride()
                 && did(() -> {
-                    write(shape, queries, n, kinds);
+                    write(shape, queries, n, filter);
                     ends = grown(ends, "ends of queries", Integer.BYTES, n);
                     hostIds = grown(hostIds, Integer.BYTES, n);
-                    bind(count, shape, kinds != null, n).arg(10, ends).run(n);
+                    bind(count, shape, filter != null, n).arg(10, ends).run(n);
                     ends.read(0, hostIds, 0, (long) Integer.BYTES * n);
                     hostIds.ints().get(0, counts, 0, n);
                     return true;
@@ -164,13 +164,13 @@ public final class DeviceSearch implements RemoteSearch {
 
     @Override
     public boolean few(
-            QueryShape shape, float[] queries, int n, float within, int most, int[] kinds, boolean withPlaces) {
+            QueryShape shape, float[] queries, int n, float within, int most, int[] filter, boolean withPlaces) {
         return n <= MOST_NUMBERS / shape.stride()
                 && (long) n * most <= MOST_FOUND
                 && did(() -> {
-                    write(shape, queries, n, kinds);
+                    write(shape, queries, n, filter);
                     makeRoom(n * most);
-                    bind(few, shape, kinds != null, n)
+                    bind(few, shape, filter != null, n)
                             .arg(10, within)
                             .arg(11, most)
                             .arg(12, ids)
@@ -181,17 +181,17 @@ public final class DeviceSearch implements RemoteSearch {
                 });
     }
 
-    private void write(QueryShape shape, float[] queries, int n, int[] kinds) {
+    private void write(QueryShape shape, float[] queries, int n, int[] filter) {
         int numbers = shape.stride() * n;
-        hostWords = grown(hostWords, Integer.BYTES, KIND_WORDS + numbers);
-        words = grown(words, "queries", Integer.BYTES, KIND_WORDS + numbers);
-        for (int k = 0; k < KIND_WORDS; k++) {
-            hostWords.ints().put(k, kinds == null ? 0 : kinds[k]);
+        hostWords = grown(hostWords, Integer.BYTES, FILTER_WORDS + numbers);
+        words = grown(words, "queries", Integer.BYTES, FILTER_WORDS + numbers);
+        for (int k = 0; k < FILTER_WORDS; k++) {
+            hostWords.ints().put(k, filter == null ? 0 : filter[k]);
         }
-        hostWords.floats().put(KIND_WORDS, queries, 0, numbers);
-        words.write(0, hostWords, 0, (long) Integer.BYTES * (KIND_WORDS + numbers));
+        hostWords.floats().put(FILTER_WORDS, queries, 0, numbers);
+        words.write(0, hostWords, 0, (long) Integer.BYTES * (FILTER_WORDS + numbers));
         counted = shape;
-        countedFiltered = kinds != null;
+        countedFiltered = filter != null;
     }
 
     private Kernel bind(Kernel search, QueryShape shape, boolean filtered, int n) {

@@ -3,8 +3,9 @@ package io.github.circles2d.world.jvm.threads;
 import java.lang.ref.Cleaner;
 
 /**
- * The threads of a step. All of them run the same method on their shares of the work, and wait for each other at
- * {@link #sync}; the caller's thread is worker 0. Between two runs the others sleep. Nothing here is allocated in a run.
+ * The threads of a step. The caller's thread makes a step's stages one after the other; {@link #all} shares out a stage. A worker is
+ * one of the shares, with its own place to work, and not a thread: any thread may do its part. Between two runs the other threads
+ * sleep. Nothing here is allocated in a run.
  *
  * <p>Shares are ranges of items, one or several, so the number of workers alone decides which worker does what. The
  * results of the stages do not depend even on that number.
@@ -13,7 +14,7 @@ import java.lang.ref.Cleaner;
  * more, and its threads end.
  */
 public final class Team implements AutoCloseable {
-    /** What all workers run. */
+    /** A stage, or a part of one: what each worker does. */
     public interface Work {
         public void run(int worker);
     }
@@ -75,22 +76,24 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Runs some work by so many workers, or fewer if the system has no more threads, and returns when all are through. What one of them
-     * throws is thrown here, as it is; the others stop at their next barrier, and the team is of no use after that.
+     * Runs stages, which call {@link #all}, with so many workers. There are fewer if the system has no more threads or other programs
+     * keep the processors busy. What a stage throws is thrown here, as it is; the team is of no use after that.
      */
-    public void run(int workers, Work work) {
-        size = workers == 1 ? 1 : crew.start(workers);
+    public void run(int workers, Runnable stages) {
+        size = workers == 1 ? 1 : crew.workers(workers);
         if (size == 1) {
-            work.run(0);
+            stages.run();
         } else {
-            crew.run(size, work);
+            crew.run(size, stages);
         }
     }
 
-    /** Waits for all workers of this run: what any of them did before, all of them see after. */
-    public void sync(int worker) {
-        if (size > 1) {
-            crew.sync(worker);
+    /** All workers of this run do a stage: each of them sees what any of them did in the stages before. */
+    public void all(Work stage) {
+        if (size == 1) {
+            stage.run(0);
+        } else {
+            crew.all(stage);
         }
     }
 

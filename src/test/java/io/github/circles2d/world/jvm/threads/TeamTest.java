@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,19 +18,20 @@ import org.junit.jupiter.params.provider.ValueSource;
 class TeamTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 7})
-    void whatAWorkerDidBeforeABarrierAllSeeAfterIt(int workers) {
+    void whatAWorkerDidInAStageAllSeeInTheNext(int workers) {
         int rounds = 2000;
         int[] marks = new int[16 * workers];
         int[] wrong = new int[16 * workers];
         try (Team team = new Team(workers)) {
-            team.run(workers, worker -> {
-                for (int round = 1; round <= rounds; round++) {
-                    marks[16 * worker] = round;
-                    team.sync(worker);
-                    for (int other = 0; other < workers; other++) {
-                        wrong[16 * worker] += marks[16 * other] == round ? 0 : 1;
-                    }
-                    team.sync(worker);
+            team.run(workers, () -> {
+                for (int k = 1; k <= rounds; k++) {
+                    int round = k;
+                    team.all(worker -> marks[16 * worker] = round);
+                    team.all(worker -> {
+                        for (int other = 0; other < workers; other++) {
+                            wrong[16 * worker] += marks[16 * other] == round ? 0 : 1;
+                        }
+                    });
                 }
             });
         }
@@ -42,19 +44,74 @@ class TeamTest {
             for (int round = 0; round < 500; round++) {
                 int workers = 1 + round % 5;
                 AtomicInteger sum = new AtomicInteger();
-                team.run(workers, worker -> {
-                    sum.addAndGet(1 << worker);
-                    team.sync(worker);
-                });
-                assertThat(sum.get()).isEqualTo((1 << workers) - 1);
+                team.run(workers, () -> team.all(worker -> sum.addAndGet(1 << worker)));
+                assertThat(sum.get()).isEqualTo((1 << team.size()) - 1);
+                assertThat(team.size()).isIn(1, workers);
             }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7})
+    void eachWorkerDoesAStageOnce(int workers) {
+        int stages = 5000;
+        AtomicIntegerArray done = new AtomicIntegerArray(workers);
+        try (Team team = new Team(workers)) {
+            team.run(workers, () -> {
+                for (int stage = 0; stage < stages; stage++) {
+                    team.all(done::incrementAndGet);
+                }
+            });
+        }
+        for (int worker = 0; worker < workers; worker++) {
+            assertThat(done.get(worker)).isEqualTo(stages);
+        }
+    }
+
+    /** Other threads take long for their parts, as if other programs had taken their processors. */
+    @Test
+    void aCallerThatWaitsForLongGoesOnAloneAndTriesAgain() {
+        Thread caller = Thread.currentThread();
+        AtomicInteger byOthers = new AtomicInteger();
+        Team.Work slow = worker -> {
+            boolean isCaller = Thread.currentThread() == caller;
+            byOthers.addAndGet(isCaller ? 0 : 1);
+            sleep(isCaller ? 0 : 20);
+        };
+        try (Team team = new Team(2)) {
+            for (int run = 0; run < 3; run++) {
+                team.run(2, () -> team.all(worker -> {}));
+            }
+            team.run(2, () -> {
+                while (byOthers.get() == 0) {
+                    team.all(slow);
+                }
+                for (int stage = 0; stage < 500; stage++) {
+                    team.all(slow);
+                }
+            });
+            assertThat(byOthers.get()).isLessThan(250);
+            team.run(2, () -> {});
+            for (int k = 0; k < 2000 && team.size() == 1; k++) {
+                sleep(1);
+                team.run(2, () -> {});
+            }
+            assertThat(team.size()).as("workers after the pause").isEqualTo(2);
+        }
+    }
+
+    private static void sleep(long millis) {
+        try {
+            Thread.sleep(millis);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
         }
     }
 
     @Test
     void sharesAreDisjointAndCoverAll() {
         try (Team team = new Team(3)) {
-            team.run(3, worker -> {});
+            team.run(3, () -> {});
             for (int n : new int[] {0, 1, 2, 3, 100, Integer.MAX_VALUE}) {
                 assertThat(team.part(n, 0)).isZero();
                 assertThat(team.part(n, 3)).isEqualTo(n);
@@ -67,7 +124,7 @@ class TeamTest {
     @ValueSource(ints = {1, 2, 3, 7})
     void everyItemIsDealtOutOnce(int workers) {
         try (Team team = new Team(workers)) {
-            team.run(workers, worker -> {});
+            team.run(workers, () -> {});
             for (int n : new int[] {0, 1, 5, 100, 1001}) {
                 int[] dealt = new int[n];
                 for (int worker = 0; worker < workers; worker++) {
@@ -94,7 +151,7 @@ class TeamTest {
         int n = 10_000;
         long fair = (long) n * (n - 1) / 2 / workers;
         try (Team team = new Team(workers)) {
-            team.run(workers, worker -> {});
+            team.run(workers, () -> {});
             for (int worker = 0; worker < workers; worker++) {
                 long work = 0;
                 for (int round = 0; round < team.rounds(); round++) {
@@ -112,16 +169,18 @@ class TeamTest {
     void whatAWorkerThrowsReachesTheCallerAndTheOthersStop(int failing) {
         IllegalStateException thrown = new IllegalStateException("worker " + failing);
         try (Team team = new Team(4)) {
-            assertThatThrownBy(() -> team.run(4, worker -> {
-                        for (int round = 0; ; round++) {
-                            if (worker == failing && round == 100) {
-                                throw thrown;
-                            }
-                            team.sync(worker);
+            assertThatThrownBy(() -> team.run(4, () -> {
+                        for (int k = 0; ; k++) {
+                            int round = k;
+                            team.all(worker -> {
+                                if (worker == failing && round == 100) {
+                                    throw thrown;
+                                }
+                            });
                         }
                     }))
                     .isSameAs(thrown);
-            assertThatThrownBy(() -> team.run(4, worker -> {}))
+            assertThatThrownBy(() -> team.run(4, () -> {}))
                     .isInstanceOf(IllegalStateException.class)
                     .hasCause(thrown);
         }
@@ -132,12 +191,13 @@ class TeamTest {
     void anErrorReachesTheCallerToo() {
         StackOverflowError thrown = new StackOverflowError();
         try (Team team = new Team(2)) {
-            assertThatThrownBy(() -> team.run(2, worker -> {
-                        if (worker == 1) {
-                            throw thrown;
-                        }
-                        team.sync(worker);
-                    }))
+            assertThatThrownBy(() -> team.run(
+                            2,
+                            () -> team.all(worker -> {
+                                if (worker == 1) {
+                                    throw thrown;
+                                }
+                            })))
                     .isSameAs(thrown);
         }
     }
@@ -147,10 +207,7 @@ class TeamTest {
         try (Team team = new Team(3)) {
             Thread.currentThread().interrupt();
             AtomicInteger sum = new AtomicInteger();
-            team.run(3, worker -> {
-                team.sync(worker);
-                sum.incrementAndGet();
-            });
+            team.run(3, () -> team.all(worker -> sum.incrementAndGet()));
             assertThat(sum.get()).isEqualTo(3);
         } finally {
             assertThat(Thread.interrupted()).isTrue();
@@ -160,7 +217,10 @@ class TeamTest {
     @Test
     void aTeamOfOneStartsNoThread() {
         try (Team team = new Team(1)) {
-            team.run(1, worker -> assertThat(Thread.currentThread().getName()).doesNotContain("circles2d"));
+            team.run(
+                    1,
+                    () -> team.all(worker ->
+                            assertThat(Thread.currentThread().getName()).doesNotContain("circles2d")));
             assertThat(threads()).isEmpty();
         }
     }
@@ -169,7 +229,7 @@ class TeamTest {
     void threadsAreDaemonsAndEndWithClose() {
         List<Thread> seen = new ArrayList<>();
         try (Team team = new Team(4)) {
-            team.run(4, worker -> team.sync(worker));
+            team.run(4, () -> {});
             seen.addAll(threads());
             assertThat(seen).hasSize(3).allMatch(Thread::isDaemon);
         }
@@ -188,7 +248,7 @@ class TeamTest {
 
     private static void forget() {
         Team team = new Team(3);
-        team.run(3, worker -> team.sync(worker));
+        team.run(3, () -> {});
         assertThat(threads()).hasSize(2);
     }
 

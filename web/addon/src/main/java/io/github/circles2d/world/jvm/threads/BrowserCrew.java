@@ -12,15 +12,15 @@ final class BrowserCrew {
         return 1;
     }
 
-    int start(int workers) {
+    int workers(int asked) {
         return 1;
     }
 
-    void run(int workers, Team.Work work) {
+    void run(int workers, Runnable stages) {
         throw new IllegalStateException("a browser has one thread");
     }
 
-    void sync(int worker) {
+    void all(Team.Work stage) {
         throw new IllegalStateException("a browser has one thread");
     }
 

@@ -1,0 +1,166 @@
+package io.github.circles2d;
+
+/**
+ * Says when a world moves to the other side, the JVM or a device, by what its own frames take: a step, with the reads since. It knows times and
+ * numbers of circles alone, so it can be tried without a world.
+ *
+ * <p>Frames are looked at in windows of three groups; the least mean of a group is the time of a window, so that a disturbance counts for nothing.
+ * A world goes where frames take at least a fifth less, and returns at once if they take a tenth more there. So it does not swing: in between it
+ * stays. After a move that did not pay it stays twice as long as before.
+ */
+class FrameRule {
+    /** With fewer circles, a world stays on the JVM: a read from a device alone takes longer than their step. */
+    static final int LEAST_CIRCLES = 1250;
+
+    /** Frames that take less are not worth a move. */
+    private static final double LEAST_NANOS = 0.5e6;
+
+    /** How much longer frames must take here than there before a world goes; and, once there, before it returns. */
+    private static final double GOES = 1.25;
+
+    private static final double RETURNS = 1.1;
+
+    /** Frames behind a move that do not count: memory is made, and code is compiled. */
+    private static final int SKIPPED = 4;
+
+    private static final int GROUPS = 3;
+
+    /** A group ends after so many frames, or after so long. */
+    private static final int GROUP_FRAMES = 8;
+
+    private static final double GROUP_NANOS = 50e6;
+
+    /** For how many windows a world stays at least, and at most, unless its number of circles doubles or halves. */
+    private static final int LEAST_STAY = 4;
+
+    private static final int MOST_STAY = 1024;
+
+    /** A time of the other side holds for crowds of half to twice the size. */
+    private static final double ALIKE = 2;
+
+    /** What a frame takes on a device, as a calibration says. */
+    private record Expected(double nanos, int circles) {}
+
+    private boolean onDevice;
+
+    /** Null if there is none, or if it has been taken over. */
+    private volatile Expected expected;
+
+    /** Of the last window here, and of the last one on the other side; NaN if there was none. */
+    private double here = Double.NaN;
+
+    private double there = Double.NaN;
+    private int circlesHere;
+    private int circlesThere;
+
+    /** Whether the world came here to see whether that pays, and whether it goes because that did not. */
+    private boolean tries;
+
+    private boolean returns;
+
+    private int windows;
+    private int stay = LEAST_STAY;
+    private int skip = SKIPPED;
+
+    // of the window that goes on
+    private int groups;
+    private int frames;
+    private double nanos;
+    private double least;
+
+    /** Takes over what a frame takes on the device, until the world has been there. Another thread may call this. */
+    void expect(double nanos, int circles) {
+        expected = new Expected(nanos, circles);
+    }
+
+    /** Takes a frame; returns whether the world should go to the other side, which is asked again with each window if it cannot. */
+    boolean frame(double frameNanos, int circles) {
+        if (skip > 0) {
+            skip--;
+            return false;
+        }
+        frames++;
+        nanos += frameNanos;
+        if (frames < GROUP_FRAMES && nanos < GROUP_NANOS) {
+            return false;
+        }
+        least = groups == 0 ? nanos / frames : Math.min(least, nanos / frames);
+        frames = 0;
+        nanos = 0;
+        if (++groups < GROUPS) {
+            return false;
+        }
+        groups = 0;
+        windows++;
+        here = least;
+        circlesHere = circles;
+        return judge();
+    }
+
+    private boolean judge() {
+        Expected first = expected;
+        if (first != null && Double.isNaN(there)) {
+            there = first.nanos;
+            circlesThere = first.circles;
+            expected = null;
+        }
+        if (onDevice && circlesHere < LEAST_CIRCLES) {
+            return true;
+        }
+        if (windows == 1 && tries) {
+            returns = here > RETURNS * expectedThere();
+            stay = returns ? Math.min(2 * stay, MOST_STAY) : LEAST_STAY;
+            return returns;
+        }
+        if (windows < stay && isAlike(circlesThere)) {
+            return false;
+        }
+        return onDevice ? here > RETURNS * expectedThere() : pays();
+    }
+
+    private boolean pays() {
+        boolean known = !Double.isNaN(there) && isAlike(circlesThere);
+        return circlesHere >= LEAST_CIRCLES
+                && here >= LEAST_NANOS
+                && (!known || windows >= MOST_STAY || here > GOES * there);
+    }
+
+    private boolean isAlike(int circles) {
+        return circlesHere <= ALIKE * circles && circles <= ALIKE * circlesHere;
+    }
+
+    /** What a frame would take on the other side. On the JVM that is in proportion to the circles; not known, it never pays to leave. */
+    private double expectedThere() {
+        if (Double.isNaN(there)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return onDevice ? there * circlesHere / Math.max(1, circlesThere) : there;
+    }
+
+    /** The world has moved. chosen: because this rule said so. */
+    void moved(boolean toDevice, boolean chosen) {
+        onDevice = toDevice;
+        double left = here;
+        int circlesLeft = circlesHere;
+        here = there;
+        circlesHere = circlesThere;
+        there = left;
+        circlesThere = circlesLeft;
+        tries = chosen && !returns;
+        returns = false;
+        windows = 0;
+        skip = SKIPPED;
+        groups = 0;
+        frames = 0;
+        nanos = 0;
+    }
+
+    /** What a frame took here and on the other side in the last windows, in milliseconds; NaN if not known. */
+    double millisHere() {
+        return here * 1e-6;
+    }
+
+    double millisThere() {
+        return there * 1e-6;
+    }
+}

@@ -1,0 +1,29 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.model.Readiness;
+
+/** Decides where a world that moves makes its steps. The world's thread calls it, but for what it does beside. */
+public interface Mover extends AutoCloseable {
+    /**
+     * Returns who makes the next steps: the pipeline that made the last ones, or another, which is ready and which nobody else uses.
+     *
+     * @param now who made the last ones
+     * @param wanted what the next steps need
+     * @param circles how many there are
+     * @param nanos what the last step and the reads behind it have taken; 0 if not known
+     */
+    Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos);
+
+    /** The pipeline that takes any world without compiling anything. */
+    Pipeline home();
+
+    /** The world has moved. cause: why it had to; null if this object chose so. */
+    void moved(Pipeline from, Pipeline to, long nanos, Throwable cause);
+
+    /** A pipeline that was chosen could not take the world over, which stays where it is. */
+    void refused(Pipeline chosen, Throwable why);
+
+    /** Closes all pipelines. */
+    @Override
+    void close();
+}

@@ -1,0 +1,241 @@
+package io.github.circles2d;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.OpenCl;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.device.DevicePipeline;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.shared.Mover;
+import io.github.circles2d.world.shared.Pipeline;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.SplittableRandom;
+
+/**
+ * Measures worlds that move, on the best OpenCL device. A frame is a step and a read of all circles.
+ *
+ * <pre>
+ * MovingFigures start 50000 30       the first frames of a world by AUTO, for so many seconds, and those of a world on the JVM beside it
+ * MovingFigures moves 10000 100000 1000000   what a move to the device and back takes
+ * MovingFigures crowd 500 200000 10  a crowd that grows and shrinks, by so many frames a percent: by AUTO, on the JVM, on the device
+ * </pre>
+ */
+public final class MovingFigures {
+    private static final int THREADS = World.Builder.defaultThreads();
+
+    private MovingFigures() {}
+
+    public static void main(String[] arguments) throws InterruptedException {
+        switch (arguments[0]) {
+            case "start" -> start(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
+            case "moves" ->
+                Arrays.stream(arguments).skip(1).mapToInt(Integer::parseInt).forEach(MovingFigures::moves);
+            case "crowd" ->
+                crowd(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]), Integer.parseInt(arguments[3]));
+            default -> throw new IllegalArgumentException("start, moves or crowd, not " + arguments[0]);
+        }
+    }
+
+    private static void say(String format, Object... values) {
+        System.out.println(String.format(Locale.ROOT, format, values));
+    }
+
+    // ---- the first frames
+    // --------------------------------------------------------------------------------------------
+
+    private static void start(int circles, int seconds) {
+        Scene scene = Scenes.packed(circles, Scenes.SEED);
+        float[] read = new float[4 * circles];
+        long begin = System.nanoTime();
+        World auto = WorldScenes.world(scene, WorldScenes.builder(scene).backend(Backend.AUTO));
+        frame(auto, scene, read);
+        say("%,d circles by AUTO: first frame %.3f s after the builder", circles, (System.nanoTime() - begin) * 1e-9);
+        long end = begin + seconds * 1_000_000_000L;
+        double worst = 0;
+        double sum = 0;
+        int frames = 0;
+        int moves = 0;
+        while (System.nanoTime() < end) {
+            double millis = frame(auto, scene, read);
+            worst = Math.max(worst, millis);
+            sum += millis;
+            frames++;
+            WorldStats stats = frames % 10 == 0 ? auto.stats() : null;
+            if (stats != null && stats.moves() > moves) {
+                moves = stats.moves();
+                say(
+                        "%.1f s: %s since the start %,d frames, mean %.2f ms, worst %.2f ms; moves took %.2f ms; %s",
+                        (System.nanoTime() - begin) * 1e-9,
+                        stats.backend(),
+                        frames,
+                        sum / frames,
+                        worst,
+                        stats.moveMillis(),
+                        stats.reason());
+                worst = 0;
+            }
+        }
+        say("at the end %s: worst since the last move %.2f ms", auto.stats(), worst);
+        auto.close();
+        World jvm = WorldScenes.world(scene, WorldScenes.builder(scene).threads(THREADS));
+        worst = 0;
+        sum = 0;
+        for (int frame = 0; frame < 300; frame++) {
+            double millis = frame(jvm, scene, read);
+            worst = frame < 50 ? 0 : Math.max(worst, millis);
+            sum += millis;
+        }
+        say("the JVM alone: mean %.2f ms, worst after 50 frames %.2f ms", sum / 300, worst);
+        jvm.close();
+    }
+
+    /** Makes a frame, and returns its milliseconds. */
+    private static double frame(World world, Scene scene, float[] read) {
+        long begin = System.nanoTime();
+        world.step(scene.timeStep());
+        world.read(read);
+        return (System.nanoTime() - begin) * 1e-6;
+    }
+
+    // ---- the cost of a move
+    // ------------------------------------------------------------------------------------------
+
+    /** Moves before each fourth step, to the device and back. */
+    private static final class ToAndFro implements Mover {
+        private final Pipeline home;
+        private final Pipeline device;
+        private int calls;
+        private final double[] least = {Double.MAX_VALUE, Double.MAX_VALUE};
+        private final double[] first = {0, 0};
+
+        ToAndFro(Pipeline home, Pipeline device) {
+            this.home = home;
+            this.device = device;
+        }
+
+        @Override
+        public Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos) {
+            device.compile(wanted);
+            return calls++ / 4 % 2 == 0 ? home : device;
+        }
+
+        @Override
+        public Pipeline home() {
+            return home;
+        }
+
+        @Override
+        public void moved(Pipeline from, Pipeline to, long nanos, Throwable cause) {
+            int way = to == device ? 0 : 1;
+            first[way] = first[way] == 0 ? nanos * 1e-6 : first[way];
+            least[way] = Math.min(least[way], nanos * 1e-6);
+        }
+
+        @Override
+        public void refused(Pipeline chosen, Throwable why) {
+            throw new IllegalStateException(why);
+        }
+
+        @Override
+        public void close() {
+            home.close();
+            device.close();
+        }
+    }
+
+    private static void moves(int circles) {
+        Scene scene = Scenes.packed(circles, Scenes.SEED);
+        Pipeline home = new JvmPipeline(THREADS, JvmPipeline.LEAST_SHARE, circles, false);
+        ToAndFro moves = new ToAndFro(home, new DevicePipeline(OpenCl.bestDevice(), circles, false, true));
+        try (World world = new World(WorldScenes.builder(scene), new BackendChoice(Backend.JVM, home, "measured"))) {
+            WorldScenes.load(scene, world);
+            world.simulation().moves.by(moves);
+            float[] read = new float[4 * circles];
+            double[] behind = {Double.MAX_VALUE, Double.MAX_VALUE};
+            for (int frame = 0; frame < 80; frame++) {
+                double millis = frame(world, scene, read);
+                if (frame >= 8 && frame % 4 == 0) {
+                    int way = frame / 4 % 2 == 1 ? 0 : 1;
+                    behind[way] = Math.min(behind[way], millis);
+                }
+            }
+            say(
+                    "%,d circles: to the device %.2f ms (first %.2f, least frame with it %.2f), back %.2f ms (first %.2f, least frame %.2f)",
+                    circles, moves.least[0], moves.first[0], behind[0], moves.least[1], moves.first[1], behind[1]);
+        }
+    }
+
+    // ---- a crowd that grows and shrinks
+    // ------------------------------------------------------------------------------
+
+    private static void crowd(int least, int most, int framesOfPercent) {
+        Device device = OpenCl.bestDevice();
+        World[] worlds = {
+            crowdWorld(most).backend(Backend.AUTO).build(),
+            crowdWorld(most).backend(Backend.JVM).build(),
+            crowdWorld(most).device(device).build()
+        };
+        long[][] handles = new long[3][most];
+        int[] cells = cells(most);
+        int[] living = {0, 0, 0};
+        float[] read = new float[4 * most];
+        say("frame,circles,auto,jvm,device,where,moves");
+        int target = least;
+        boolean grows = true;
+        for (int frame = 0; target >= least; frame++) {
+            double[] millis = new double[3];
+            for (int k = 0; k < 3; k++) {
+                long begin = System.nanoTime();
+                fill(worlds[k], handles[k], cells, living[k], target, most);
+                living[k] = target;
+                worlds[k].step(1 / 60f);
+                worlds[k].read(read);
+                millis[k] = (System.nanoTime() - begin) * 1e-6;
+            }
+            WorldStats stats = worlds[0].stats();
+            say(
+                    "%d,%d,%.3f,%.3f,%.3f,%s,%d",
+                    frame, target, millis[0], millis[1], millis[2], stats.backend(), stats.moves());
+            if (frame % framesOfPercent == framesOfPercent - 1) {
+                int change = Math.max(1, target / 100);
+                grows &= target < most;
+                target = grows ? Math.min(most, target + change) : target - change;
+            }
+        }
+        for (World world : worlds) {
+            say("%x", world.hash());
+            world.close();
+        }
+    }
+
+    private static World.Builder crowdWorld(int most) {
+        float side = 1.2f * (float) Math.ceil(Math.sqrt(most));
+        return World.builder().bounds(0, 0, side, side);
+    }
+
+    /** The cells of a square in which circles come, one after the other. */
+    private static int[] cells(int most) {
+        int[] cells = new int[most];
+        SplittableRandom random = new SplittableRandom(1);
+        for (int k = 0; k < most; k++) {
+            int other = random.nextInt(k + 1);
+            cells[k] = cells[other];
+            cells[other] = k;
+        }
+        return cells;
+    }
+
+    private static void fill(World world, long[] handles, int[] cells, int living, int target, int most) {
+        int row = (int) Math.ceil(Math.sqrt(most));
+        for (int k = living; k < target; k++) {
+            float x = 1.2f * (cells[k] % row) + 0.6f;
+            float y = 1.2f * (cells[k] / row) + 0.6f;
+            handles[k] = world.add(x, y, 0.45f, 1, k % 7 - 3, k % 5 - 2);
+        }
+        for (int k = living - 1; k >= target; k--) {
+            world.remove(handles[k]);
+        }
+    }
+}

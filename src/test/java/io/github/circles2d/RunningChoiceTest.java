@@ -1,0 +1,285 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenClUnavailableException;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.device.DevicePipeline;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.shared.Pipeline;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.IntFunction;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A world of AUTO begins on the JVM, and moves to a device when that is ready and while it is worth it; whatever fails, it goes on. */
+@Timeout(value = 300, unit = TimeUnit.SECONDS)
+class RunningChoiceTest {
+    private static final Scene SCENE = Scenes.packed(1500, 7);
+
+    /** Goes to the other side every few frames. */
+    private static final class Restless extends FrameRule {
+        private int frames;
+
+        @Override
+        boolean frame(double nanos, int circles) {
+            return ++frames % 5 == 0;
+        }
+    }
+
+    /** Goes to the device, and stays. */
+    private static final class Eager extends FrameRule {
+        private boolean away;
+
+        @Override
+        boolean frame(double nanos, int circles) {
+            return !away;
+        }
+
+        @Override
+        void moved(boolean toDevice, boolean chosen) {
+            away = toDevice;
+        }
+    }
+
+    /** Devices in Java, which count what is asked of them. */
+    private static final class Devices implements IntFunction<Pipeline> {
+        final AtomicInteger opened = new AtomicInteger();
+        final AtomicInteger closed = new AtomicInteger();
+        final AtomicInteger compiled = new AtomicInteger();
+
+        /** What the devices refuse. */
+        volatile String refused = "";
+
+        private final long millis;
+
+        Devices(long millis) {
+            this.millis = millis;
+        }
+
+        @Override
+        public Pipeline apply(int circles) {
+            pause();
+            opened.incrementAndGet();
+            Pipeline inner = new JvmPipeline(1, 1, 0, false);
+            Set<Object> ready = new HashSet<>();
+            AtomicInteger closings = new AtomicInteger();
+            return (Pipeline) Proxy.newProxyInstance(
+                    Pipeline.class.getClassLoader(), new Class<?>[] {Pipeline.class}, (proxy, method, arguments) -> {
+                        switch (method.getName()) {
+                            case "isReady" -> {
+                                return ready.contains(arguments[0]);
+                            }
+                            case "compile" -> {
+                                pause();
+                                if (refused.equals("compile")) {
+                                    throw new OpenClUnavailableException("refused");
+                                }
+                                compiled.incrementAndGet();
+                                ready.add(arguments[0]);
+                                return null;
+                            }
+                            case "close" -> closed.addAndGet(closings.getAndIncrement() == 0 ? 1 : 0);
+                            default -> {
+                                if (method.getName().equals(refused)) {
+                                    throw new DeviceMemoryException("none left", 2, 1);
+                                }
+                            }
+                        }
+                        try {
+                            return method.invoke(inner, arguments);
+                        } catch (InvocationTargetException e) {
+                            throw e.getCause();
+                        }
+                    });
+        }
+
+        private void pause() {
+            try {
+                Thread.sleep(millis);
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+    }
+
+    private static World world(IntFunction<Pipeline> devices, FrameRule rule) {
+        Pipeline home = new JvmPipeline(1, 1, 0, false);
+        RunningChoice running = new RunningChoice(home, () -> new JvmPipeline(1, 1, 0, false), devices, rule, 1500);
+        World.Builder builder = WorldScenes.builder(SCENE);
+        return WorldScenes.load(
+                SCENE, new World(builder, new BackendChoice(Backend.JVM, home, running.reason(), running)));
+    }
+
+    private static World stays() {
+        return WorldScenes.world(SCENE, WorldScenes.builder(SCENE));
+    }
+
+    /** Makes steps in both until one has moved so often. */
+    private static void stepUntilMoved(int moves, World world, World stays) {
+        while (world.stats().moves() < moves) {
+            world.step(SCENE.timeStep());
+            stays.step(SCENE.timeStep());
+            assertThat(world.hash()).isEqualTo(stays.hash());
+        }
+    }
+
+    @Test
+    void aWorldStartsAtOnceAndMovesWhenADeviceIsReady() {
+        try (World world = world(new Devices(100), new Eager());
+                World stays = stays()) {
+            assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
+            assertThat(world.stats().reason()).contains("starts here");
+            stepUntilMoved(1, world, stays);
+            assertThat(world.stats().backend()).isEqualTo(Backend.OPENCL_GPU);
+            assertThat(world.stats().reason()).contains("ms here").contains("the JVM");
+            assertThat(world.stats().moveMillis()).isPositive();
+        }
+    }
+
+    @Test
+    void aFeatureThatComesLaterIsMadeReadyWhileTheWorldIsAtHome() {
+        Devices devices = new Devices(5);
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            stepUntilMoved(1, world, stays);
+            for (World each : new World[] {world, stays}) {
+                each.kind(0).setFriction(0.5f);
+                each.report(Events.BEGIN);
+            }
+            world.step(SCENE.timeStep());
+            stays.step(SCENE.timeStep());
+            assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
+            assertThat(world.stats().reason()).contains("compiles");
+            stepUntilMoved(3, world, stays);
+            assertThat(world.stats().backend()).isEqualTo(Backend.OPENCL_GPU);
+            assertThat(devices.compiled.get()).isGreaterThanOrEqualTo(2);
+            assertThat(world.events().size()).isEqualTo(stays.events().size());
+        }
+    }
+
+    @Test
+    void aDeviceThatIsNotThereIsToldOfOnce() {
+        try (World world = world(
+                        circles -> {
+                            throw new OpenClUnavailableException("none here");
+                        },
+                        new Eager());
+                World stays = stays()) {
+            while (!world.stats().reason().contains("no GPU can be used: none here")) {
+                world.step(SCENE.timeStep());
+                stays.step(SCENE.timeStep());
+            }
+            assertThat(world.hash()).isEqualTo(stays.hash());
+            assertThat(world.stats().moves()).isZero();
+        }
+    }
+
+    @Test
+    void aWorldStaysWhereADeviceRefusesItsKernelsOrHasNoMemory() {
+        for (String refused : List.of("compile", "makeRoom", "prepare", "load")) {
+            Devices devices = new Devices(1);
+            devices.refused = refused;
+            try (World world = world(devices, new Eager());
+                    World stays = stays()) {
+                while (!world.stats().reason().contains(refused.equals("compile") ? "refuses" : "cannot take")) {
+                    world.step(SCENE.timeStep());
+                    stays.step(SCENE.timeStep());
+                }
+                assertThat(world.hash()).isEqualTo(stays.hash());
+                assertThat(world.stats().moves()).isZero();
+            }
+        }
+    }
+
+    @Test
+    void aDeviceThatHasNoMemoryForWhatComesIsLeft() {
+        Devices devices = new Devices(1);
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            stepUntilMoved(1, world, stays);
+            devices.refused = "makeRoom";
+            world.add(SCENE.x(0), SCENE.y(0), SCENE.radius(0), 1);
+            stays.add(SCENE.x(0), SCENE.y(0), SCENE.radius(0), 1);
+            stepUntilMoved(2, world, stays);
+            assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
+            assertThat(world.stats().reason()).contains("cannot take").contains("none left");
+        }
+    }
+
+    @Test
+    void worldsThatOpenAndCloseLeaveNoDeviceOpen() throws InterruptedException {
+        Devices devices = new Devices(3);
+        for (int k = 0; k < 50; k++) {
+            World world = world(devices, new Restless());
+            for (int step = 0; step < k % 7; step++) {
+                world.step(SCENE.timeStep());
+                Thread.sleep(k % 3);
+            }
+            world.close();
+            world.close();
+        }
+        while (devices.opened.get() < 50 || devices.closed.get() < devices.opened.get()) {
+            Thread.sleep(1);
+        }
+        assertThat(devices.opened.get()).isEqualTo(50);
+    }
+
+    @Test
+    void twoWorldsMoveAtOnce() throws InterruptedException {
+        moveAtOnce(new Devices(5), 10);
+    }
+
+    @Test
+    @Tag("long")
+    void twoWorldsMoveAtOnceToOneDevice() throws InterruptedException {
+        for (Device device : TestDevices.all()) {
+            moveAtOnce(circles -> new DevicePipeline(device, circles, false, true), 6);
+        }
+    }
+
+    private static void moveAtOnce(IntFunction<Pipeline> devices, int moves) throws InterruptedException {
+        List<Throwable> failures = new ArrayList<>();
+        CountDownLatch begins = new CountDownLatch(1);
+        List<Thread> threads = new ArrayList<>();
+        for (int k = 0; k < 2; k++) {
+            Thread thread = new Thread(() -> {
+                try (World world = world(devices, new Restless());
+                        World stays = stays()) {
+                    begins.await();
+                    stepUntilMoved(moves, world, stays);
+                } catch (Throwable e) {
+                    synchronized (failures) {
+                        failures.add(e);
+                    }
+                }
+            });
+            thread.start();
+            threads.add(thread);
+        }
+        begins.countDown();
+        for (Thread thread : threads) {
+            thread.join();
+        }
+        assertThatCode(() -> {
+                    for (Throwable failure : failures) {
+                        throw failure;
+                    }
+                })
+                .doesNotThrowAnyException();
+    }
+}
