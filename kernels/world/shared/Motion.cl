@@ -204,6 +204,21 @@ void bringInside(float *x, float *d, float min_, float last, float period) {
 }
 #endif
 
+#ifdef SLEEPING
+// m: motion, before the base takes the displacement.
+void finalizeSleep(const World *w, int slot, float4 m, float inverseMass_) {
+    int4 sleep = w->sleep[slot];
+    if (inverseMass_ != 0.0f) {
+        sleep.DRIFT_X = as_int(as_float(sleep.DRIFT_X) + m.DX);
+        sleep.DRIFT_Y = as_int(as_float(sleep.DRIFT_Y) + m.DY);
+#ifdef TURNING
+        sleep.UNITS_TURNED = (int) ((uint) sleep.UNITS_TURNED + ((uint) w->homeTurn[slot].ANGLE - (uint) w->turn[slot].ANGLE));
+#endif
+    }
+    w->homeSleep[slot] = sleep;
+}
+#endif
+
 // The base takes the displacement, the displacement what that lost; all goes home.
 INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, float4 t) {
     const StepConstants *k = &w->k;
@@ -229,5 +244,8 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
 #endif
 #ifdef TERRAIN
     finalizePieces(w, slot);
+#endif
+#ifdef SLEEPING
+    finalizeSleep(w, slot, m, t.INVERSE_MASS);
 #endif
 }

@@ -579,6 +579,9 @@ float2 movePieces(const World *w, int slot, float4 c, float2 from, float2 to) {
 // Ends the step; all goes home.
 void finalizePieces(const World *w, int slot) {
     int2 own = w->pieces[slot];
+#ifdef SLEEPING
+    if (own.PIECES_COUNT < 0) own.PIECES_COUNT = ~own.PIECES_COUNT; // see keepPieces
+#endif
     w->homePieces[slot] = own;
 #pragma unroll 1
     for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) {

@@ -23,6 +23,13 @@ typedef struct {
     Ready ready;
 } Visit;
 
+#ifdef SLEEPING
+// One that sleeps is pushed as if it gave way: else a circle that lies on a heap would push the heap.
+float massOfPair(const World *w, int lower, int higher) {
+    return effectiveMass(inverseMass(w->circle[lower].MASS), inverseMass(w->circle[higher].MASS));
+}
+#endif
+
 INLINE Found foundPair(const StepConstants *k, const Pair *p) {
     Found f;
     f.separation = p->separation;
@@ -54,6 +61,9 @@ INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, 
     f.halfFall = halfFall(dotf(p->nx, p->ny, fall.x, fall.y), p->invMassA, p->invMassB);
     beginVisit(p, v);
     makeReadyToSolve(k, contactSoftness(k), &f, &v->ready);
+#ifdef SLEEPING
+    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
+#endif
     return f.before;
 }
 
@@ -61,6 +71,9 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
     Found f = foundPair(k, p);
     beginVisit(p, v);
     makeReadyToRelax(k, &f, p->bounce, &v->ready);
+#ifdef SLEEPING
+    v->ready.bounceMass = effectiveMass(p->invMassA, p->invMassB);
+#endif
 }
 
 // Returns the normal speed before the visit.

@@ -1,9 +1,55 @@
-// uses: world/shared/Surface.cl world/shared/Walls.cl world/stages/World.cl
+// uses: world/shared/Sleep.cl world/shared/Surface.cl world/shared/Walls.cl world/stages/World.cl
 // Applies the records of the Java class Commands. The host links those of one circle in call order; circles are independent.
+
+#ifdef SLEEPING
+#define CHANGED_PARAMETER , global float4 *changed
+
+// As one that has not begun to come to rest.
+int4 restarted(float4 c, float4 m) {
+    bool isStatic = inverseMass(c.MASS) == 0.0f;
+    return (int4)(0, as_int(isStatic ? 0.0f : 0.0f - m.DX), as_int(isStatic ? 0.0f : 0.0f - m.DY), 0);
+}
+
+// Whether an operation wakes its circle.
+bool wakesItself(global const int *record) {
+    int field = record[COMMAND_FIRST];
+    switch (record[COMMAND_OPCODE]) {
+    case COMMAND_ADD:
+    case COMMAND_REMOVE:
+    case COMMAND_DEPART:
+    case COMMAND_ARRIVE:
+        return false;
+    case COMMAND_FIELD:
+        return field == FIELD_KIND || field == FIELD_GROUP || field == FIELD_FRICTION || field == FIELD_ROLLING_RESISTANCE;
+    default:
+        return true;
+    }
+}
+
+// The circle before a change by which others may lose what carries them; of no mass if there is none.
+float4 changedBefore(global const int *record, float4 c) {
+    int operation = record[COMMAND_OPCODE];
+    bool wakes =
+        operation == COMMAND_REMOVE || operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_MASS;
+    return wakes ? c : (float4)(0.0f);
+}
+
+// The circle behind a change that may push others.
+float4 changedBehind(global const int *record, float4 c) {
+    int operation = record[COMMAND_OPCODE];
+    int field = record[COMMAND_FIRST];
+    bool wakes = operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_MASS ||
+                 (operation == COMMAND_ADD && inverseMass(c.MASS) == 0.0f) ||
+                 (operation == COMMAND_FIELD && (field == FIELD_KIND || field == FIELD_GROUP));
+    return wakes ? c : (float4)(0.0f);
+}
+#else
+#define CHANGED_PARAMETER
+#endif
 
 // Index space: a record. Cost: the records of its circle. links: the next record of the circle or -1; twice the slot of a new circle, plus
 // 1 for its first.
-kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count) {
+kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count CHANGED_PARAMETER) {
     World w = WORLD;
     int r = (int) get_global_id(0);
     if (r >= count || (links[r].y & 1) == 0) return;
@@ -14,6 +60,11 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         global const int *record = records + r * COMMAND_STRIDE;
         float a = as_float(record[COMMAND_FIRST]);
         float b = as_float(record[COMMAND_SECOND]);
+#ifdef SLEEPING
+        bool wakes = wakesItself(record);
+        changed[2 * r] = changedBefore(record, slot < 0 ? (float4)(0.0f) : w.homeCircle[slot]);
+        if (wakes) w.homeTraits[slot].INVERSE_MASS = inverseMass(w.homeCircle[slot].MASS);
+#endif
         switch (record[COMMAND_OPCODE]) {
         case COMMAND_ADD:
             slot = links[r].y >> 1;
@@ -117,17 +168,49 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }
+#ifdef SLEEPING
+        if (wakes || record[COMMAND_OPCODE] == COMMAND_ADD) w.homeSleep[slot] = restarted(w.homeCircle[slot], w.homeMotion[slot]);
+        changed[2 * r + 1] = changedBehind(record, w.homeCircle[slot]);
+#endif
     }
 }
 
+#ifdef SLEEPING
+#define HOME_SLEEP_PARAMETER , global int4 *homeSleep
+
+// Wakes circles near to those that have changed, or all. Index space: slots at home. Cost: the changes.
+kernel void commands_wake(global const int *homeId, global const float4 *homeCircle, global const float4 *homeMotion,
+                          global float4 *homeTraits, global int4 *homeSleep, int slots, global const float4 *changed, int changes,
+                          int all, float periodX, float periodY) {
+    int slot = (int) get_global_id(0);
+    if (slot >= slots || homeId[slot] < 0 || !isAsleep(homeSleep[slot].REST)) return;
+    float4 c = homeCircle[slot];
+    bool near = all != 0;
+    for (int k = 0; k < changes && !near; k++) {
+        float4 o = changed[k];
+        float far = SLEEP_NEIGHBOURS * (c.RADIUS + o.RADIUS);
+        near = o.MASS > 0.0f && fabs(shortWay(o.x - c.x, periodX)) <= far && fabs(shortWay(o.y - c.y, periodY)) <= far;
+    }
+    if (!near) return;
+    homeTraits[slot].INVERSE_MASS = inverseMass(c.MASS);
+    homeSleep[slot] = restarted(c, homeMotion[slot]);
+}
+#else
+#define HOME_SLEEP_PARAMETER
+#endif
+
 // Brings circles outside of new bounds to the nearest place inside, unless the next step pushes them there. Index space: slots at home.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
-                             global const float4 *homeTraits, int slots, float minX, float minY, float maxX,
-                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY) {
+                             global float4 *homeTraits, int slots, float minX, float minY, float maxX,
+                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY HOME_SLEEP_PARAMETER) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
+#ifdef SLEEPING
+    float edge = inverseMass(c.MASS) == 0.0f ? 0.0f : c.RADIUS;
+#else
     float edge = homeTraits[slot].INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
+#endif
     float x = clampf(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
     float y = clampf(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {
@@ -138,4 +221,10 @@ kernel void commands_confine(global const int *homeId, global float4 *homeCircle
         homeCircle[slot].y = y;
         homeMotion[slot].DY = 0.0f;
     }
+#ifdef SLEEPING
+    if (x != c.x || y != c.y) {
+        homeTraits[slot].INVERSE_MASS = inverseMass(c.MASS);
+        homeSleep[slot] = restarted(c, homeMotion[slot]);
+    }
+#endif
 }

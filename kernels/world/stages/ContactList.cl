@@ -73,7 +73,12 @@ bool lackContactRoom(const World *w) {
 #ifdef TERRAIN
     if (w->status[PIECES_FOUND] > w->contactRoom) return true;
 #endif
+#ifdef SLEEPING
+    // Impulses of pairs at rest come behind those of contacts.
+    return contactsListed(w) + w->status[KEPT_COUNT] > w->contactRoom;
+#else
     return contactsListed(w) > w->contactRoom;
+#endif
 }
 
 void noteContacts(const World *w) {

@@ -104,13 +104,22 @@ void restrain(const World *w, int slot, float most, bool stands) {
 
 void shorten(const World *w, int slot, float t) { atomic_min(&w->timeOfImpact[slot], as_int(t)); }
 
+// Whether a circle is static to steps: its mass is infinite, or it sleeps.
+bool standsAt(const World *w, int slot, float mass) {
+#ifdef SLEEPING
+    return w->sight[slot].SIGHT_INVERSE_MASS == 0.0f;
+#else
+    return mass == INFINITY; // spares a read
+#endif
+}
+
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
     float ux = s->px - plan.PATH_X;
     float uy = s->py - plan.PATH_Y;
     if (!isLonger(ux, uy, s->least)) return;
-    bool stands = inverseMass(c.MASS) == 0.0f; // spares a read
+    bool stands = standsAt(w, other, c.MASS);
     if (!mayMeet(w, s->slot, 1.0f, other, stands ? 0.0f : 1.0f)) return;
     if (!stands && !sweeps(s->r, c.RADIUS)) return;
     float dx = ACROSS_X(w, c.x - s->x);
@@ -149,14 +158,14 @@ bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
 // Most do not touch by their paths.
 void meetIfNear(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
-    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.MASS == INFINITY) meet(w, s, other);
+    if (mayTouchBy(w, s, c, w->motionClamp[other]) || standsAt(w, other, c.MASS)) meet(w, s, other);
 }
 
 // If the other one reaches far: either way round.
 void meetBoth(const World *w, const Runner *s, bool looks, int other) {
     float4 c = w->circle[other];
     bool touches = mayTouchBy(w, s, c, w->motionClamp[other]);
-    if (looks && (touches || c.MASS == INFINITY)) meet(w, s, other);
+    if (looks && (touches || standsAt(w, other, c.MASS))) meet(w, s, other);
     if (touches || s->isStatic) {
         Runner o = runnerOf(w, other);
         meet(w, &o, s->slot);
@@ -174,7 +183,7 @@ void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
 void meetCarrier(const World *w, const Runner *s, int other, bool note) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    bool isStatic = inverseMass(c.MASS) == 0.0f; // spares a read
+    bool isStatic = standsAt(w, other, c.MASS);
     if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, isStatic ? 0.0f : 1.0f)) return;
     if (s->isStatic) {
         if (plan.PATH_LENGTH <= s->path + CAP * c.RADIUS) meetCarried(w, s->slot, other, note);

@@ -1,4 +1,4 @@
-// uses: world/shared/Contact.cl world/shared/Piece.cl world/shared/TouchRule.cl world/stages/World.cl
+// uses: world/shared/Contact.cl world/shared/Piece.cl world/shared/Sleep.cl world/shared/TouchRule.cl world/stages/World.cl
 // Decides what a step reports: which pairs begin to touch, hit each other, and end to touch, in the order of a step's events. The Java class
 // TouchTracker does the same. The phases, each behind all of the one before:
 //
@@ -158,12 +158,53 @@ void startEvents(const World *w) {
     w->status[OPEN_HITS] = 0;
 }
 
+#ifdef SLEEPING
+// Whether none of a pair moves, and one sleeps: no contact tells of it, and it goes on to touch.
+bool isAtRest(const World *w, int lower, int higher) {
+    int slot = w->slotOf[lower];
+    if (slot < 0) return false;
+    bool sleeps_ = isAsleep(w->homeSleep[slot].REST);
+    if (higher >= FIRST_WALL) return sleeps_;
+    int other = w->slotOf[higher];
+    if (other < 0) return false;
+    bool still = w->homeTraits[slot].INVERSE_MASS == 0.0f && w->homeTraits[other].INVERSE_MASS == 0.0f;
+    return still && (sleeps_ || isAsleep(w->homeSleep[other].REST));
+}
+
+// A pair at rest whose hit is not complete gets another place: a second try must find what this one has.
+void goOnWithHit(const World *w, int4 pair) {
+    const Reporting *r = &w->reporting;
+    int open = NONE;
+    int hit_ = atomic_inc(&w->status[OPEN_HITS]);
+    if (hit_ < r->openRoom) {
+        global const float4 *before = openHit(w, pair.w >> 2, r->step - 1);
+        openHit(w, hit_, r->step)[0] = before[0];
+        openHit(w, hit_, r->step)[1] = before[1];
+        open = openOf(hit_, r->step);
+    }
+    int k = atomic_inc(&w->status[NEWCOMERS]);
+    if (k < r->room) r->newcomers[k] = (int4)(pair.x, pair.y, r->step, open);
+}
+#endif
+
 void tellOfEnds(const World *w, int place) {
     const Reporting *r = &w->reporting;
     int4 pair = r->touching[place];
     if (pair.z != r->step - 1) return;
-    atomic_inc(&w->status[LEAVERS]);
     int types = typesOf(w, pair.x, pair.y);
+#ifdef SLEEPING
+    if (types != 0 && isAtRest(w, pair.x, pair.y)) {
+        if (isOpen(pair.w, r->step - 1)) {
+            atomic_inc(&w->status[LEAVERS]);
+            goOnWithHit(w, pair);
+        } else {
+            r->touching[place].z = r->step;
+            r->touching[place].w = NONE;
+        }
+        return;
+    }
+#endif
+    atomic_inc(&w->status[LEAVERS]);
     if (isOpen(pair.w, r->step - 1)) {
         global const float4 *hit = openHit(w, pair.w >> 2, r->step - 1);
         draft(w, pair.x, pair.y, types, TYPE_HIT, RANK_HIT, hit[0], hit[1].xy, hit[1].z);
@@ -271,10 +312,21 @@ kernel void events_begin(EVENT_PARAMETERS) {
 #define KINDS_OF_PIECES
 #endif
 
-kernel void events_end(EVENT_PARAMETERS KINDS_OF_PIECES) {
+#ifdef SLEEPING
+#define WHO_SLEEPS , global int *slotOf, global float4 *homeTraits, global int4 *homeSleep
+#else
+#define WHO_SLEEPS
+#endif
+
+kernel void events_end(EVENT_PARAMETERS KINDS_OF_PIECES WHO_SLEEPS) {
     EVENTS_IN(w)
 #ifdef TERRAIN
     w.terrain = kindMotion + TERRAIN_AT;
+#endif
+#ifdef SLEEPING
+    w.slotOf = slotOf;
+    w.homeTraits = homeTraits;
+    w.homeSleep = homeSleep;
 #endif
     if (!isMade(&w)) return;
     for (int place = (int) get_global_id(0); place <= w.reporting.mask; place += (int) get_global_size(0)) {

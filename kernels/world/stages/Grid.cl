@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Paths.cl world/shared/TimeOfImpact.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl
+// uses: world/stages/World.cl world/shared/Paths.cl world/shared/TimeOfImpact.cl world/shared/Wall.cl world/shared/Drive.cl world/shared/Turning.cl world/shared/Sleep.cl
 // Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
 // place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
@@ -16,6 +16,11 @@ void startStep(const World *w) {
     w->status[FOUND] = 0;
 #ifdef TERRAIN
     w->status[PIECES_FOUND] = 0;
+#endif
+#ifdef SLEEPING
+    w->status[SLEEPERS] = 0;
+    w->status[WOKEN_COUNT] = 0;
+    w->status[KEPT_COUNT] = 0;
 #endif
 }
 
@@ -46,7 +51,12 @@ int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
     int level = levelOf(w, c.RADIUS);
     int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
-    return key + (w->homeTraits[slot].INVERSE_MASS == 0.0f ? 1 : 0);
+#ifdef SLEEPING
+    float own = inverseMass(c.MASS); // who sleeps may wake within the step
+#else
+    float own = w->homeTraits[slot].INVERSE_MASS;
+#endif
+    return key + (own == 0.0f ? 1 : 0);
 }
 
 void scatterSlot(const World *w, int slot) {
@@ -99,30 +109,13 @@ float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     return maxf(minf(tx, ty), 0.0f);
 }
 
-// Returns whether it is fast.
-bool gatherCircle(const World *w, int i) {
-    int2 listed = w->order[i];
-    int from = listed.LISTED_SLOT;
-    int bucket = w->bucketBefore[from];
-    float4 c = w->homeCircle[from];
-    float4 m = w->homeMotion[from];
-    float4 t = w->homeTraits[from];
-    int firstCached = w->homeFirstCached[from];
-    int start = w->bucketStart[bucket];
-    int end = w->bucketStart[bucket + 1];
-    int slot;
-    if (w->levels->haveSheets) {
-        int key = w->listedSheet[i];
-        slot = start + countBefore(w, start, end, key, listed.LISTED_ID);
-        w->sheetKey[slot] = key;
-    } else {
-        slot = start + countLower(w, start, end, listed.LISTED_ID);
-    }
-    bool isStatic = t.INVERSE_MASS == 0.0f;
+// Plans the motion of a circle, and describes it for searches. Returns whether it is fast.
+INLINE bool describeCircle(const World *w, int slot, int id, float4 c, float4 m, float inverseMass_) {
+    bool isStatic = inverseMass_ == 0.0f;
     float px = plan(m.VX, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.VY, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     if (w->k.driving && !isStatic) {
-        float2 driven = drivenPath(w, listed.LISTED_ID, t.INVERSE_MASS, m);
+        float2 driven = drivenPath(w, id, inverseMass_, m);
         px = driven.x;
         py = driven.y;
     }
@@ -147,13 +140,54 @@ bool gatherCircle(const World *w, int i) {
     py = share * py;
     path = share * path;
     bool fast = isFast(path, isStatic ? leastRadius(w) : c.RADIUS);
+    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.RADIUS, path);
+    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.RADIUS, path), inverseMass_);
+    if (w->k.sweeping) {
+        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.RADIUS));
+        w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
+        w->carryTime[slot] = as_int(NOT_CARRIED);
+        w->carrier[slot] = NOBODY;
+        w->lastReached[slot] = (int2)(NONE);
+        if (isStatic && path > 0.0f) w->status[CARRYING] = 1;
+    }
+    return fast;
+}
+
+#ifdef SLEEPING
+void gatherSleep(const World *w, int slot, int from) {
+    int4 sleep = w->homeSleep[from];
+    w->sleep[slot] = sleep;
+    w->waking[slot] = (int2)(0);
+    w->heavySum[slot] = (long4)(0);
+}
+#endif
+
+// Returns whether it is fast.
+bool gatherCircle(const World *w, int i) {
+    int2 listed = w->order[i];
+    int from = listed.LISTED_SLOT;
+    int bucket = w->bucketBefore[from];
+    float4 c = w->homeCircle[from];
+    float4 m = w->homeMotion[from];
+    float4 t = w->homeTraits[from];
+    int firstCached = w->homeFirstCached[from];
+    int start = w->bucketStart[bucket];
+    int end = w->bucketStart[bucket + 1];
+    int slot;
+    if (w->levels->haveSheets) {
+        int key = w->listedSheet[i];
+        slot = start + countBefore(w, start, end, key, listed.LISTED_ID);
+        w->sheetKey[slot] = key;
+    } else {
+        slot = start + countLower(w, start, end, listed.LISTED_ID);
+    }
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->id[slot] = listed.LISTED_ID;
     w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
-#ifdef JOINTS
+#if defined(JOINTS) || defined(SLEEPING)
     workingSlotOf(w)[from] = slot;
 #endif
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
@@ -170,17 +204,10 @@ bool gatherCircle(const World *w, int i) {
         w->coarser[slot] = 0;
         w->heavySum[slot] = (long4)(0);
     }
-    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.RADIUS, path);
-    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.RADIUS, path), t.INVERSE_MASS);
-    if (w->k.sweeping) {
-        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.RADIUS));
-        w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
-        w->carryTime[slot] = as_int(NOT_CARRIED);
-        w->carrier[slot] = NOBODY;
-        w->lastReached[slot] = (int2)(NONE);
-        if (isStatic && path > 0.0f) w->status[CARRYING] = 1;
-    }
-    return fast;
+#ifdef SLEEPING
+    gatherSleep(w, slot, from);
+#endif
+    return describeCircle(w, slot, listed.LISTED_ID, c, m, t.INVERSE_MASS);
 }
 
 // The step was refused before.
@@ -195,8 +222,20 @@ kernel void grid_gather(WORLD_PARAMETERS) {
     local int fast;
     int i = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;
+#ifdef SLEEPING
+    local int sleepers;
+    if (get_local_id(0) == 0) sleepers = 0;
+#endif
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (i < circles && !gridIsEmpty(&w) && gatherCircle(&w, i)) fast = 1;
+    if (i < circles && !gridIsEmpty(&w)) {
+        if (gatherCircle(&w, i)) fast = 1;
+#ifdef SLEEPING
+        if (isAsleep(w.homeSleep[w.order[i].LISTED_SLOT].REST)) sleepers = 1;
+#endif
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0 && fast) status[FAST] = 1;
+#ifdef SLEEPING
+    if (get_local_id(0) == 0 && sleepers) status[SLEEPERS] = 1;
+#endif
 }

@@ -138,34 +138,66 @@ void goOnTouching(const World *w, const PieceSeeker *s, int2 old) {
     }
 }
 
-// Finds the contacts of a circle.
-void findPieces(const World *w, int slot) {
-    int2 old = w->pieces[slot];
-    w->pieces[slot] = (int2)(0);
-    if (w->sight[slot].SIGHT_INVERSE_MASS == 0.0f) return;
+// path: how far the circle goes.
+PieceSeeker seekerOfPieces(const World *w, int slot, float path) {
     PieceSeeker s;
     s.c = w->circle[slot];
-    float2 way = w->motionClamp[slot].PATH;
-    float path = lengthf(way.x, way.y);
     s.sight = sight(s.c.RADIUS, path);
     s.kind = w->fields[w->id[slot]].kind;
     s.first = NONE;
     s.count = 0;
+    return s;
+}
+
+// Lists the pieces. Returns whether there are some, and room for them.
+bool listPieces(const World *w, PieceSeeker *s) {
     // A loop, so that what looks for them is there once.
 #pragma unroll 1
     for (int found = 0;;) {
-        lookForPieces(w, &s);
-        if (s.first != NONE) break;
-        found = s.count;
-        if (found == 0) return;
+        lookForPieces(w, s);
+        if (s->first != NONE) return true;
+        found = s->count;
+        if (found == 0) return false;
         int first = atomic_add(&w->status[PIECES_FOUND], found);
-        if (first > w->contactRoom - found) return;
-        s.first = first;
-        s.count = 0;
+        if (first > w->contactRoom - found) return false;
+        s->first = first;
+        s->count = 0;
         if (found > PIECES_KEPT) continue;
-        for (int k = 0; k < found; k++) notePiece(w, &s, s.kept[k]);
-        break;
+        for (int k = 0; k < found; k++) notePiece(w, s, s->kept[k]);
+        return true;
     }
+}
+
+#ifdef SLEEPING
+// One that sleeps keeps those that it had: no visit sees them.
+void keepPieces(const World *w, int slot, int2 old) {
+    int count = old.PIECES_COUNT;
+    if (count == 0) return;
+    int first = atomic_add(&w->status[PIECES_FOUND], count);
+    if (first > w->contactRoom - count) return;
+#pragma unroll 1
+    for (int k = 0; k < count; k++) {
+        w->piece[first + k].TOUCHED = w->homePiece[old.PIECES_FIRST + k];
+        w->push[first + k] = w->homePush[old.PIECES_FIRST + k];
+        w->pieceRows[first + k] = w->homePieceRows[old.PIECES_FIRST + k];
+    }
+    w->pieces[slot] = (int2)(first, ~count);
+}
+#endif
+
+// Finds the contacts of a circle.
+void findPieces(const World *w, int slot) {
+    int2 old = w->pieces[slot];
+    w->pieces[slot] = (int2)(0);
+    if (w->sight[slot].SIGHT_INVERSE_MASS == 0.0f) {
+#ifdef SLEEPING
+        keepPieces(w, slot, old);
+#endif
+        return;
+    }
+    float2 way = w->motionClamp[slot].PATH;
+    PieceSeeker s = seekerOfPieces(w, slot, lengthf(way.x, way.y));
+    if (!listPieces(w, &s)) return;
     goOnTouching(w, &s, old);
     w->pieces[slot] = (int2)(s.first, s.count);
 }

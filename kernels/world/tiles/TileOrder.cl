@@ -365,7 +365,11 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             }
             a->load[i] = c[n].xy;
             a->of.circle.radius[i] = c[n].RADIUS;
+#ifdef SLEEPING
+            a->of.circle.inverseMass[i] = inverseMass(c[n].MASS); // see massOfPair
+#else
             a->of.circle.inverseMass[i] = t[n].INVERSE_MASS;
+#endif
             a->of.circle.restitution[i] = t[n].RESTITUTION;
             a->of.circle.slot[i] = slot;
         }

@@ -184,7 +184,12 @@ void measureContacts(const World *w, local Tile *t) {
                 nx = copiesOf(w)[copy].NORMAL_X;
                 ny = copiesOf(w)[copy].NORMAL_Y;
             }
-            copiesOf(w)[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
+#ifdef SLEEPING
+            float mass = copiesOf(w)[copy].COPIED_MASS; // see massOfPair
+#else
+            float mass = effectiveMass(fabs(t->burden[i]), fabs(t->burden[j]));
+#endif
+            copiesOf(w)[copy] = (float4)(nx, ny, separation, mass);
         }
     }
 }

@@ -26,11 +26,21 @@ final class CommandsStage {
     private static final int AT_SLOT = 1;
     private static final long LINK_BYTES = (long) Integer.BYTES * LINK_STRIDE;
 
+    /** Two of x, y, radius, and whether there is one. */
+    private static final long CHANGED_BYTES = 2L * 4 * Float.BYTES;
+
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
     private Kernel apply;
-    private final Kernel confine;
+    private Kernel confine;
+
+    /** Null, as the next, unless circles sleep. */
+    private Kernel wake;
+
+    /** By record: the circle before and behind a change that wakes those near to it. */
+    private DeviceBuffer changed;
+
     private DeviceBuffer records;
     private DeviceBuffer links;
 
@@ -56,15 +66,19 @@ final class CommandsStage {
         this.session = session;
         this.arrays = arrays;
         use(kernels);
-        confine = kernels.plain("commands_confine");
         records = session.allocate("commands", RECORD_BYTES * LEAST_CAPACITY);
         links = session.allocate("command links", LINK_BYTES * LEAST_CAPACITY);
     }
 
-    /** Applies commands by kernels that know whether circles turn. */
+    /** Applies commands by kernels that know whether circles turn, and sleep. */
     void use(StageKernels withAll) {
         kernels = withAll;
         apply = withAll.staged("commands_apply");
+        confine = withAll.plain("commands_confine");
+        if (arrays.sleeping()) {
+            wake = withAll.plain("commands_wake");
+            changed = changed == null ? session.allocate("changed circles", CHANGED_BYTES * LEAST_CAPACITY) : changed;
+        }
     }
 
     /** Makes room for commands, of which {@link #apply} says what they need. */
@@ -88,21 +102,68 @@ final class CommandsStage {
         int more = count + (count >> 1);
         records = GrownBuffer.of(session, "commands", records, RECORD_BYTES * count, RECORD_BYTES * more);
         links = GrownBuffer.of(session, "command links", links, LINK_BYTES * count, LINK_BYTES * more);
+        if (wake != null) {
+            changed = GrownBuffer.of(session, "changed circles", changed, CHANGED_BYTES * count, CHANGED_BYTES * more);
+        }
         arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
 
     /** In call order. New circles take free slots, then those from slots on; returns the slots at home afterwards. */
-    int apply(Commands commands, int slots, int circles) {
+    int apply(Commands commands, int slots, int circles, Bounds arena) {
         int count = commands.count();
+        if (count == 0) {
+            wake(commands, slots, arena);
+            return slots;
+        }
         int nextSlot = link(commands, slots);
         kernels.bind(arrays, nextSlot, circles);
         records.write(0, IntBuffer.wrap(commands.records(), 0, Commands.STRIDE * count));
         links.write(0, IntBuffer.wrap(link, 0, LINK_STRIDE * count));
-        apply.arg(StageKernels.own(0), records)
-                .arg(StageKernels.own(1), links)
-                .arg(StageKernels.own(2), count)
-                .run(count);
+        apply.arg(StageKernels.own(0), records).arg(StageKernels.own(1), links).arg(StageKernels.own(2), count);
+        if (wake != null) {
+            apply.arg(StageKernels.own(3), changed);
+        }
+        apply.run(count);
+        wake(commands, nextSlot, arena);
         return nextSlot;
+    }
+
+    /** Wakes those near to circles that have changed, or all. */
+    private void wake(Commands commands, int slots, Bounds arena) {
+        if (wake == null || !(commands.wakesAll() || wakesNear(commands))) {
+            return;
+        }
+        wake.arg(0, arrays.get(DeviceArray.HOME_ID))
+                .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
+                .arg(2, arrays.get(DeviceArray.HOME_MOTION))
+                .arg(3, arrays.get(DeviceArray.HOME_TRAITS))
+                .arg(4, arrays.get(DeviceArray.HOME_SLEEP))
+                .arg(5, slots)
+                .arg(6, changed)
+                .arg(7, 2 * commands.count())
+                .arg(8, commands.wakesAll() ? 1 : 0)
+                .arg(9, arena.periodX())
+                .arg(10, arena.periodY())
+                .run(slots);
+    }
+
+    private static boolean wakesNear(Commands commands) {
+        for (int r = 0; r < commands.count(); r++) {
+            switch (commands.operation(r)) {
+                case Commands.ADD,
+                        Commands.REMOVE,
+                        Commands.POSITION,
+                        Commands.RADIUS,
+                        Commands.MASS,
+                        Commands.FIELD -> {
+                    return true;
+                }
+                default -> {
+                    // it moves no other circle, and none loses what carries it
+                }
+            }
+        }
+        return false;
     }
 
     /** Takes note that the slots were put in order, without gaps: by a step, or anew. */
@@ -125,8 +186,11 @@ final class CommandsStage {
                 .arg(9, from.minX())
                 .arg(10, from.minY())
                 .arg(11, from.maxX())
-                .arg(12, from.maxY())
-                .run(slots);
+                .arg(12, from.maxY());
+        if (wake != null) {
+            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP));
+        }
+        confine.run(slots);
     }
 
     /** Links the records of each circle. */

@@ -83,6 +83,12 @@ public final class DevicePipeline implements Pipeline {
     private final JointTransfer joints;
     private final StepQueue queue;
 
+    /** Whether circles may have come to rest, in a pipeline that is ready for that. */
+    private boolean sleeps;
+
+    /** Of the changes to come. */
+    private Bounds arena = new Bounds(0, 0, 1, 1);
+
     /** What the next load needs; null except between making room for it and loading. */
     private StateTransfer.Links links;
 
@@ -183,7 +189,7 @@ public final class DevicePipeline implements Pipeline {
 
     /** Those that there is memory for. */
     private Features features(boolean edges) {
-        return new Features(edges, arrays.turning(), arrays.terrain(), arrays.joints());
+        return Features.of(edges, arrays.turning(), arrays.terrain(), arrays.joints(), arrays.sleeping());
     }
 
     private StageKernels kernelsOf(Readiness variant) {
@@ -198,6 +204,7 @@ public final class DevicePipeline implements Pipeline {
         source = features.turning() ? source.define("TURNING", 1) : source;
         source = features.terrain() ? source.define("TERRAIN", 1) : source;
         source = features.joints() ? source.define("JOINTS", 1) : source;
+        source = features.sleeping() ? source.define("SLEEPING", 1) : source;
         return new StageKernels(
                 session,
                 source,
@@ -256,9 +263,6 @@ public final class DevicePipeline implements Pipeline {
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, Features features) {
-        if (features.sleeping()) {
-            throw new IllegalArgumentException("circles sleep on Backend.JVM alone so far");
-        }
         boolean tunes = tuned || contacts.areTuned();
         Features all = loaded.and(features);
         if (tunes != tuned || !all.equals(loaded)) {
@@ -300,7 +304,7 @@ public final class DevicePipeline implements Pipeline {
 
     private void startTurning() {
         if (!loaded.turning()) {
-            makeRoomFor(tuned, loaded.and(new Features(false, true, false, false)));
+            makeRoomFor(tuned, loaded.and(Features.of(false, true, false, false, false)));
             load(tuned, loaded.edges(), reader);
         }
     }
@@ -320,6 +324,9 @@ public final class DevicePipeline implements Pipeline {
         }
         if (features.joints()) {
             arrays.ensureJoints();
+        }
+        if (features.sleeping()) {
+            arrays.ensureSleeping();
         }
     }
 
@@ -349,7 +356,7 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public void apply(Commands changes) {
-        if (changes.count() == 0) {
+        if (changes.isEmpty()) {
             return;
         }
         settle();
@@ -357,7 +364,7 @@ public final class DevicePipeline implements Pipeline {
             int operation = changes.operation(r);
             home.circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
-        home.slots = commands.apply(changes, home.slots, home.circles);
+        home.slots = commands.apply(changes, home.slots, home.circles, arena);
     }
 
     @Override
@@ -375,7 +382,9 @@ public final class DevicePipeline implements Pipeline {
                 ready.takeNews();
                 bind(kernels);
             }
-            queue.begin(shape, input.constants.subSteps, input.constants.warmScale);
+            arena = input.constants.bounds;
+            sleeps = input.constants.sleeping;
+            queue.begin(shape, input.constants);
             parameters.set(input, shape);
             arrays.ensureBuckets(shape.groups(home.circles));
             parameters.ensureRoom(arrays);
@@ -392,6 +401,7 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the pending batch can take these steps, which saves a round trip. */
     private boolean continues(StepInput input, GridLevels shape) {
         return input.constants.warmScale == 1f
+                && !(input.constants.sleeping && input.constants.tilted)
                 && parameters.areOf(input, shape)
                 && (reader == null || reader.areOf(input.reports));
     }
@@ -456,6 +466,14 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
+    public void readAsleep(long[] byId) {
+        if (arrays.sleeping()) {
+            settle();
+            readback.asleep(home.slots, byId);
+        }
+    }
+
+    @Override
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
@@ -503,12 +521,13 @@ public final class DevicePipeline implements Pipeline {
     public void confine(Bounds from, Bounds to) {
         settle();
         commands.confine(from, to, home.slots);
+        arena = to;
     }
 
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, home.slots, home.cachedContacts).hash();
+        return new StateTransfer(arrays, home.slots, home.cachedContacts, sleeps).hash();
     }
 
     @Override
@@ -527,7 +546,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, home.slots, home.cachedContacts).save(into);
+        new StateTransfer(arrays, home.slots, home.cachedContacts, sleeps).save(into);
     }
 
     @Override
@@ -574,6 +593,11 @@ public final class DevicePipeline implements Pipeline {
         StateTransfer.load(from, arrays, links);
         links = null;
         joints.load(from.jointStates, queue.status(), queue.seen());
+        sleeps = from.sleeps;
+        if (from.parameters() != null) {
+            sleeps = from.parameters().sleeps();
+            arena = from.parameters().bounds();
+        }
         home.slots = from.circles;
         commands.slotsInOrder();
         home.circles = from.circles;

@@ -10,6 +10,7 @@ import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.function.IntPredicate;
@@ -21,6 +22,9 @@ final class Readback {
 
     /** Bytes of x and y. */
     static final long POINT_BYTES = 2L * Float.BYTES;
+
+    /** Ints of how a circle comes to rest: rest, bits of the drift x, y, turned. */
+    static final int SLEEP_INTS = 4;
 
     private final Session session;
     private final DeviceArrays arrays;
@@ -102,6 +106,17 @@ final class Readback {
         turns.arg(4, areVelocities ? 1 : 0);
         layOut(turns, DeviceArray.HOME_TURN, slots);
         byId.read(0, host, 0, bytes);
+    }
+
+    /** Sets the bits of the ids of circles that sleep. */
+    void asleep(int slots, long[] to) {
+        int[] id = ints(arrays.get(DeviceArray.HOME_ID), slots);
+        int[] sleep = ints(arrays.get(DeviceArray.HOME_SLEEP), SLEEP_INTS * slots);
+        for (int slot = 0; slot < slots; slot++) {
+            if (id[slot] >= 0 && Sleep.isAsleep(sleep[SLEEP_INTS * slot])) {
+                to[id[slot] >> 6] |= 1L << id[slot];
+            }
+        }
     }
 
     FloatBuffer positions(HandleTable handles, boolean lieById, int slots) {

@@ -244,6 +244,7 @@ final class ReportReader implements AutoCloseable {
             stages.events().begin();
             tell(stages, plan, circles);
             decide(stages, circles);
+            stages.end(circles);
             status.read(arrays);
         }
     }

@@ -5,7 +5,9 @@ import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.FieldsStruct;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -35,6 +37,12 @@ final class StateTransfer {
         private final int[] own;
         private final float[] cachedRows;
 
+        /** Empty, as the next, unless circles sleep. */
+        private final int[] sleep;
+
+        /** Traits with the inverse masses that steps see. */
+        private final float[] traits;
+
         /** Null in a world without terrain. */
         private final PieceTransfer.Room pieces;
 
@@ -50,6 +58,8 @@ final class StateTransfer {
             turn = new int[turning ? TURN_INTS * from.circles : 0];
             own = new int[turning ? FieldsStruct.TURNING_STRIDE * from.circles : 0];
             cachedRows = new float[turning ? ContactRows.of(from.impulses) : 0];
+            sleep = new int[arrays.sleeping() ? Readback.SLEEP_INTS * from.circles : 0];
+            traits = new float[arrays.sleeping() ? FLOATS * from.circles : 0];
             pieces = arrays.terrain() ? new PieceTransfer.Room(from) : null;
             noRows = new float[turning && !from.turns ? ContactRows.ofWalls(from.circles) : 0];
         }
@@ -74,7 +84,13 @@ final class StateTransfer {
     private float[] wallRows = new float[0];
     private float[] cachedRows = new float[0];
 
-    StateTransfer(DeviceArrays arrays, int slots, int cachedContacts) {
+    private final boolean sleeping;
+
+    /** Empty unless circles may have come to rest. */
+    private final int[] sleep;
+
+    /** With how circles have come to rest, if they may have. */
+    StateTransfer(DeviceArrays arrays, int slots, int cachedContacts, boolean sleeps) {
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
         circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
@@ -83,6 +99,10 @@ final class StateTransfer {
         firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedContacts);
+        sleeping = arrays.sleeping();
+        sleep = sleeps && sleeping
+                ? Readback.ints(arrays.get(DeviceArray.HOME_SLEEP), Readback.SLEEP_INTS * slots)
+                : new int[0];
         turning = arrays.turning();
         if (turning) {
             turn = Readback.ints(arrays.get(DeviceArray.HOME_TURN), TURN_INTS * slots);
@@ -100,9 +120,26 @@ final class StateTransfer {
                         ? StateHash.turn(
                                 id[slot], angle(slot), angularVelocity(slot), wallRows, ContactRows.ofWalls(slot))
                         : 0;
+                sum += StateHash.rest(id[slot], rest(slot), drift(slot, 0), drift(slot, 1), turned(slot));
             }
         }
         return sum;
+    }
+
+    private int rest(int slot) {
+        return sleepOf(slot, 0);
+    }
+
+    private float drift(int slot, int axis) {
+        return Float.intBitsToFloat(sleepOf(slot, 1 + axis));
+    }
+
+    private int turned(int slot) {
+        return sleepOf(slot, 3);
+    }
+
+    private int sleepOf(int slot, int place) {
+        return sleep.length == 0 ? 0 : sleep[Readback.SLEEP_INTS * slot + place];
     }
 
     private long hashOfCircle(int slot) {
@@ -158,6 +195,7 @@ final class StateTransfer {
     void save(SavedState into) {
         into.impulses = 0;
         into.setTurns(turning);
+        into.setSleeps(sleeping);
         for (int k = 0; k < into.circles; k++) {
             int slot = slotOf[into.id[k]];
             System.arraycopy(circle, FLOATS * slot, into.circle, FLOATS * k, FLOATS);
@@ -172,6 +210,12 @@ final class StateTransfer {
                         into.wallRows,
                         ContactRows.ofWalls(k),
                         ContactRows.OF_WALLS);
+            }
+            if (sleeping) {
+                into.rest[k] = rest(slot);
+                into.drift[2 * k] = drift(slot, 0);
+                into.drift[2 * k + 1] = drift(slot, 1);
+                into.turned[k] = turned(slot);
             }
             for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
                 if (isFound(c)) {
@@ -206,7 +250,8 @@ final class StateTransfer {
         }
         arrays.get(DeviceArray.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, FLOATS * n));
-        arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, FLOATS * n));
+        float[] traits = arrays.sleeping() && from.sleeps ? traitsToSteps(from, links) : from.traits;
+        arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(traits, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
         arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(firstCached));
         arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
@@ -216,9 +261,34 @@ final class StateTransfer {
         if (arrays.turning()) {
             loadTurning(from, arrays, links);
         }
+        if (arrays.sleeping()) {
+            loadSleep(from, arrays, links);
+        }
         if (arrays.terrain()) {
             links.pieces.load(from, arrays);
         }
+    }
+
+    private static void loadSleep(SavedState from, DeviceArrays arrays, Links links) {
+        for (int slot = 0; from.sleeps && slot < from.circles; slot++) {
+            int s = Readback.SLEEP_INTS * slot;
+            links.sleep[s] = from.rest[slot];
+            links.sleep[s + 1] = Float.floatToRawIntBits(from.drift[2 * slot]);
+            links.sleep[s + 2] = Float.floatToRawIntBits(from.drift[2 * slot + 1]);
+            links.sleep[s + 3] = from.turned[slot];
+        }
+        arrays.get(DeviceArray.HOME_SLEEP).write(0, IntBuffer.wrap(links.sleep));
+    }
+
+    /** To steps the mass of one that sleeps is infinite. */
+    private static float[] traitsToSteps(SavedState from, Links links) {
+        System.arraycopy(from.traits, 0, links.traits, 0, links.traits.length);
+        for (int slot = 0; slot < from.circles; slot++) {
+            if (Sleep.isAsleep(from.rest[slot])) {
+                links.traits[CircleRow.of(slot) + CircleRow.INVERSE_MASS] = 0;
+            }
+        }
+        return links.traits;
     }
 
     private static void loadTurning(SavedState from, DeviceArrays arrays, Links links) {

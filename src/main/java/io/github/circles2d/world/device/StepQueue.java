@@ -9,6 +9,7 @@ import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
 import java.util.List;
 
 /**
@@ -60,6 +61,12 @@ final class StepQueue {
     private int subSteps;
     private float warmScale;
 
+    /** Whether gravity is not that of the step before. */
+    private boolean tilted;
+
+    /** Whether circles fall asleep and wake. */
+    private boolean sleeping;
+
     StepQueue(
             DeviceArrays arrays,
             Home home,
@@ -83,10 +90,12 @@ final class StepQueue {
     }
 
     /** Sets the shape of further steps; copies it, since the caller may change it before these are known to have found room. */
-    void begin(GridLevels shape, int newSubSteps, float newWarmScale) {
+    void begin(GridLevels shape, StepConstants k) {
         levels.copy(shape);
-        subSteps = newSubSteps;
-        warmScale = newWarmScale;
+        subSteps = k.subSteps;
+        warmScale = k.warmScale;
+        tilted = k.tilted;
+        sleeping = k.sleeping;
     }
 
     Status status() {
@@ -132,22 +141,26 @@ final class StepQueue {
     /** Enqueues steps that need nothing in between; returns how many of those wanted. */
     private int enqueueAtOnce(int most) {
         boolean reports = reader != null && reader.isActive();
-        Steps wanted = steps(most, reports);
+        Steps wanted = steps(most, reports, false);
         plan = Plans.first(plans, wanted);
         if (!reports) {
             pending += most;
             plan.enqueue(wanted);
             return most;
         }
-        Steps enqueued = plan.decidesEvents(wanted) ? wanted : steps(1, true);
+        boolean decides = plan.decidesEvents(wanted);
+        Steps enqueued = decides ? wanted : steps(1, true, true);
         reader.before(stages, plan, enqueued, enqueued());
         pending += enqueued.count();
         plan.enqueue(enqueued);
         reader.behind(stages, plan, enqueued);
+        if (!decides) {
+            stages.end(enqueued.circles());
+        }
         return enqueued.count();
     }
 
-    private Steps steps(int count, boolean reports) {
+    private Steps steps(int count, boolean reports, boolean reportsBehind) {
         return new Steps(
                 count,
                 levels,
@@ -157,12 +170,15 @@ final class StepQueue {
                 // Behind pending steps the state is as a step leaves it, and the length of the step before is that of
                 // the step.
                 pending == 0 ? warmScale : 1f,
+                pending == 0 && tilted,
                 sweeping > 0,
                 thinning > 0,
+                reportsBehind,
                 reports && reader.isRecording(),
                 reports && reader.isSensing(),
                 arrays.turning(),
-                stages.haveJoints());
+                stages.haveJoints(),
+                sleeping);
     }
 
     /** Waits until all steps have been made. */
@@ -177,8 +193,8 @@ final class StepQueue {
                 each.learn(TileUse.of(status), thinning > 0);
             }
             if (pending == 0) {
-                home.cachedContacts = status.get(StatusWord.CONTACTS);
-                stats.stepped(plan, home.circles, home.cachedContacts);
+                home.cachedContacts = cachedContacts();
+                stats.stepped(plan, home.circles, status.get(StatusWord.CONTACTS));
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
             } else {
@@ -188,12 +204,18 @@ final class StepQueue {
         }
     }
 
+    /** Contacts of the last step, and pairs at rest behind them. */
+    private int cachedContacts() {
+        return status.get(StatusWord.CONTACTS) + status.get(StatusWord.KEPT_COUNT);
+    }
+
     private void takeMade(int done) {
         seen += done;
         if (done > 0) {
             home.slots = home.circles;
             commands.slotsInOrder();
             warmScale = 1f;
+            tilted = false;
             if (reader != null) {
                 reader.made(status, seen, stages, plan, home.circles);
             }
@@ -219,7 +241,7 @@ final class StepQueue {
 
     /** Changes what the step lacked that has been refused. */
     private void adapt() {
-        int contacts = status.get(StatusWord.CONTACTS);
+        int contacts = cachedContacts();
         if (sweeping == 0 && status.has(StatusWord.FAST)) {
             sweeping = CALM;
         }

@@ -10,6 +10,7 @@ import io.github.circles2d.world.DeviceSearches;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.Scan;
@@ -48,8 +49,16 @@ final class OclgrindWorlds {
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
      * circles are loaded or pairs that touch are sent, or a world begins to turn or gets terrain or joints; and all that comes of it.
      */
-    static final Set<String> MISJUDGED =
-            Set.of("changes", "edges", "turning", "terrain", "terrain of tiles", "joints", "joints of tiles");
+    static final Set<String> MISJUDGED = Set.of(
+            "changes",
+            "edges",
+            "turning",
+            "terrain",
+            "terrain of tiles",
+            "joints",
+            "joints of tiles",
+            "sleep",
+            "sleep of tiles");
 
     private final Device device;
     private final boolean small;
@@ -148,6 +157,13 @@ final class OclgrindWorlds {
                 break;
             case "joints":
                 kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
+                break;
+            case "sleep":
+                kernels.addAll(sleep(Plans.COLOURS, false));
+                kernels.addAll(sleep(Plans.COLOURS, true));
+                break;
+            case "sleep of tiles":
+                kernels.addAll(sleep(Plans.TILES, false));
                 break;
             case "joints of tiles":
                 kernels.addAll(joints(Plans.PERSISTENT_GPU, Scenes.thesis(20, 1), false));
@@ -335,6 +351,41 @@ final class OclgrindWorlds {
     }
 
     /** A step without joints; then joints of every form: in batches, in none, and split ones; some break. */
+    /** Circles that fell asleep on the host, of which some wake, and another one falls asleep. all: with friction, terrain and joints. */
+    private Set<String> sleep(Plans plans, boolean all) {
+        DevicePipeline pipeline = pipeline(plans, 64);
+        Bounds bounds = new Bounds(0, 0, 2, 2);
+        try (Twins asleep = Twins.sleeping(bounds, subSteps, 10, jvm());
+                Twins twins = Twins.sleeping(bounds, subSteps, 10, jvm(), pipeline)) {
+            if (all) {
+                asleep.setKind(KindField.FRICTION, 0, Float.floatToRawIntBits(0.5f));
+                asleep.addPlate(1, 0.05f, 1, false);
+            }
+            for (int k = 0; k < 8; k++) {
+                asleep.add(0.2f + 0.21f * k, k % 2 == 0 ? 0.15f : 0.3f, 0.1f, 1, 0, 0, 0);
+            }
+            asleep.step(1 / 60f, 300);
+            twins.takeOver(asleep);
+            if (twins.assertSameSleepers(plans + ", at first") < 2) {
+                throw new IllegalStateException("few sleep");
+            }
+            twins.report(ContactEvents.ALL);
+            twins.step(1 / 60f, 1);
+            twins.add(1, 0.6f, 0.1f, 1, 0, 0, -9);
+            if (all) {
+                twins.addRod(0, 1);
+            }
+            twins.step(1 / 60f, steps);
+            twins.assertEqual(plans + ", a ball");
+            twins.move(7, 1, 1);
+            twins.wakeAll();
+            twins.step(1 / 60f, 1);
+            twins.assertEqual(plans + ", one moved");
+            twins.assertSameEvents(plans + ", one moved");
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
     private Set<String> joints(Plans plans, Scene scene, boolean turns) {
         DevicePipeline pipeline = pipeline(plans);
         SplittableRandom random = new SplittableRandom(6);

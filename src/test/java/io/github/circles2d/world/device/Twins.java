@@ -15,10 +15,12 @@ import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.EventRows;
+import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
@@ -67,7 +69,15 @@ final class Twins implements AutoCloseable {
     }
 
     static Twins empty(Bounds bounds, int subSteps, Pipeline... pipelines) {
-        WorldParameters parameters = new WorldParameters(bounds, 0, 0, 0, subSteps, 0);
+        return empty(new WorldParameters(bounds, 0, 0, 0, subSteps, 0), pipelines);
+    }
+
+    /** Worlds whose circles sleep, which gravity pulls down. */
+    static Twins sleeping(Bounds bounds, int subSteps, float gravity, Pipeline... pipelines) {
+        return empty(new WorldParameters(bounds, 0, -gravity, 0, subSteps, 0).sleeping(true), pipelines);
+    }
+
+    private static Twins empty(WorldParameters parameters, Pipeline... pipelines) {
         return new Twins(
                 Arrays.stream(pipelines)
                         .map(pipeline -> new Simulation(pipeline, parameters))
@@ -118,6 +128,76 @@ final class Twins implements AutoCloseable {
     /** Lets changes turn circles on devices, too: the kernels of worlds that do not turn are others. */
     void letChangesTurn() {
         turns = true;
+    }
+
+    void setGravity(float x, float y) {
+        for (Simulation simulation : simulations) {
+            simulation.surroundings.setGravity(x, y);
+        }
+    }
+
+    /** Sets a field of a kind. */
+    void setKind(KindField field, int kind, int value) {
+        for (Simulation simulation : simulations) {
+            simulation.kinds.set(field, kind, value);
+        }
+    }
+
+    void wakeAll() {
+        for (Simulation simulation : simulations) {
+            simulation.circles.wakeAll();
+        }
+    }
+
+    /** Compares who sleeps; returns how many do. */
+    int assertSameSleepers(String when) {
+        long[] expected = new long[ids / 64 + 1];
+        simulations[0].readings.readAwakeById(expected);
+        for (Simulation simulation : simulations) {
+            long[] awake = new long[expected.length];
+            simulation.readings.readAwakeById(awake);
+            assertThat(awake).as(when + " on " + simulation.figures().device()).isEqualTo(expected);
+            assertThat(simulation.figures().awake())
+                    .isEqualTo(simulations[0].figures().awake());
+        }
+        return size()
+                - Arrays.stream(expected)
+                        .map(Long::bitCount)
+                        .mapToInt(Math::toIntExact)
+                        .sum();
+    }
+
+    /** Adds a segment of the ground, or of a body that may move. Returns the body. */
+    long addPlate(float x, float y, float length, boolean moves) {
+        long body = 0;
+        for (Simulation simulation : simulations) {
+            body = moves ? simulation.bodies.add(x, y, 0) : simulation.bodies.ground();
+            float fromX = moves ? 0 : x;
+            float fromY = moves ? 0 : y;
+            simulation.pieces.addSegment(body, 0, fromX - 0.5f * length, fromY, fromX + 0.5f * length, fromY, 0);
+        }
+        return body;
+    }
+
+    /** Holds two circles at the distance that they have. */
+    void addRod(int id, int other) {
+        for (Simulation simulation : simulations) {
+            simulation.joints.add(handles[id], handles[other], new JointForm(JointRow.AXIAL | JointRow.RIGID));
+        }
+    }
+
+    /** Makes random calls on joints. */
+    void addJoints(long seed, int calls) {
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int k = 0; k < calls; k++) {
+            changeJoints(random);
+        }
+    }
+
+    void moveBody(long body, float vx, float vy) {
+        for (Simulation simulation : simulations) {
+            simulation.bodies.setVelocity(body, vx, vy);
+        }
     }
 
     /** Number of circles. */

@@ -75,6 +75,7 @@ class WorldOclgrindTest {
                         "turning",
                         "terrain",
                         "joints",
+                        "sleep",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
                 .contains(
@@ -88,6 +89,8 @@ class WorldOclgrindTest {
                         "sensing_find",
                         "pieces_find",
                         "joints_takeSums",
+                        "sleeping_spread",
+                        "sleeping_end",
                         "readback_turns");
     }
 
@@ -113,6 +116,8 @@ class WorldOclgrindTest {
                         "terrain of tiles",
                         "joints",
                         "joints of tiles",
+                        "sleep",
+                        "sleep of tiles",
                         "queries"))
                 .containsAll(kernelsIn(""));
     }

@@ -39,9 +39,7 @@ final class Block implements AutoCloseable {
 
     DeviceBuffer get(DeviceArray array) {
         return slices.computeIfAbsent(
-                array,
-                a -> buffer.slice(
-                        a.kernelName(), a.bytesBefore(features.turning()) * stride, a.elementBytes() * stride));
+                array, a -> buffer.slice(a.kernelName(), a.bytesBefore(features) * stride, a.elementBytes() * stride));
     }
 
     @Override

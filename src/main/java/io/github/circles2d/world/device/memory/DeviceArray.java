@@ -3,17 +3,19 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
+import java.util.function.Predicate;
 
 /**
  * The arrays of a World on a device. The rows give the kernels their argument list, the struct World and its initialiser
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  *
- * <p>The arrays for circles that can rotate come behind these, those of worlds with terrain behind them, and those of worlds with joints last. Kernels that
- * are compiled for such worlds (TURNING, TERRAIN, JOINTS) have them; in other worlds they take no memory.
+ * <p>The arrays for circles that can rotate come behind these, then those of worlds with terrain, of worlds whose circles sleep, and of worlds
+ * with joints. Kernels that are compiled for such worlds (TURNING, TERRAIN, SLEEPING, JOINTS) have them; in other worlds they take no memory.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -180,6 +182,19 @@ public enum DeviceArray {
     KIND_TERRAIN("float", "kindTerrain", Index.TABLE, "a row a kind, of KIND_TERRAIN_STRIDE floats"),
     TERRAIN("int", "terrain", Index.TABLE, "see TerrainRoom: where arrays lie behind it, number of nodes"),
 
+    // From here on up to KIND_SLEEP: of worlds whose circles sleep, behind all others of their blocks.
+    HOME_SLEEP("int4", "homeSleep", Index.HOME_SLOT, "rest, by the Java class Sleep; bits of the drift x, y; turned"),
+    SLEEP("int4", "sleep", Index.SLOT, "as homeSleep"),
+    WAKING("int2", "waking", Index.SLOT, "as bits: the speed that wakes it; of one that sleeps, what presses it"),
+    WOKEN("int2", "woken", Index.SLOT, "two lists of slots: those that wake in a ring, and in the next"),
+    KEPT(
+            "int4",
+            "kept",
+            Index.CONTACT,
+            "impulses of pairs at rest: slot of the lower id, higher id, bits of the impulse"),
+    KEPT_ROWS(WorldTables.ROWS, "keptRows", Index.CONTACT, "the same: impulses of rows"),
+    KIND_SLEEP("float", "kindSleep", Index.TABLE, "a row a kind, of KIND_SLEEP_STRIDE floats"),
+
     // From here on: of worlds with joints.
     JOINTS(JointHead.NAME, "joints", Index.TABLE, "where tables lie, from here on, and how many joints there are");
 
@@ -248,8 +263,11 @@ public enum DeviceArray {
     /** Floats before {@link #KIND_TERRAIN} in the same buffer. */
     static final int KIND_TERRAIN_AT = SURFACES_AT + KindSurface.FLOATS;
 
+    /** Floats before {@link #KIND_SLEEP} in the same buffer. */
+    static final int KIND_SLEEP_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS);
+
     /** Floats before {@link #JOINTS} in the same buffer: a multiple of 4. */
-    static final int JOINTS_AT = KIND_TERRAIN_AT + KindTerrain.of(PairTable.KINDS) + 3 & ~3;
+    static final int JOINTS_AT = KIND_SLEEP_AT + KindSleep.of(PairTable.KINDS) + 3 & ~3;
 
     /** Floats before {@link #TERRAIN} in the same buffer: a multiple of 4. */
     static final int TERRAIN_AT = JOINTS_AT + JointHead.STRUCT.words() + 3 & ~3;
@@ -283,12 +301,17 @@ public enum DeviceArray {
 
     /** Whether it is there only if circles can rotate. */
     boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain() && !isOfJoints();
+        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain() && !isOfSleep() && !isOfJoints();
     }
 
     /** Whether only worlds with terrain have it. */
     boolean isOfTerrain() {
-        return ordinal() >= HOME_PIECES.ordinal() && !isOfJoints();
+        return ordinal() >= HOME_PIECES.ordinal() && !isOfSleep() && !isOfJoints();
+    }
+
+    /** Whether only worlds have it whose circles sleep. */
+    boolean isOfSleep() {
+        return ordinal() >= HOME_SLEEP.ordinal() && !isOfJoints();
     }
 
     /** Whether only worlds with joints have it. */
@@ -300,6 +323,7 @@ public enum DeviceArray {
     boolean isHeld(Features features) {
         return (features.turning() || !turns())
                 && (features.terrain() || !isOfTerrain())
+                && (features.sleeping() || !isOfSleep())
                 && (features.joints() || !isOfJoints());
     }
 
@@ -308,14 +332,18 @@ public enum DeviceArray {
         return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
     }
 
-    /** Bytes of an element of each array that lies in the block before this one, by whether circles can rotate. */
-    long bytesBefore(boolean turning) {
+    /** Bytes of an element of each array that lies in the block before this one, in a world with these features. */
+    long bytesBefore(Features features) {
+        return bytesBefore(array -> array.isHeld(features));
+    }
+
+    private long bytesBefore(Predicate<DeviceArray> counts) {
         long sum = 0;
         for (DeviceArray array : values) {
             if (array == this) {
                 break;
             }
-            sum += array.index == index && (turning || !array.turns()) ? array.elementBytes() : 0;
+            sum += array.index == index && counts.test(array) ? array.elementBytes() : 0;
         }
         return sum;
     }
@@ -328,11 +356,17 @@ public enum DeviceArray {
         if (index.block == null) {
             return kernelName;
         }
-        long others = bytesBefore(false);
-        long ofTurning = turns() ? 0 : bytesBefore(true) - others;
-        long before = turns() ? bytesBefore(true) : others;
-        String bytes = ofTurning == 0 ? "" + before : "(" + before + " IF_TURNING(+ " + ofTurning + "))";
-        String offset = before == 0 && ofTurning == 0 ? "" : " + (size_t) " + index.stride.kernelName() + " * " + bytes;
+        long before = bytesBefore(array -> array.isHeld(Features.NONE)
+                || turns() && array.turns()
+                || isOfTerrain() && array.isOfTerrain()
+                || isOfSleep() && array.isOfSleep());
+        long ofTurning = turns() ? 0 : bytesBefore(DeviceArray::turns);
+        long ofTerrain = isOfTerrain() ? 0 : bytesBefore(DeviceArray::isOfTerrain);
+        String bytes = before
+                + (ofTurning == 0 ? "" : " IF_TURNING(+ " + ofTurning + ")")
+                + (ofTerrain == 0 ? "" : " IF_TERRAIN(+ " + ofTerrain + ")");
+        boolean isFirst = before == 0 && ofTurning == 0 && ofTerrain == 0;
+        String offset = isFirst ? "" : " + (size_t) " + index.stride.kernelName() + " * (" + bytes + ")";
         return "(global " + type + " *) (" + index.block + offset + ")";
     }
 
@@ -341,6 +375,7 @@ public enum DeviceArray {
         return switch (this) {
             case SURFACES -> SURFACES_AT;
             case KIND_TERRAIN -> KIND_TERRAIN_AT;
+            case KIND_SLEEP -> KIND_SLEEP_AT;
             case TERRAIN -> TERRAIN_AT;
             case JOINTS -> JOINTS_AT;
             default -> 0;

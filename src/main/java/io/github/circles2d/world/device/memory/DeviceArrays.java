@@ -9,6 +9,7 @@ import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.FloatBuffer;
@@ -204,7 +205,7 @@ public final class DeviceArrays {
     /** Makes room for what circles turn by. No circle has turned, and none has a surface of its own. */
     public void ensureTurning() {
         if (!features.turning()) {
-            Features before = set(features.and(new Features(false, true, false, false)));
+            Features before = set(features.and(Features.of(false, true, false, false, false)));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
@@ -283,6 +284,29 @@ public final class DeviceArrays {
         }
     }
 
+    public boolean sleeping() {
+        return features.sleeping();
+    }
+
+    /** Makes room for how circles come to rest. All are awake. */
+    public void ensureSleeping() {
+        if (!features.sleeping()) {
+            Features before = set(features.and(Features.of(false, false, false, false, true)));
+            try {
+                grow(slotCapacity, index -> switch (index) {
+                    case HOME_SLOT, SLOT -> slotCapacity;
+                    default -> AS_IT_IS;
+                });
+                grow(contactCapacity, index -> index == Index.CONTACT ? contactCapacity : AS_IT_IS);
+                growTables(DeviceArray.KIND_SLEEP_AT + KindSleep.of(PairTable.KINDS), jointRoom);
+            } catch (RuntimeException | Error e) {
+                set(before);
+                throw e;
+            }
+            fill(DeviceArray.HOME_SLEEP, slotCapacity, 0, 0, 0, 0);
+        }
+    }
+
     public boolean joints() {
         return features.joints();
     }
@@ -290,7 +314,7 @@ public final class DeviceArrays {
     /** Makes room for joints. There are none. */
     public void ensureJoints() {
         if (!features.joints()) {
-            Features before = set(features.and(new Features(false, false, false, true)));
+            Features before = set(features.and(Features.of(false, false, false, true, false)));
             try {
                 growTables(terrainRoom.floats(), jointRoom);
             } catch (RuntimeException | Error e) {
@@ -331,7 +355,7 @@ public final class DeviceArrays {
     /** Makes room for what circles and pieces of terrain have. There are no pieces, and no circle is near one. */
     public void ensureTerrain() {
         if (!features.terrain()) {
-            Features before = set(features.and(new Features(false, false, true, false)));
+            Features before = set(features.and(Features.of(false, false, true, false, false)));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT -> slotCapacity;

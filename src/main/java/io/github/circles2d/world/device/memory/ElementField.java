@@ -132,6 +132,14 @@ enum ElementField {
     MEASURED_GAP(DeviceArray.MEASURED, 2, 1),
     MEASURED_CURVE(DeviceArray.MEASURED, 3, 1),
 
+    REST(DeviceArray.SLEEP, 0, 1),
+    DRIFT_X(DeviceArray.SLEEP, 1, 1),
+    DRIFT_Y(DeviceArray.SLEEP, 2, 1),
+    UNITS_TURNED(DeviceArray.SLEEP, 3, 1),
+
+    WAKING_SPEED(DeviceArray.WAKING, 0, 1),
+    PRESSING(DeviceArray.WAKING, 1, 1),
+
     STANDING_PLACE(DeviceArray.STANDING, 0, 2),
     STANDING_BOUNCE(DeviceArray.STANDING, 2, 1),
     STANDING_ALLOWED(DeviceArray.STANDING, 3, 1);

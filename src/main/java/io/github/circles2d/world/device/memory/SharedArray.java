@@ -29,7 +29,7 @@ enum SharedArray {
             "int",
             "workingSlot",
             DeviceArray.BUCKET_BEFORE,
-            "in worlds with joints, by slot at home, once circles are sorted"),
+            "if there are joints or circles sleep, by slot at home, once circles are sorted"),
     COPIES("float4", "copies", DeviceArray.CONTACT, "by tiles, by copy: normal x, y, separation, effective mass");
 
     private final String type;

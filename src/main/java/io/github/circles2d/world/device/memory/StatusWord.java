@@ -14,6 +14,7 @@ public enum StatusWord {
     EVENTS_LACK(8, "1 where the last step waits for room for its events"),
     CARRYING(11, "1 where circles are fast and a static one moves"),
     LONGEST_PATH(12, "then, as bits: the longest path of a circle that is not static"),
+    SLEEPERS(13, "1 where some circle sleeps as the step begins"),
     REACHES(14, "a bit for each class of reaches that has fast circles that reach far"),
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
@@ -26,11 +27,13 @@ public enum StatusWord {
     TILES_CUT(54, "1 where some tile of the list is cut"),
     LEAVERS(55, "pairs that end to touch in the step"),
     EVENTS_BEFORE(56, "events that lie before those of the step"),
+    KEPT_COUNT(57, "impulses of pairs at rest of the last step, also those that there is no room for"),
     TOUCHING(58, "pairs that touch"),
     PLACES_USED(59, "places of their table that are or have been used"),
     PLACES_BEFORE(60, "the same as the step began"),
     PAIRS_MARKED(61, "pairs of marked circles, also those that there is no room for"),
-    JOINTS_BROKEN(62, "joints that have broken, of which the host does not know");
+    JOINTS_BROKEN(62, "joints that have broken, of which the host does not know"),
+    WOKEN_COUNT(63, "circles that wake, but for those that others wake");
 
     /** Ints of the status. */
     static final int WORDS = 64;

@@ -3,6 +3,7 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
@@ -127,6 +128,10 @@ public final class StepParameters {
     private int surfacesVersion;
     private boolean turning;
     private boolean surfacesSent;
+    private final float[] kindSleep = new float[KindSleep.of(PairTable.KINDS)];
+    private final FloatBuffer kindSleepView = FloatBuffer.wrap(kindSleep);
+    private int sleepVersion;
+    private boolean sleepSent;
     private final TerrainUpload terrain = new TerrainUpload();
     private final JointUpload joints = new JointUpload();
     private final int[] sentWalls = new int[WALLS.words()];
@@ -155,6 +160,11 @@ public final class StepParameters {
             System.arraycopy(input.motion.rows, 0, kindMotion, 0, kindMotion.length);
             motionVersion = input.motion.version;
             motionSent = false;
+        }
+        if (sleepVersion != input.sleep.version) {
+            System.arraycopy(input.sleep.rows, 0, kindSleep, 0, kindSleep.length);
+            sleepVersion = input.sleep.version;
+            sleepSent = false;
         }
         if (!surfacesAreOf(input)) {
             setSurfaces(input);
@@ -212,6 +222,7 @@ public final class StepParameters {
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
         return responsesVersion == input.responses.version
                 && motionVersion == input.motion.version
+                && sleepVersion == input.sleep.version
                 && surfacesAreOf(input)
                 && terrain.areOf(input)
                 && joints.areOf(input)
@@ -260,6 +271,10 @@ public final class StepParameters {
         if (!surfacesSent && arrays.turning()) {
             arrays.writeSurfaces(surfacesView);
             surfacesSent = true;
+        }
+        if (!sleepSent && arrays.sleeping()) {
+            arrays.writeTable(DeviceArray.KIND_SLEEP_AT, kindSleepView);
+            sleepSent = true;
         }
         terrain.send(arrays);
         joints.send(arrays);

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.events.Partner;
@@ -13,6 +14,7 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
 import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.Limits;
@@ -20,6 +22,7 @@ import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.SensorRule;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
@@ -43,10 +46,11 @@ final class WorldTables {
 
     private static final String TURNING = "TURNING";
     private static final String TERRAIN = "TERRAIN";
+    private static final String SLEEPING = "SLEEPING";
     private static final String JOINTS = "JOINTS";
 
     /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
-    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, JOINTS);
+    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, JOINTS);
 
     /** Macros that name all arrays, whether a kernel uses them or not. */
     static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
@@ -102,6 +106,8 @@ final class WorldTables {
                 .append(KernelConstants.of(Surface.class, "SURFACE_"))
                 .append(KernelConstants.of(KindSurface.class, "SURFACE_"))
                 .append(KernelConstants.of(KindTerrain.class, "KIND_TERRAIN_"))
+                .append(KernelConstants.of(KindSleep.class, "KIND_SLEEP_"))
+                .append(KernelConstants.of(Sleep.class, "SLEEP_"))
                 .append(KernelConstants.of(PieceRow.class, "PIECE_"))
                 .append(KernelConstants.of(BodyRow.class, "BODY_"))
                 .append(KernelConstants.of(JointMath.class, "JOINT_"))
@@ -111,6 +117,9 @@ final class WorldTables {
                 .append(KernelConstants.of(Commands.class, "COMMAND_"))
                 .append(KernelConstants.of(Scan.class, "SCAN_"))
                 .append(KernelConstants.of(TileRecord.class, "TILE_"));
+        for (CircleField field : CircleField.OF_STEPS) {
+            define(text, "FIELD_" + field.name(), CircleField.OF_STEPS.indexOf(field), "of a record that sets a field");
+        }
         define(text, "SURFACE_OF_WALLS", PairTable.KINDS, "the row of the first wall");
         define(text, "EDGE_WALL", AxisEdge.WALL.ordinal(), "of an axis");
         define(text, "EDGE_OPEN", AxisEdge.OPEN.ordinal(), "the same");
@@ -231,13 +240,18 @@ final class WorldTables {
 
     /** What kernels are compiled for that have an array; empty if all have it. */
     private static String featureOf(DeviceArray array) {
-        return array.turns() ? TURNING : array.isOfTerrain() ? TERRAIN : array.isOfJoints() ? JOINTS : "";
+        return array.turns()
+                ? TURNING
+                : array.isOfTerrain() ? TERRAIN : array.isOfSleep() ? SLEEPING : array.isOfJoints() ? JOINTS : "";
     }
 
     /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */
     private static String initialiser() {
-        StringBuilder text = new StringBuilder(
-                "#ifdef TURNING\n#define IF_TURNING(text) text\n#else\n#define IF_TURNING(text)\n#endif\n");
+        StringBuilder text = new StringBuilder();
+        for (String feature : List.of(TURNING, TERRAIN)) {
+            String name = "#define IF_" + feature + "(text)";
+            text.append("#ifdef " + feature + "\n" + name + " text\n#else\n" + name + "\n#endif\n");
+        }
         for (String feature : FEATURES) {
             text.append("#ifdef " + feature + "\n#define " + feature + "_ARRAYS ");
             expressions(text, feature);

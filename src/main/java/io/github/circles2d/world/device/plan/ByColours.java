@@ -34,7 +34,8 @@ public final class ByColours implements Plan {
                 "world/stages/Solver.cl",
                 "world/stages/Touches.cl",
                 "world/stages/CrossSolver.cl",
-                "world/stages/Joints.cl");
+                "world/stages/Joints.cl",
+                "world/stages/Sleeping.cl");
     }
 
     @Override

@@ -63,8 +63,14 @@ public final class EventStage {
     /** Enqueues what comes behind a step, once its pairs have been told of. circles: of the step. */
     public void decide(int circles) {
         bind(end);
+        int next = FIRST + EventArrays.ARGUMENTS;
         if (arrays.terrain()) {
-            end.arg(FIRST + EventArrays.ARGUMENTS, arrays.get(DeviceArray.KIND_MOTION));
+            end.arg(next++, arrays.get(DeviceArray.KIND_MOTION));
+        }
+        if (arrays.sleeping()) {
+            end.arg(next, arrays.get(DeviceArray.SLOT_OF))
+                    .arg(next + 1, arrays.get(DeviceArray.HOME_TRAITS))
+                    .arg(next + 2, arrays.get(DeviceArray.HOME_SLEEP));
         }
         end.run(items(events.places()));
         scan.run(events.tally(), events.ids() + 1, events.blockSums(), events.starts(), arrays.get(DeviceArray.STATUS));

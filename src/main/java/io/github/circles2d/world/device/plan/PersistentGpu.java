@@ -66,7 +66,10 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suitTogether(wanted);
+        return !wanted.sleeping()
+                && !wanted.thinning()
+                && wanted.circles() <= MOST_CIRCLES
+                && sizes.suitTogether(wanted);
     }
 
     @Override

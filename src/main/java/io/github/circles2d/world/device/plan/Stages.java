@@ -26,6 +26,12 @@ public final class Stages {
     /** Null in a world without joints. */
     private final JointKernels joints;
 
+    /** Null in a world whose circles never sleep. */
+    private final SleepStage sleep;
+
+    /** Whether circles fall asleep in the steps that were enqueued last. */
+    private boolean sleeping;
+
     private final Scan scan;
     private final Kernel degrees;
 
@@ -47,6 +53,7 @@ public final class Stages {
         contacts = new ContactsStage(kernels, arrays, scan);
         pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
+        sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints()) : null;
         degrees = kernels.plain("contacts_degrees");
     }
 
@@ -134,9 +141,13 @@ public final class Stages {
         parameters.setWay(steps.sweeping(), steps.thinning(), tiled);
         int slots = steps.slots();
         int circles = steps.circles();
+        sleeping = steps.sleeping();
         for (int step = 0; step < steps.count(); step++) {
             send(step == 0 ? steps.warmScale() : 1f, slots, circles);
             grid.build(steps.levels(), slots, circles);
+            if (sleeping) {
+                sleep.wake(circles, steps.tilted() && step == 0);
+            }
             if (joints != null) {
                 joints.find();
             }
@@ -148,7 +159,17 @@ public final class Stages {
             }
             contacts.list(steps.levels(), circles, steps.thinning());
             rest.run();
+            if (!steps.reportsBehind()) {
+                end(circles);
+            }
             slots = circles;
+        }
+    }
+
+    /** Lets circles fall asleep, behind a step and what it reports. */
+    public void end(int circles) {
+        if (sleeping) {
+            sleep.end(circles);
         }
     }
 

@@ -2,7 +2,12 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.world.model.GridLevels;
 
-/** Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles. */
+/**
+ * Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles.
+ *
+ * @param tilted whether gravity is not that of the step before the first
+ * @param reportsBehind whether what the step reports is decided behind what its plan enqueues
+ */
 public record Steps(
         int count,
         GridLevels levels,
@@ -10,12 +15,15 @@ public record Steps(
         int circles,
         int subSteps,
         float warmScale,
+        boolean tilted,
         boolean sweeping,
         boolean thinning,
+        boolean reportsBehind,
         boolean recording,
         boolean sensing,
         boolean turning,
-        boolean joints) {
+        boolean joints,
+        boolean sleeping) {
     boolean haveOneLevel() {
         return levels.usedCount == 1;
     }

@@ -65,7 +65,11 @@ public final class Tiles implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/tiles/TileLevels.cl", "world/tiles/TileEvents.cl", "world/stages/Joints.cl");
+        return List.of(
+                "world/tiles/TileLevels.cl",
+                "world/tiles/TileEvents.cl",
+                "world/stages/Joints.cl",
+                "world/stages/Sleeping.cl");
     }
 
     @Override

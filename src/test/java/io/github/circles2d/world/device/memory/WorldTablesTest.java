@@ -51,6 +51,7 @@ class WorldTablesTest {
         KernelSource source = WorldSource.tables()
                 .define("TURNING", 1)
                 .define("TERRAIN", 1)
+                .define("SLEEPING", 1)
                 .define("JOINTS", 1)
                 .and(KernelSource.ofText("probe", probe + "}\n"));
         int[] sizes = new int[probed.size()];

@@ -12,6 +12,7 @@ public final class KernelTexts {
     private static final List<List<String>> PROGRAMS = List.of(
             List.of("plain"),
             List.of("turning", "TURNING"),
+            List.of("sleeping", "TURNING", "SLEEPING"),
             List.of("all", "EDGES", "TURNING", "TERRAIN", "JOINTS", "REPORTING", "RECORDING"));
 
     /** That of each NVIDIA GPU so far. */
@@ -20,7 +21,7 @@ public final class KernelTexts {
     private KernelTexts() {}
 
     public static void main(String[] arguments) throws IOException {
-        KernelSource common = JointKernels.define(Plans.source(Plans.all()))
+        KernelSource common = JointKernels.define(SleepStage.define(Plans.source(Plans.all())))
                 .define("PTX", true)
                 .define("EVENT_GROUP", Tiles.eventGroup(GREATEST_WORK_GROUP));
         for (List<String> program : PROGRAMS) {

@@ -50,6 +50,14 @@ class PlansTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void stepsInWhichCirclesSleepHaveALaunchAStage(Device device) {
+        Steps steps = sleeping(steps(1, 1000, false));
+        assertThat(Plans.first(Plans.PERSISTENT_GPU.of(device), steps)).isInstanceOf(Tiles.class);
+        assertThat(Plans.first(Plans.COLOURS.of(device), steps)).isInstanceOf(ByColours.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void aProcessorMakesStepsByColours(Device device) {
         assumeThat(device.kind()).isEqualTo(Device.Kind.CPU);
         assertThat(Plans.choose(device)).isEqualTo(Plans.COLOURS);
@@ -78,14 +86,18 @@ class PlansTest {
     }
 
     private static Steps turning(Steps s) {
-        return with(s, s.recording(), true, s.joints());
+        return with(s, s.recording(), true, s.sleeping());
     }
 
     private static Steps recording(Steps s) {
-        return with(s, true, s.turning(), s.joints());
+        return with(s, true, s.turning(), s.sleeping());
     }
 
-    private static Steps with(Steps s, boolean recording, boolean turning, boolean joints) {
+    private static Steps sleeping(Steps s) {
+        return with(s, s.recording(), s.turning(), true);
+    }
+
+    private static Steps with(Steps s, boolean recording, boolean turning, boolean sleeping) {
         return new Steps(
                 s.count(),
                 s.levels(),
@@ -93,12 +105,15 @@ class PlansTest {
                 s.circles(),
                 s.subSteps(),
                 s.warmScale(),
+                s.tilted(),
                 s.sweeping(),
                 s.thinning(),
+                s.reportsBehind(),
                 recording,
                 s.sensing(),
                 turning,
-                joints);
+                s.joints(),
+                sleeping);
     }
 
     @ParameterizedTest
@@ -163,6 +178,7 @@ class PlansTest {
         GridLevels levels = new GridLevels();
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false, false, false);
+        return new Steps(
+                1, levels, circles, circles, 4, 1f, false, false, thinning, false, false, false, false, false, false);
     }
 }

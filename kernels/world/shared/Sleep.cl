@@ -1,0 +1,56 @@
+// uses: world/shared/CircleMath.cl
+// Which circles fall asleep, and which wake. The Java class Sleep explains it.
+
+#ifdef SLEEPING
+bool isAsleep(int rest) { return rest < 0; }
+
+float drift(float radius, float gain_, float inverseH, float damping) {
+    float drift_ = SLEEP_DRIFT * radius;
+    return gain_ > 0.0f ? minf(drift_, SLEEP_SHARE_OF_FALL * (gain_ * inverseH) * (SLEEP_TIME * SLEEP_TIME))
+                        : drift_ * minf(damping * SLEEP_TIME, 1.0f);
+}
+
+bool rests(float driftX, float driftY, int turned, float radius, float drift_) {
+    return driftX * driftX + driftY * driftY <= drift_ * drift_ && fabs((float) turned) * SLEEP_RADIANS * radius <= drift_;
+}
+
+bool stays(float base, float displacement) {
+    return as_int(base + displacement) == as_int(base) && as_int(0.0f + displacement) == as_int(displacement);
+}
+
+bool fallsAsleep(int rest, float dt) { return (float) rest * dt >= SLEEP_TIME; }
+float strong(float gainOfStep, float radius, float dt) { return maxf(gainOfStep, SLEEP_LEAST_WAKING * radius / dt); }
+
+float hit(float approach, float separation, float inverseMass_, float otherInverseMass, float restitution, float impulse,
+          float gainOfStep, float radius, float dt) {
+    if (!(approach > 0.0f) || !(separation < approach * dt)) return 0.0f;
+    float share = inverseMass_ / (inverseMass_ + otherInverseMass);
+    float speed = share * (1.0f + restitution) * approach;
+    float most = (impulse > 0.0f ? SLEEP_PUSH : SLEEP_HIT) * gainOfStep;
+    return speed > most && speed > SLEEP_LEAST_HIT * radius / dt ? speed : 0.0f;
+}
+
+float tolerance(bool strict, float gain_, float load, float radius, float dt) {
+    float byLoad = SLEEP_SHARE_OF_LOAD * maxf(load - SLEEP_FREE_WEIGHTS * gain_, 0.0f);
+    float most = strict ? SLEEP_STRICT * gain_ : SLEEP_FLOOR * gain_ + minf(byLoad, SLEEP_MOST_BY_LOAD * gain_);
+    return most + SLEEP_ROUNDING * radius / dt;
+}
+
+bool losesPatience(bool strict, float gain_, float imbalance, int steps) {
+    return strict || gain_ == 0.0f || imbalance * (float) (steps * steps) >= SLEEP_PATIENCE * gain_;
+}
+
+float imbalanceOfStep(float imbalance, int subSteps, float radius, float dt) {
+    return maxf(imbalance * (float) subSteps, SLEEP_LEAST_WAKING * radius / dt);
+}
+
+float passedOn(float speed, float impulse, float load, float inverseMass_, float otherInverseMass, float gainOfStep) {
+    float passed = speed * minf(2.0f * impulse / load, 1.0f) * minf(inverseMass_ / otherInverseMass, 1.0f);
+    return passed > SLEEP_PUSH * gainOfStep ? passed : 0.0f;
+}
+
+float passedFreely(float speed, float separation, float inverseMass_, float otherInverseMass, float gainOfStep, float dt) {
+    float passed = speed * (2.0f * inverseMass_ / (inverseMass_ + otherInverseMass));
+    return separation < speed * dt && passed > SLEEP_HIT * gainOfStep ? passed : 0.0f;
+}
+#endif

@@ -1,0 +1,59 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.JointUpload;
+import io.github.circles2d.world.device.memory.StageKernels;
+
+/** Circles that wake as a step begins, and those that fall asleep behind it; {@code kernels/world/stages/Sleeping.cl}. */
+final class SleepStage {
+    /** Work-items of the work-group that wakes from circle to circle. */
+    private static final int GROUP = StageKernels.SMALL_GROUPS ? 16 : 256;
+
+    private final Kernel press;
+    private final Kernel wake;
+    private final Kernel spread;
+    private final Kernel keep;
+    private final Kernel end;
+
+    /** Null in a world without joints. */
+    private final Kernel hold;
+
+    private final JointUpload joints;
+
+    SleepStage(StageKernels kernels, JointUpload joints, boolean haveJoints) {
+        this.joints = joints;
+        press = kernels.staged("sleeping_press");
+        wake = kernels.staged("sleeping_wake");
+        spread = kernels.staged("sleeping_spread");
+        keep = kernels.staged("sleeping_keep");
+        end = kernels.staged("sleeping_end");
+        hold = haveJoints ? kernels.staged("sleeping_hold") : null;
+    }
+
+    /** Adds the numbers that the kernels share with the host. */
+    static KernelSource define(KernelSource source) {
+        return source.define("SLEEPING_GROUP", GROUP);
+    }
+
+    /** Behind the grid. tilted: whether gravity is not that of the step before. */
+    void wake(int circles, boolean tilted) {
+        press.run(circles);
+        hold(true);
+        wake.arg(StageKernels.own(0), tilted ? 1 : 0).run(circles);
+        spread.run(GROUP, GROUP);
+        keep.run(circles);
+    }
+
+    /** Behind the step and what it reports. */
+    void end(int circles) {
+        hold(false);
+        end.run(circles);
+    }
+
+    private void hold(boolean begins) {
+        if (hold != null && joints.any()) {
+            hold.arg(StageKernels.own(0), begins ? 1 : 0).run(joints.count());
+        }
+    }
+}

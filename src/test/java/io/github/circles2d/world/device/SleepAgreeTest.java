@@ -1,0 +1,167 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Circles fall asleep and wake in the same steps on every device as in Java, to the bit. */
+class SleepAgreeTest {
+    private static final float DT = 1 / 60f;
+    private static final Bounds BOX = new Bounds(0, 0, 4, 6);
+
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    /** A heap of circles that have friction, and report all. */
+    private static Twins heap(Device device, Bounds bounds, int circles, float ratio) {
+        Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device));
+        twins.setKind(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
+        twins.setKind(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.1f));
+        twins.report(ContactEvents.ALL);
+        SplittableRandom random = new SplittableRandom(3);
+        for (int k = 0; k < circles; k++) {
+            float r = (k % 7 == 0 ? ratio : 1f) * (0.1f + 0.04f * (float) random.nextDouble());
+            float x = 0.5f + 3 * (float) random.nextDouble();
+            twins.add(x, 0.3f + 2.5f * k / circles, r, r * r, 0, 0, 0);
+        }
+        return twins;
+    }
+
+    /** Compares all, every few steps. Returns how many sleep at most. */
+    private static int run(Twins twins, String what, float dt, int steps) {
+        int most = 0;
+        for (int k = 0; k < steps; k += 10) {
+            String when = what + ", step " + k;
+            twins.step(dt, 1 + k % 3);
+            twins.assertEqual(when);
+            twins.step(dt, 9 - k % 3);
+            twins.assertEqual(when);
+            twins.assertSameEvents(when);
+            most = Math.max(most, twins.assertSameSleepers(when));
+        }
+        return most;
+    }
+
+    /** A ball falls on a heap, walls come in, gravity tilts, steps get longer, circles change and go. */
+    private static void disturb(Twins twins, String what) {
+        twins.add(2, 4, 0.2f, 0.1f, 0, 0, -6);
+        run(twins, what + ", a ball", DT, 50);
+        twins.exchange();
+        run(twins, what + ", exchanged", DT, 20);
+        twins.move(3, 2, 4);
+        run(twins, what + ", one moved", DT, 60);
+        twins.remove(5);
+        twins.set(Commands.RADIUS, 8, 0.15f, 0);
+        twins.set(Commands.MASS, 9, Float.POSITIVE_INFINITY, 0);
+        run(twins, what + ", one removed", DT, 60);
+        twins.setGravity(3, -9);
+        run(twins, what + ", tilted", DT, 40);
+        twins.set(Commands.VELOCITY, 9, 0.05f, 0);
+        run(twins, what + ", a static one moves", DT, 30);
+        twins.set(Commands.VELOCITY, 9, 0, 0);
+        run(twins, what + ", in longer steps", 1 / 30f, 60);
+        twins.wakeAll();
+        twins.set(Commands.WAKE, 2, 0, 0);
+        run(twins, what + ", all awake", DT, 30);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aHeapSleepsAndWakesAlike(Device device) {
+        try (Twins twins = heap(device, BOX, 20, 1)) {
+            assertThat(run(twins, "a heap", DT, 240)).isGreaterThan(10);
+            disturb(twins, "a heap");
+            assertThat(run(twins, "at rest again", DT, TestScale.of(60, 240))).isPositive();
+            twins.moveWalls(new SplittableRandom(1), 0.02f);
+            run(twins, "walls move", DT, 20);
+            assertThat(twins.size()).isEqualTo(20);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void heapsOfUnlikeRadiiSleepAndWakeAlike(Device device) {
+        for (float ratio : new float[] {3, 8}) {
+            try (Twins twins = heap(device, new Bounds(0, 0, 4, 12), 40, ratio)) {
+                assertThat(run(twins, "radii of 1:" + ratio, DT, 300)).isGreaterThan(5);
+                disturb(twins, "radii of 1:" + ratio);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void theySleepAndWakeAlikeOnTerrain(Device device) {
+        try (Twins twins = heap(device, BOX, 20, 1)) {
+            twins.addPlate(1, 0.2f, 1.5f, false);
+            long lift = twins.addPlate(3, 0.15f, 1.5f, true);
+            assertThat(run(twins, "on terrain", DT, 240)).isGreaterThan(5);
+            twins.moveBody(lift, 0, 0.02f);
+            run(twins, "on a lift", DT, 40);
+            twins.moveBody(lift, 0, 0);
+            assertThat(run(twins, "at rest", DT, 150)).isPositive();
+            disturb(twins, "on terrain");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void theySleepAndWakeAlikeOverASeam(Device device) {
+        try (Twins twins = heap(device, BOX.with(AxisEdge.WRAP, AxisEdge.WALL), 30, 2)) {
+            assertThat(run(twins, "wrapped", DT, 300)).isPositive();
+            disturb(twins, "wrapped");
+        }
+    }
+
+    /** Those that a joint holds are awake, until it breaks or goes. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void whoIsHeldIsAwakeEverywhere(Device device) {
+        try (Twins twins = heap(device, BOX, 20, 1)) {
+            assertThat(run(twins, "before", DT, 240)).isGreaterThan(10);
+            twins.addRod(0, 1);
+            twins.addRod(2, 3);
+            run(twins, "held", DT, 90);
+            twins.addJoints(4, 30);
+            run(twins, "with random joints", DT, 60);
+            disturb(twins, "with joints");
+        }
+    }
+
+    /** Kinds that are sensed, never sleep, or fall otherwise; forces and torques. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void kindsAndForcesAreHeededAlike(Device device) {
+        try (Twins twins = heap(device, BOX, 30, 1)) {
+            twins.setKind(KindField.AWAKE, 1, 1);
+            twins.setKind(KindField.DAMPING, 2, Float.floatToRawIntBits(2f));
+            twins.giveKinds();
+            twins.giveSensors(3, 6);
+            assertThat(run(twins, "kinds", DT, 240)).isPositive();
+            SplittableRandom random = new SplittableRandom(5);
+            for (int k = 0; k < TestScale.of(8, 40); k++) {
+                twins.turnExtremely(random.nextInt(30), random);
+                run(twins, "behind change " + k, DT, 40);
+            }
+            twins.setGravity(0, 0);
+            run(twins, "without gravity", DT, 90);
+        }
+    }
+}
