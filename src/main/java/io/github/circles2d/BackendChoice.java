@@ -26,9 +26,6 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason, RunningC
     }
 
     private static BackendChoice fastest(BackendWish wish) {
-        if (wish.sleeps) {
-            return jvm(wish, "its circles sleep, which they do on no device so far");
-        }
         try {
             return wish.moves() ? OpenClChoice.moving(wish) : OpenClChoice.fastest(wish);
         } catch (LinkageError e) {

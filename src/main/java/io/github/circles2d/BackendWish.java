@@ -14,7 +14,6 @@ final class BackendWish {
     int threads = World.Builder.defaultThreads();
     int capacity = 1024;
     boolean profiling;
-    boolean sleeps;
 
     /** Whether the first step on a device waits for the kernels of its fastest plan. Measurements do. */
     boolean waits = Boolean.getBoolean("circles2d.plans.wait");

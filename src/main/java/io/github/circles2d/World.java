@@ -2041,7 +2041,6 @@ public final class World implements AutoCloseable {
          */
         public Builder sleep(boolean sleep) {
             this.sleep = sleep;
-            wish.sleeps = sleep;
             return this;
         }
 

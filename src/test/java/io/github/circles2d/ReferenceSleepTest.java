@@ -126,8 +126,13 @@ class ReferenceSleepTest {
 
         private void addTerrain() {
             both("addSegment", c -> c.addSegment(GROUND, 0f, 2f, 4f, 1f, 0f, 0));
-            both("addChain", c -> c.addChain(
-                    GROUND, new ChainShape(5f, 1.5f, new float[][] {{7f, 1f}, {9f, 1.5f}}, false), 0, new long[4]));
+            both(
+                    "addChain",
+                    c -> c.addChain(
+                            GROUND,
+                            new ChainShape(5f, 1.5f, new float[][] {{7f, 1f}, {9f, 1.5f}}, false),
+                            0,
+                            new long[4]));
             long[] body = new long[1];
             both("addBody", c -> body[0] = c.addBody(8f, 3f, 0f));
             bodies.add(body[0]);
@@ -135,7 +140,8 @@ class ReferenceSleepTest {
         }
 
         private void add(float x, float y) {
-            float radius = mixed ? 0.15f + 0.6f * (float) random.nextDouble() : 0.4f + 0.2f * (float) random.nextDouble();
+            float radius =
+                    mixed ? 0.15f + 0.6f * (float) random.nextDouble() : 0.4f + 0.2f * (float) random.nextDouble();
             float mass = random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : radius * radius;
             int kind = random.nextInt(4) == 0 ? 1 : 0;
             both("add", c -> c.add(x, y, radius, mass, 0f, 0f, kind));
@@ -245,7 +251,8 @@ class ReferenceSleepTest {
                         now.add(handle);
                     }
                 }
-                fellAsleep += (int) now.stream().filter(c -> !sleeping.contains(c)).count();
+                fellAsleep +=
+                        (int) now.stream().filter(c -> !sleeping.contains(c)).count();
                 woke += (int) sleeping.stream().filter(c -> !now.contains(c)).count();
                 sleeping = now;
             }

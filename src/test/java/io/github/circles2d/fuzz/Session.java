@@ -48,7 +48,7 @@ final class Session implements AutoCloseable {
             for (int n : threads) {
                 add(Backend.JVM, n, ready, null);
             }
-            for (Backend device : program.setting.sleeps ? new Backend[0] : devices) {
+            for (Backend device : devices) {
                 add(device, 0, ready, null);
             }
             add(Backend.JVM, 2, ready, world -> move(world, devices, ready));
