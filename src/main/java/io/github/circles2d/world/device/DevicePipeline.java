@@ -30,6 +30,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -511,13 +512,15 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void saveIds(SavedState into) {
         settle();
-        int[] slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         into.setCircles(home.circles);
         int k = 0;
-        for (int id = 0; id < slotOf.length; id++) {
-            if (slotOf[id] >= 0) {
+        for (int id : Readback.ints(arrays.get(DeviceArray.HOME_ID), home.slots)) {
+            if (id >= 0) {
                 into.id[k++] = id;
             }
+        }
+        if (arrays.terrain()) {
+            Arrays.sort(into.id, 0, k);
         }
     }
 

@@ -113,7 +113,7 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
-    /** Saves which ids have a circle here: changes that wait have not been applied. */
+    /** Saves which ids have a circle here, ascending if there is terrain: changes that wait have not been applied. */
     void saveIds(SavedState into);
 
     /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
