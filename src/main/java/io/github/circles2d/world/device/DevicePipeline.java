@@ -43,7 +43,7 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
-    private static final System.Logger LOG = System.getLogger("io.github.circles2d.World");
+    private static final System.Logger LOG = System.getLogger(DevicePipeline.class.getName());
 
     /** The log tells of a compiler that was waited for so long. */
     private static final double LONG_SECONDS = 1;
