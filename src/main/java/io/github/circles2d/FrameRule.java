@@ -73,6 +73,11 @@ class FrameRule {
         expected = new Expected(nanos, circles);
     }
 
+    /** Whether the next frame ends a group: steps that a device has not made yet belong to it. */
+    boolean endsGroup() {
+        return skip == 0 && frames == GROUP_FRAMES - 1;
+    }
+
     /** Takes a frame; returns whether the world should go to the other side, which is asked again with each window if it cannot. */
     boolean frame(double frameNanos, int circles) {
         if (skip > 0) {

@@ -74,6 +74,11 @@ final class RunningChoice implements Mover {
         return chosen;
     }
 
+    @Override
+    public boolean settles() {
+        return away && rule.endsGroup();
+    }
+
     private Pipeline fromDevice(Pipeline now, boolean goes) {
         if (frames == FRAMES_TO_KEEP_HOME && home != null) {
             home.close();

@@ -3,8 +3,10 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
+import com.sun.management.ThreadMXBean;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
@@ -12,6 +14,7 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.shared.Pipeline;
+import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
@@ -118,8 +121,21 @@ class RunningChoiceTest {
     }
 
     private static World world(IntFunction<Pipeline> devices, FrameRule rule) {
+        return world(devices, rule, new AtomicInteger());
+    }
+
+    /** homes: counts the pipelines on the JVM that are made later. */
+    private static World world(IntFunction<Pipeline> devices, FrameRule rule, AtomicInteger homes) {
         Pipeline home = new JvmPipeline(1, 1, 0, false);
-        RunningChoice running = new RunningChoice(home, () -> new JvmPipeline(1, 1, 0, false), devices, rule, 1500);
+        RunningChoice running = new RunningChoice(
+                home,
+                () -> {
+                    homes.incrementAndGet();
+                    return new JvmPipeline(1, 1, 0, false);
+                },
+                devices,
+                rule,
+                1500);
         World.Builder builder = WorldScenes.builder(SCENE);
         return WorldScenes.load(
                 SCENE, new World(builder, new BackendChoice(Backend.JVM, home, running.reason(), running)));
@@ -218,6 +234,72 @@ class RunningChoiceTest {
             stepUntilMoved(2, world, stays);
             assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
             assertThat(world.stats().reason()).contains("cannot take").contains("none left");
+        }
+    }
+
+    @Test
+    void theSideThatIsNotUsedGivesItsMemoryBack() {
+        Devices devices = new Devices(0);
+        AtomicInteger homes = new AtomicInteger();
+        try (World world = world(devices, new Eager(), homes)) {
+            while (world.stats().moves() == 0) {
+                world.step(SCENE.timeStep());
+            }
+            for (int frame = 0; frame < 650; frame++) {
+                world.step(SCENE.timeStep());
+            }
+            assertThat(homes.get()).isZero();
+            devices.refused = "makeRoom";
+            world.clear();
+            assertThat(homes.get()).isOne();
+            assertThat(devices.closed.get()).isZero();
+            world.add(SCENE.x(0), SCENE.y(0), SCENE.radius(0), 1);
+            for (int frame = 0; frame < 3_700; frame++) {
+                world.step(SCENE.timeStep());
+            }
+            assertThat(devices.closed.get()).isOne();
+        }
+    }
+
+    @Test
+    void stepsOfAWorldThatMayMoveLeaveNoGarbage() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        for (FrameRule rule : new FrameRule[] {new FrameRule(), new Eager()}) {
+            try (World world = world(new Devices(0), rule)) {
+                float[] circles = new float[4 * SCENE.size()];
+                long least = Long.MAX_VALUE;
+                for (int round = 0; round < 40 && least >= 1024; round++) {
+                    long before = threads.getCurrentThreadAllocatedBytes();
+                    for (int frame = 0; frame < 10; frame++) {
+                        world.step(SCENE.timeStep());
+                        world.read(circles);
+                    }
+                    least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+                }
+                assertThat(least).isLessThan(1024);
+            }
+        }
+    }
+
+    /** Leaves the JVM while a device is opened, or compiles. */
+    static final class Leaves {
+        public static void main(String[] arguments) throws InterruptedException {
+            World world = world(
+                    circles -> new DevicePipeline(TestDevices.all().get(0), circles, false, false), new Restless());
+            world.step(SCENE.timeStep());
+            Thread.sleep(Long.parseLong(arguments[0]));
+            System.out.println("left");
+        }
+    }
+
+    @Test
+    @Tag("long")
+    void anExitMeanwhileIsClean() {
+        TestDevices.all();
+        for (int millis : new int[] {0, 200, 1000, 3000}) {
+            ForkedJvm.Result result = new ForkedJvm().run(Leaves.class, Integer.toString(millis));
+            assertThat(result.output()).contains("left").doesNotContain("Exception");
+            assertThat(result.exitStatus()).isZero();
         }
     }
 

@@ -30,6 +30,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -42,7 +43,7 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
-    private static final System.Logger LOG = System.getLogger("io.github.circles2d.World");
+    private static final System.Logger LOG = System.getLogger(DevicePipeline.class.getName());
 
     /** The log tells of a compiler that was waited for so long. */
     private static final double LONG_SECONDS = 1;
@@ -533,13 +534,15 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void saveIds(SavedState into) {
         settle();
-        int[] slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         into.setCircles(home.circles);
         int k = 0;
-        for (int id = 0; id < slotOf.length; id++) {
-            if (slotOf[id] >= 0) {
+        for (int id : Readback.ints(arrays.get(DeviceArray.HOME_ID), home.slots)) {
+            if (id >= 0) {
                 into.id[k++] = id;
             }
+        }
+        if (arrays.terrain()) {
+            Arrays.sort(into.id, 0, k);
         }
     }
 

@@ -33,11 +33,15 @@ final class FallingAsleep {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
         float r = state.circle[s + RADIUS];
+        int v = CircleRow.vector(id);
+        if (!Sleep.rests(all.drift[v], all.drift[v + 1], 0, r, Sleep.DRIFT * r)) { // nearly all that move
+            all.restart(slot);
+            return false;
+        }
         float gain = CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
         int kind = KindSleep.of(state.fields.getInt(CircleField.KIND, id));
         float damping = kinds[kind + KindSleep.DAMPING];
         float most = Sleep.drift(r, gain, k.inverseH, damping);
-        int v = CircleRow.vector(id);
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds[kind + KindSleep.AWAKE] == 0f
                 && !state.resting.isHeld(id)

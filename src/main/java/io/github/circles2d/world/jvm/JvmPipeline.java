@@ -398,6 +398,10 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void saveIds(SavedState into) {
         into.setCircles(state.n);
+        if (state.pieces == null) {
+            System.arraycopy(state.id, 0, into.id, 0, state.n); // as they lie, which is faster
+            return;
+        }
         int k = 0;
         for (int id = 0; id < state.slotOf.length; id++) {
             if (state.slotOf[id] >= 0) {

@@ -316,7 +316,9 @@ public final class Readings {
             positionsRequested = false; // what was requested before is lost if the pipeline fails
             world.handles.markSurvivors();
             asked = world.pipeline;
+            world.clock.begin();
             asked.requestPositions(world.handles);
+            world.clock.end();
             requests++;
             positionsRequested = true;
         } finally {
@@ -363,10 +365,10 @@ public final class Readings {
     }
 
     private FloatBuffer take(IdMask shown) {
+        world.clock.begin();
         if (!asked.positionsArrived()) {
             world.pending.finish();
         }
-        world.clock.begin();
         FloatBuffer taken = asked.takePositions(shown);
         world.clock.end();
         positionsRequested = false;

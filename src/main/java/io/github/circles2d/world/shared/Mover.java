@@ -14,6 +14,11 @@ public interface Mover extends AutoCloseable {
      */
     Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos);
 
+    /** Whether steps that have been asked for are waited for before the next call of {@link #choose}: a device has made them then, and its time counts. */
+    default boolean settles() {
+        return false;
+    }
+
     /** The pipeline that takes any world without compiling anything. */
     Pipeline home();
 

@@ -53,6 +53,9 @@ public final class Moves {
             return;
         }
         Readiness now = wanted(world.settings.contacts(), world.needs.features());
+        if (mover.settles()) {
+            world.pending.finish();
+        }
         double nanos = world.clock.endFrame(steps);
         Pipeline next = mover.choose(world.pipeline, now, world.handles.size(), nanos);
         Pipeline before = world.pipeline;

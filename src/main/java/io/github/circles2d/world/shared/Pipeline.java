@@ -116,7 +116,7 @@ public interface Pipeline extends AutoCloseable {
     /** Sets the bits of the ids of circles that sleep, of bits that are 0. All steps have been finished. */
     default void readAsleep(long[] byId) {}
 
-    /** Saves which ids have a circle here: changes that wait have not been applied. */
+    /** Saves which ids have a circle here, ascending if there is terrain: changes that wait have not been applied. */
     void saveIds(SavedState into);
 
     /** Saves circle, motion, traits, what circles turn by, and the impulses that the next step starts from. The ids are there already. */
