@@ -20,6 +20,7 @@ final class Recorder {
     private final TouchRecords[] records;
 
     private final Team.Work beginSensing = this::beginSensing;
+    private final Team.Work measureSensed = this::measureSensed;
     private final Team.Work recordAll = this::recordAll;
     private final Team.Work stamp = this::stamp;
     private final Team.Work learn;
@@ -80,6 +81,10 @@ final class Recorder {
     void end(TerrainStep step, StepConstants k) {
         terrain = step;
         constants = k;
+        if (reports.sensing) {
+            team.all(measureSensed);
+            sensing.settle();
+        }
         team.all(recordAll);
         if (state.sleepers != null && state.sleepers.count > 0) {
             events.keep(state);
@@ -91,6 +96,10 @@ final class Recorder {
         if (reports.recording) {
             team.all(learn);
         }
+    }
+
+    private void measureSensed(int worker) {
+        sensing.measure(worker, team.part(state.awake, worker), team.part(state.awake, worker + 1));
     }
 
     private void recordAll(int worker) {

@@ -18,14 +18,21 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
+import java.util.Arrays;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
- * when. It looks in the cells of the step's grid, where circles are as they were at its start. {@code Sensing.cl} does the same.
+ * when. It looks in the cells of the step's grid, where circles are as they were at its start. {@code Sensing.cl} does the same, but there
+ * the sensors look for others; here the circles of that kind do of which there are fewer.
  */
 final class Sensing {
+    /** An eighth more than needed, for rounding and for {@link TouchRule#SLACK}. */
+    private static final float MORE = 1.125f;
+
     private final State state;
+    private final Grid grid;
     private final GridLevels levels;
+    private final Team team;
     private final ContactEvents events;
 
     /** By worker: the circles around the one that it looks at. */
@@ -37,19 +44,48 @@ final class Sensing {
     /** By slot: x, y at the start of the step. */
     private float[] start = new float[0];
 
+    /** By slot, at the end of the step: the kind. */
+    private int[] kind = new int[0];
+
+    /** By slot, at the end of the step: the length of the path. */
+    private float[] path = new float[0];
+
+    /** By slot: radius and path, times {@link #MORE}; NaN if the kind takes no part. Only circles touch whose reaches meet. */
+    private float[] reach = new float[0];
+
+    /** By worker and level: the longest path of a circle that is not fast. */
+    private final float[][] longest;
+
     /** By kind: whether the table has some other for it. */
     private final boolean[] takesPart = new boolean[PairTable.KINDS];
 
     /** By kind: whether it looks for another, even if it is slow. */
     private final boolean[] seeks = new boolean[PairTable.KINDS];
 
-    /** By pair of kinds, who looks for whom. */
-    private int[] seeking;
+    /** Those kinds that take part. */
+    private final int[] kinds = new int[PairTable.KINDS];
+
+    private int kindCount;
+
+    /** By pair of kinds, whether they sense each other. */
+    private int[] sensed;
 
     private int version = -1;
 
+    /** By pair of kinds, who looks for whom. */
+    private final int[] seeking = new int[PairTable.WORDS];
+
+    /** By worker and kind: the number of circles in this step; by kind: that for which {@link #seeking} was made. */
+    private final int[][] counts;
+
+    private final int[] count = new int[PairTable.KINDS];
+
     Sensing(State state, Grid grid, GridLevels levels, Team team, ContactEvents events) {
         this.state = state;
+        this.team = team;
+        this.grid = grid;
+        counts = new int[team.most()][PairTable.KINDS];
+        longest = new float[team.most()][GridLevels.COUNT];
         nearby = Nearby.ofWorkers(grid, levels, team);
         resting = new Resting.Found[team.most()];
         for (int worker = 0; worker < resting.length; worker++) {
@@ -61,8 +97,15 @@ final class Sensing {
 
     void ensure(StepReports reports) {
         learn(reports);
-        if (start.length < CircleRow.vector(state.capacity())) {
-            start = new float[CircleRow.vector(state.capacity())];
+        if (kind.length < state.capacity()) {
+            float[] newStart = new float[CircleRow.vector(state.capacity())];
+            float[] newPath = new float[state.capacity()];
+            float[] newReach = new float[state.capacity()];
+            int[] newKind = new int[state.capacity()];
+            start = newStart;
+            path = newPath;
+            reach = newReach;
+            kind = newKind;
         }
     }
 
@@ -74,32 +117,92 @@ final class Sensing {
         }
     }
 
-    /** Learns who looks for whom. */
+    /** Learns which kinds sense each other. */
     private void learn(StepReports reports) {
-        seeking = reports.seeking;
+        sensed = reports.seeking;
         if (version == reports.seekingVersion) {
             return;
         }
         version = reports.seekingVersion;
-        for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            takesPart[kind] = false;
-            seeks[kind] = false;
-            for (int other = 0; other < PairTable.KINDS; other++) {
-                int row = PairTable.get(seeking, kind, other);
-                takesPart[kind] |= row != SensorRule.NONE;
-                seeks[kind] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
+        Arrays.fill(seeking, SensorRule.NONE);
+        Arrays.fill(count, 0);
+        kindCount = 0;
+        for (int a = 0; a < PairTable.KINDS; a++) {
+            takesPart[a] = false;
+            for (int b = 0; b < PairTable.KINDS; b++) {
+                takesPart[a] |= PairTable.get(sensed, a, b) != SensorRule.NONE;
             }
+            kinds[kindCount] = a;
+            kindCount += takesPart[a] ? 1 : 0;
+        }
+    }
+
+    /** Once circles are where the step leaves them: notes how far some slots reach, and counts their kinds. */
+    void measure(int worker, int from, int to) {
+        int[] ofWorker = counts[worker];
+        float[] ofLevels = longest[worker];
+        Arrays.fill(ofWorker, 0);
+        Arrays.fill(ofLevels, 0f);
+        for (int slot = from; slot < to; slot++) {
+            measure(slot);
+            ofWorker[kind[slot]]++;
+            int level = grid.level[slot];
+            ofLevels[level] = isFast(slot) ? ofLevels[level] : CircleMath.max(path[slot], ofLevels[level]);
+        }
+    }
+
+    private void measure(int slot) {
+        kind[slot] = state.fields.getInt(CircleField.KIND, state.id[slot]);
+        path[slot] = CircleMath.length(pathX(slot), pathY(slot));
+        reach[slot] =
+                takesPart[kind[slot]] ? MORE * (state.circle[CircleRow.of(slot) + RADIUS] + path[slot]) : Float.NaN;
+    }
+
+    /** Decides who looks for whom, once all slots are measured. No result depends on that. */
+    void settle() {
+        boolean same = true;
+        for (int k = 0; k < PairTable.KINDS; k++) {
+            int sum = 0;
+            for (int w = 0; w < team.size(); w++) {
+                sum += counts[w][k];
+            }
+            same &= count[k] == sum;
+            count[k] = sum;
+        }
+        for (int k = 0; k < kindCount && !same; k++) {
+            settle(kinds[k]);
+        }
+        for (int w = 1; w < team.size(); w++) {
+            for (int level = 0; level < GridLevels.COUNT; level++) {
+                longest[0][level] = CircleMath.max(longest[w][level], longest[0][level]);
+            }
+        }
+    }
+
+    private void settle(int a) {
+        seeks[a] = false;
+        for (int k = 0; k < kindCount; k++) {
+            int b = kinds[k];
+            int row = PairTable.get(sensed, a, b);
+            if (row != SensorRule.NONE && a != b) {
+                boolean looks = count[a] < count[b] || count[a] == count[b] && a < b;
+                row = looks ? SensorRule.SEEKS : SensorRule.FOUND;
+            }
+            PairTable.setOne(seeking, a, b, row);
+            seeks[a] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
         }
     }
 
     /** Records the pairs that some slots have to find. */
     void find(int worker, TouchRecords records, int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
-            int kind = kind(slot);
-            if (takesPart[kind] && (seeks[kind] || isFast(slot))) {
+            if (!takesPart[kind[slot]]) {
+                continue;
+            }
+            if (seeks[kind[slot]] || isFast(slot)) {
                 look(nearby[worker], records, slot, k);
             }
-            if (takesPart[kind] && state.awake < state.n && !state.isStatic(slot)) {
+            if (state.awake < state.n && !state.isStatic(slot)) {
                 lookAtResting(resting[worker], records, slot, k);
             }
         }
@@ -119,17 +222,13 @@ final class Sensing {
                 CircleMath.max(x, toX) + margin,
                 CircleMath.min(y, toY) - margin,
                 CircleMath.max(y, toY) + margin);
-        float path = path(slot);
         for (int n = 0; n < found.count; n++) {
             int other = found.slots[n];
             begin(other, other + 1);
-            lookAt(records, slot, other, other + 1, path, k);
-            lookAt(records, other, slot, slot + 1, 0f, k);
+            measure(other);
+            lookAt(records, slot, other, other + 1, k);
+            lookAt(records, other, slot, slot + 1, k);
         }
-    }
-
-    private int kind(int slot) {
-        return state.fields.getInt(CircleField.KIND, state.id[slot]);
     }
 
     private float pathX(int slot) {
@@ -142,50 +241,57 @@ final class Sensing {
         return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
     }
 
-    private float path(int slot) {
-        return CircleMath.length(pathX(slot), pathY(slot));
-    }
-
     private boolean isFast(int slot) {
-        return SensorRule.isFastSensed(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
+        return SensorRule.isFastSensed(path[slot], state.circle[CircleRow.of(slot) + RADIUS]);
     }
 
     private void look(Nearby near, TouchRecords records, int slot, StepConstants k) {
         float x = start[CircleRow.vector(slot) + X];
         float y = start[CircleRow.vector(slot) + Y];
         float r = state.circle[CircleRow.of(slot) + RADIUS];
-        float path = path(slot);
         float toX = x + pathX(slot);
         float toY = y + pathY(slot);
+        float fast = isFast(slot) ? path[slot] : 0f;
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
-            float margin = SensorRule.sensorMargin(r, path, levels.top[level]);
+            // a slow circle finds slow ones, a fast one also those that are not as fast
+            float margin = MORE * ((r + levels.top[level]) + CircleMath.max(fast, longest[0][level]));
             float left = CircleMath.min(x, toX) - margin;
             float below = CircleMath.min(y, toY) - margin;
             float right = CircleMath.max(x, toX) + margin;
             float above = CircleMath.max(y, toY) + margin;
             near.begin(level, left, right, below, above, !state.isStatic(slot));
             while (near.next()) {
-                lookAt(records, slot, near.from, near.to, path, k);
+                lookAt(records, slot, near.from, near.to, k);
             }
         }
     }
 
-    private void lookAt(TouchRecords records, int slot, int from, int to, float path, StepConstants k) {
-        int kind = kind(slot);
-        boolean isFast = isFast(slot);
+    private void lookAt(TouchRecords records, int slot, int from, int to, StepConstants k) {
+        float x = start[CircleRow.vector(slot) + X];
+        float y = start[CircleRow.vector(slot) + Y];
+        float own = reach[slot];
         for (int other = from; other < to; other++) {
-            int row = PairTable.get(seeking, kind, kind(other));
-            if (row != SensorRule.NONE
-                    && other != slot
-                    && (isFast || row != SensorRule.FOUND)
-                    && PairFilter.maySense(state, slot, other)
-                    && SensorRule.findsSensed(
-                            row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
+            float dx = start[CircleRow.vector(other) + X] - x;
+            float dy = start[CircleRow.vector(other) + Y] - y;
+            if (state.wraps) {
+                dx = CircleMath.shortWay(dx, state.periodX);
+                dy = CircleMath.shortWay(dy, state.periodY);
+            }
+            float far = own + reach[other];
+            if (dx * dx + dy * dy <= far * far && other != slot && finds(slot, other)) {
                 boolean isLower = state.id[slot] < state.id[other];
                 meet(records, isLower ? slot : other, isLower ? other : slot, k);
             }
         }
+    }
+
+    private boolean finds(int slot, int other) {
+        int row = PairTable.get(seeking, kind[slot], kind[other]);
+        return row != SensorRule.NONE
+                && PairFilter.maySense(state, slot, other)
+                && SensorRule.findsSensed(
+                        row, isFast(slot), path[slot], state.id[slot], isFast(other), path[other], state.id[other]);
     }
 
     /** Records a pair, a of the lower id, if needed: as it begins to touch, or across a gap when it is closest. */
@@ -232,6 +338,6 @@ final class Sensing {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * start.length;
+        return 4L * (start.length + path.length + reach.length + kind.length);
     }
 }
