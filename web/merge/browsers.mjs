@@ -25,7 +25,7 @@ async function open(browser, query) {
   const [lines, errors] = [[], []];
   page.on('console', message => lines.push(message.text()));
   page.on('pageerror', error => errors.push(error.message));
-  page.on('request', r => assert.ok(/^(data|blob):/.test(r.url()) || r.url().startsWith(address), r.url()));
+  page.on('request', r => assert.ok(/^(data|blob|about):/.test(r.url()) || r.url().startsWith(address), r.url()));
   await page.setViewport({ width: 620, height: 860 });
   await page.goto(address + query);
   return { page, lines, errors };
@@ -68,14 +68,27 @@ async function play(name, program) {
   }
   assert.ok(await points(page) > 0, `balls merge within ${MOST_CLICKS} clicks`);
   await page.screenshot({ path: join(pictures, `${name}-merge.png`) });
+  for (const [width, height] of [[390, 844], [844, 390], [1280, 800]]) {
+    await page.setViewport({ width, height });
+    await sleep(500);
+    const { x, y, width: w, height: h } = await (await page.$('#canvas')).boundingBox();
+    assert.ok(x >= 0 && y >= 0 && x + w <= width && y + h <= height, `all of the game is seen in ${width} x ${height}`);
+    assert.ok(Math.abs(w / h - 0.75) < 0.01, 'and is not stretched');
+    await page.screenshot({ path: join(pictures, `${name}-merge-${width}.png`) });
+  }
+  const won = await points(page);
+  await page.goto('about:blank');
   assert.deepEqual(errors, []);
+  const left = await open(browser, '');
+  await left.page.goto('about:blank'); // before the game has begun
+  assert.deepEqual(left.errors, []);
   assert.deepEqual(missing, []);
 
   const old = await browser.newPage();
   await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
   await old.goto(address);
   assert.match(await old.$eval('#message', e => e.textContent), /too old/);
-  console.log(`${version}: ${line()}; then ${await points(page)} points by ${clicks} clicks`);
+  console.log(`${version}: ${line()}; then ${won} points by ${clicks} clicks`);
   await browser.close();
 }
 

@@ -96,28 +96,28 @@ async function play(name, program) {
   await sleep(250);
   await picture('explosion');
 
-  await page.select('#stage', 'hourglass');
+  await page.click('#gallery [data-scene=hourglass]');
   await sleep(1500);
   await picture('hourglass');
-  await page.select('#stage', 'drum');
+  await page.click('#gallery [data-scene=drum]');
   await sleep(2500);
   await picture('drum');
 
-  await page.select('#stage', 'bridge');
+  await page.click('#gallery [data-scene=bridge]');
   await sleep(1500);
   await picture('bridge');
   await page.click('[data-tool=rope]');
   const loose = await circles(page);
   await drag(page, [20, 98], [50, 85]);
   assert.ok(await circles(page) > loose + 5, 'a rope is drawn');
-  await page.select('#stage', 'blobs');
+  await page.click('#gallery [data-scene=blobs]');
   await sleep(2000);
   await picture('blobs');
-  await page.select('#stage', 'wrecking');
+  await page.click('#gallery [data-scene=wrecking]');
   await sleep(1500);
   await picture('wrecking');
 
-  await page.select('#stage', 'marbles');
+  await page.click('#gallery [data-scene=marbles]');
   await sleep(1500);
   assert.equal(await circles(page), 40);
   await page.click('[data-mode="0"]');
@@ -125,15 +125,18 @@ async function play(name, program) {
   await drag(page, [80, 10], [80, 60], [120, 80]);
   await picture('marbles');
 
-  await page.select('#stage', 'ramps');
+  await page.click('#gallery [data-scene=ramps]');
   await sleep(500);
-  assert.equal(await text(page, '#friction-value'), '0.00', 'a stage without friction');
+  assert.equal(await text(page, '#friction-value'), '0.00', 'a scene without friction');
   await page.mouse.click(...await centre(page, '#friction'));
   await sleep(1000);
   assert.equal(await text(page, '#friction-value'), '0.50', 'the slider sets the friction of the world');
   await picture('friction');
+  assert.equal(await text(page, '#gravity-value'), '60.00');
+  await page.$eval('#gravity', slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); });
+  await page.waitForFunction(() => document.getElementById('gravity-value').textContent === '0.00');
 
-  await page.select('#stage', 'slopes');
+  await page.click('#gallery [data-scene=slopes]');
   await page.waitForFunction(() => document.getElementById('friction').value === '0.6');
   await sleep(2000);
   assert.deepEqual(await colourAt(page, 82, 62 + 10 * 28 / 58), [138, 106, 58], 'a belt');
@@ -142,7 +145,7 @@ async function play(name, program) {
   assert.notDeepEqual(one, other, 'and turns');
   await picture('slopes');
 
-  await page.select('#stage', 'crowd');
+  await page.click('#gallery [data-scene=crowd]');
   await page.click('[data-mode="2"]');
   await sleep(3000); // the pile falls, and V8 compiles
   const framesASecond = await meanOf(5, async () => {
@@ -172,7 +175,19 @@ async function play(name, program) {
   for (const [kind, words] of verdicts) {
     assert.equal(kind, 'same', words);
   }
+  assert.match(await text(page, '#verdict'), /^(\d+) of \1 scenes have the JVM's bits$/);
   await page.screenshot({ path: join(pictures, `${name}-bits.png`), fullPage: true });
+
+  for (const [width, height] of [[390, 844], [844, 390], [1280, 800]]) {
+    await page.setViewport({ width, height });
+    await sleep(400);
+    for (const selector of ['#arena', '#bits', '#gallery [data-scene=hourglass]']) {
+      const { x, y, width: w, height: h } = await (await page.$(selector)).boundingBox();
+      const seen = x >= 0 && y >= 0 && x + w <= width && y + (selector === '#arena' ? h : 0) <= height;
+      assert.ok(seen, `${selector} is in the first screen of ${width} x ${height}: ${[x, y, w, h]}`);
+    }
+    await picture(`${width}x${height}`);
+  }
 
   await page.setViewport({ width: 390, height: 780, hasTouch: name === 'chrome', isMobile: name === 'chrome' });
   await page.goto(address);

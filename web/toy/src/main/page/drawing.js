@@ -23,8 +23,8 @@ const BLAST_MILLIS = 400;
 const BLAST_REACH = 22.5; // radii of usual circles
 const RAMPS = [
   ['#4aa8d8', '#5bc0be', '#7fb7e6', '#9b8cf0', '#6d9eeb', '#48c9b0', '#8fd3f4', '#74a9cf'],
-  ['#2c4a7c', '#3178b8', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
-  ['#26415e', '#4b4a9a', '#9a3f9d', '#e0526f', '#ff9a56', '#fff1b8'],
+  ['#5c83bd', '#4597cf', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
+  ['#4f7398', '#6a66bd', '#b04bb0', '#e0526f', '#ff9a56', '#fff1b8'],
 ];
 
 const rgb = colour => [16, 8, 0].map(shift => parseInt(colour.slice(1), 16) >> shift & 255);

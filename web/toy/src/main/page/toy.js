@@ -92,7 +92,7 @@ function received({ data }) {
   } else if (data.ready) {
     $('message').textContent = '';
     waiting = false;
-    act({ what: 'open', stage: $('stage').value });
+    show(scene);
     openLink();
   } else if (data.notice !== undefined) {
     say(data.notice);
@@ -110,7 +110,7 @@ function received({ data }) {
       stepMillis += 0.1 * (data.millis / data.made - stepMillis);
     }
     tell();
-    showSurface();
+    showSliders();
   }
 }
 
@@ -206,27 +206,52 @@ $('back').addEventListener('pointerdown', event => {
 for (const end of ['pointerup', 'pointercancel']) {
   $('back').addEventListener(end, () => { rewinding = false; setPaused(true); });
 }
-for (const slider of ['friction', 'rolling']) {
+for (const slider of ['gravity', 'friction', 'rolling']) {
   $(slider).addEventListener('input', () => {
     slid = performance.now();
-    act({ what: 'surface', friction: Number($('friction').value), rolling: Number($('rolling').value) });
+    const value = name => Number($(name).value);
+    act(slider === 'gravity'
+      ? { what: 'gravity', gravity: value('gravity') }
+      : { what: 'surface', friction: value('friction'), rolling: value('rolling') });
   });
 }
 let slid = -SLIDING_MILLIS;
 
-/** The sliders show the surface of the world, which a stage or a rewind changes, too. */
-function showSurface() {
-  for (const [slider, value] of Object.entries(picture.surface)) {
+/** The sliders show the numbers of the world, which a scene or a rewind changes, too. */
+function showSliders() {
+  for (const [slider, value] of Object.entries(picture.sliders)) {
     $(`${slider}-value`).textContent = value.toFixed(2);
     if (performance.now() - slid > SLIDING_MILLIS) {
       $(slider).value = value;
     }
   }
 }
-$('stage').addEventListener('change', () => {
-  say('');
-  leaveLink();
-  act({ what: 'open', stage: $('stage').value });
+
+// ---- Scenes
+
+let scene = 'ramps';
+
+for (const button of $('gallery').querySelectorAll('button')) {
+  const name = button.dataset.picture ?? button.dataset.scene;
+  button.prepend(Object.assign(new Image(), { src: `scenes/${name}.png`, alt: '', width: 208, height: 130 }));
+}
+function show(name) {
+  scene = name;
+  mark(name);
+  act({ what: 'open', scene });
+}
+/** Marks a scene; a world from a file is none of them. */
+function mark(name) {
+  for (const button of $('gallery').querySelectorAll('button')) {
+    button.setAttribute('aria-pressed', String(button.dataset.scene === name));
+  }
+}
+$('gallery').addEventListener('click', event => {
+  if (event.target.dataset.scene) {
+    say('');
+    leaveLink();
+    show(event.target.dataset.scene);
+  }
 });
 addEventListener('resize', () => { dirty = picture !== undefined; });
 
@@ -275,7 +300,7 @@ function restored({ name, undrawn }) {
   if (name !== THE_LINK) {
     leaveLink();
   }
-  $('stage').selectedIndex = -1; // so that each stage can be chosen
+  mark(undefined);
   say(`${name} is opened. ${undrawn}`);
 }
 
@@ -339,7 +364,7 @@ async function sameBits() {
     }
     return row;
   }));
-  $('report').scrollIntoView({ behavior: 'smooth', block: 'nearest' });
+  verdict('', `runs ${golden.length} scenes ...`);
   expected = new Map(golden.map(([name, , hash]) => [name, hash]));
   worker.postMessage({ scenes: golden.map(([name, steps]) => ({ name, steps: Number(steps) })) });
 }
@@ -349,6 +374,9 @@ function reported({ scene, hash, millis }) {
   if (scene === null) {
     testing = false;
     $('bits').disabled = false;
+    const all = $('scenes').querySelectorAll('tr').length;
+    const same = $('scenes').querySelectorAll('td.same').length;
+    verdict(same === all ? 'same' : 'other', `${same} of ${all} scenes have the JVM's bits`);
     return;
   }
   const cells = $('scenes').querySelector(`[data-scene="${scene}"]`).children;
@@ -358,7 +386,25 @@ function reported({ scene, hash, millis }) {
   cells[3].className = same ? 'same' : 'other';
 }
 
+function verdict(kind, words) {
+  $('verdict').className = kind;
+  $('verdict').textContent = words;
+}
+
 $('bits').addEventListener('click', sameBits);
+
+// ---- What to copy, and where to go
+
+$('copy').addEventListener('click', async () => {
+  try {
+    await navigator.clipboard.writeText($('dependency').textContent);
+    $('copy').textContent = 'copied';
+  } catch { // not allowed, or there is no clipboard without HTTPS
+    getSelection().selectAllChildren($('dependency'));
+  }
+});
+// A build without the address of the repository has no links to it.
+$('links').hidden = !$('links').querySelector('a').getAttribute('href').startsWith('http');
 
 // ---- Start
 

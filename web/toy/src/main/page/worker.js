@@ -5,7 +5,7 @@ let toy;
 let mode = 0;
 
 const commands = {
-  open: ({ stage }) => toy.open(stage),
+  open: ({ scene }) => toy.open(scene),
   mode: message => { mode = message.mode; },
   move: ({ x, y }) => toy.moveTo(x, y),
   grab: () => toy.grab(),
@@ -28,6 +28,7 @@ const commands = {
   },
   save: ({ as }) => postMessage({ saved: new Uint8Array(toy.snapshot().buffer), as }),
   surface: ({ friction, rolling }) => toy.setSurface(friction, rolling),
+  gravity: ({ gravity }) => toy.setGravity(gravity),
 };
 
 /** Opens a snapshot, or says why it cannot be opened. */
@@ -68,9 +69,9 @@ function frame({ steps, actions }) {
   const joints = toy.joints();
   const view = toy.view();
   const open = [toy.isOpenX(), toy.isOpenY()];
-  const surface = { friction: toy.friction(), rolling: toy.rollingResistance() };
+  const sliders = { gravity: toy.gravity(), friction: toy.friction(), rolling: toy.rollingResistance() };
   const figures = { steps: toy.steps(), hash: toy.hash(), millis, made: steps };
-  postMessage({ circles, pieces, joints, view, open, surface, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
+  postMessage({ circles, pieces, joints, view, open, sliders, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
 }
 
 function sameBits({ scenes }) {

@@ -243,7 +243,7 @@ class DocumentationTest {
                 .map(match -> match.group(1))
                 .distinct()
                 .collect(Collectors.toList());
-        assertThat(commands).contains("demo", "test", "bench", "doctor");
+        assertThat(commands).contains("thesis", "test", "bench", "doctor");
         String launcher = read("circles2d");
         for (String command : commands) {
             assertThat(launcher).containsPattern("(?m)^  (help \\| .*|" + command + "\\))");

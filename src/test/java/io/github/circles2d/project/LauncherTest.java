@@ -27,7 +27,7 @@ class LauncherTest {
     void helpNamesEveryCommandAndAnUnknownCommandIsAWrongCall() throws Exception {
         FakeMachine machine = new FakeMachine(folder);
         FakeMachine.Result help = machine.launch("help");
-        assertThat(help.output).contains("demo", "play", "test", "bench", "doctor", "calibrate");
+        assertThat(help.output).contains("thesis", "demo", "play", "test", "bench", "doctor", "calibrate");
         assertThat(help.status).isZero();
         FakeMachine.Result unknown = machine.launch("frobnicate");
         assertThat(unknown.output).contains("unknown command: frobnicate", "usage:");
@@ -38,7 +38,7 @@ class LauncherTest {
     @Test
     void onAMachineThatHasEverythingNothingIsInstalled() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
-        for (String command : new String[] {"demo", "doctor", "calibrate"}) {
+        for (String command : new String[] {"thesis", "demo", "doctor", "calibrate"}) {
             FakeMachine.Result result = machine.launch(command);
             assertThat(result.status).as(result.output).isZero();
         }

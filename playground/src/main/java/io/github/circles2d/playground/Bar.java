@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import javax.swing.Box;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /** The tools, the course of time and the colours, as buttons that show what is on, and sliders of surfaces. */
@@ -28,14 +29,16 @@ final class Bar extends JPanel {
     private final FlatSlider restitution;
     private final FlatSlider friction;
     private final FlatSlider rolling;
-    private final FlatButton subSteps;
+    private final JLabel subSteps;
     private final int width;
 
     /** A bar in a window that is to have so many pixels across. */
-    Bar(SessionLoop loop, int width) {
+    Bar(SessionLoop loop, Runnable gallery, int width) {
         super(new FlowLayout(FlowLayout.LEFT, GAP_X, GAP_Y));
         this.width = width;
         setBackground(Theme.BAR);
+        button("Scenes", "all scenes with pictures (M)", gallery);
+        add(Box.createHorizontalStrut(14));
         for (ToolKind kind : ToolKind.values()) {
             String tip = kind.purpose() + " (" + kind.key() + ")";
             tools.put(kind, button(kind.label(), tip, () -> loop.ask(session -> session.setTool(kind))));
@@ -59,8 +62,13 @@ final class Bar extends JPanel {
         friction = slider("Friction", "of walls and of circles that are no belts", 1, Session::setFriction, loop);
         rolling = slider(
                 "Rolling", "rolling resistance: circles roll on at 0", 0.3f, Session::setRollingResistance, loop);
-        subSteps = button(
-                "Sub-steps 16 -",
+        subSteps = new JLabel("Sub-steps 16");
+        subSteps.setFont(Theme.font(13));
+        subSteps.setForeground(Theme.TEXT);
+        subSteps.setPreferredSize(subSteps.getPreferredSize()); // whatever their number
+        add(subSteps);
+        button(
+                "\u2212",
                 "one sub-step a step fewer: less exact and faster; starts the scene again",
                 () -> loop.ask(session -> session.addSubSteps(-1)));
         button(
@@ -111,7 +119,7 @@ final class Bar extends JPanel {
         paints.forEach((mode, button) -> button.setSelected(mode == frame.paint));
         pause.setSelected(frame.paused);
         slow.setSelected(frame.speed < 1);
-        subSteps.setText("Sub-steps " + frame.subSteps + " -");
+        subSteps.setText("Sub-steps " + frame.subSteps);
         slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
         size.show(frame.size);
         gravity.show(frame.gravity, frame.greatestGravity);

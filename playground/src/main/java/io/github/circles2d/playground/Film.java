@@ -9,11 +9,11 @@ import java.nio.file.Path;
 
 /** The short film of the README: circles are poured into a basin, and blown up, twice. Then it begins again. */
 final class Film {
-    private static final int WIDTH = 432;
-    private static final int HEIGHT = 270;
+    private static final int WIDTH = 864;
+    private static final int HEIGHT = 540;
 
     /** Steps of a frame; the film runs as fast as the world. */
-    private static final int STEPS = 3;
+    private static final int STEPS = 4;
 
     private static final int FRAMES_A_SECOND = 60 / STEPS;
     private static final int FRAMES = 6 * FRAMES_A_SECOND;

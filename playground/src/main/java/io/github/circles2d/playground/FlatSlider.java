@@ -7,7 +7,6 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 
@@ -84,7 +83,7 @@ final class FlatSlider extends JComponent {
 
     private String label(float number) {
         String pattern = greatest < 0.1f ? "%s %.4f" : greatest < 10 ? "%s %.2f" : "%s %.1f";
-        return String.format(Locale.ROOT, pattern, text, number);
+        return Figures.format(pattern, text, number);
     }
 
     @Override

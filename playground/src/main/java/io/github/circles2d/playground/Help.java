@@ -18,6 +18,7 @@ final class Help {
         {"wheel", "zoom"},
         {"right or middle drag", "move the picture"},
         {"Home  0", "back to all"},
+        {"M", "all scenes with pictures"},
         {"H  F1", "this text"},
         {},
         {"space", "pause"},

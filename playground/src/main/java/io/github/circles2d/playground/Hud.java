@@ -12,7 +12,6 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /** The text and the graphs over the circles. */
 final class Hud {
@@ -57,10 +56,10 @@ final class Hud {
             paintLegend(g, layout.legend(), frame);
         }
         if (isFree(layout.steps())) {
-            steps.paint(g, layout.steps(), frame.stepTimes, format("%.2f", frame.stepMillis));
+            steps.paint(g, layout.steps(), frame.stepTimes, Figures.format("%.2f", frame.stepMillis));
         }
         if (isFree(layout.energy())) {
-            energy.paint(g, layout.energy(), frame.energies, format("%.3g", frame.energy));
+            energy.paint(g, layout.energy(), frame.energies, Figures.format("%.3g", frame.energy));
         }
         if (!message.isEmpty()) {
             paintText(g, note, message, Theme.WARM, Theme.WARM);
@@ -100,15 +99,15 @@ final class Hud {
 
     /** The lines of the panel. */
     List<String> lines(Frame frame) {
-        String speed = frame.speed == 1 ? "" : format(", speed 1/%.0f", 1 / frame.speed);
+        String speed = frame.speed == 1 ? "" : Figures.format(", speed 1/%.0f", 1 / frame.speed);
         String state = frame.rewinding
-                ? format(", rewinding (%,d left)", frame.stepsToRewind)
+                ? Figures.format(", rewinding (%,d left)", frame.stepsToRewind)
                 : frame.paused ? ", paused" : speed;
         return List.of(
-                format("%s, %,d circles", frame.stage, frame.circles),
-                format("step %,d%s", frame.step, state),
-                format("%s, %.0f frames a second", frame.backend, rate.perSecond()),
-                format("hash %016x at %,d", frame.hash, frame.hashStep));
+                Figures.format("%s, %,d circles", StageNotes.title(frame.stage), frame.circles),
+                Figures.format("step %,d%s", frame.step, state),
+                Figures.format("%s, %.0f frames a second", frame.backend, rate.perSecond()),
+                Figures.format("hash %016x at %,d", frame.hash, frame.hashStep));
     }
 
     private static void paintFigures(Graphics2D g, Rectangle at, List<String> lines, Frame frame) {
@@ -147,8 +146,8 @@ final class Hud {
     private static String most(Frame frame) {
         String pattern = frame.legendMost < 100 ? "%.3g" : "%.0f";
         return frame.paint == PaintMode.CONTACTS
-                ? format("%.0f+", frame.legendMost)
-                : frame.legendMost > 0 ? format(pattern, frame.legendMost) + "+" : "";
+                ? Figures.format("%.0f+", frame.legendMost)
+                : frame.legendMost > 0 ? Figures.format(pattern, frame.legendMost) + "+" : "";
     }
 
     private static void paintLegend(Graphics2D g, Rectangle at, Frame frame) {
@@ -227,9 +226,5 @@ final class Hud {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

@@ -21,7 +21,8 @@ final class Keys {
         this.loop = loop;
     }
 
-    static void bind(JFrame window, PlaygroundCanvas canvas, SessionLoop loop, BackendSwitch backends) {
+    static void bind(
+            JFrame window, PlaygroundCanvas canvas, SessionLoop loop, BackendSwitch backends, Runnable gallery) {
         Keys keys = new Keys(canvas, loop);
         for (ToolKind kind : ToolKind.values()) {
             keys.on(() -> loop.ask(session -> session.setTool(kind)), kind.key());
@@ -38,6 +39,7 @@ final class Keys {
         keys.on(() -> loop.ask(session -> session.scaleBrush(-1)), "OPEN_BRACKET");
         keys.on(() -> loop.ask(session -> session.scaleBrush(1)), "CLOSE_BRACKET");
         keys.on(backends::next, "N");
+        keys.on(gallery, "M");
         keys.on(canvas::goHome, "HOME", "0", "NUMPAD0");
         keys.on(canvas::toggleGraphs, "G");
         keys.on(canvas::toggleHelp, "H", "F1");

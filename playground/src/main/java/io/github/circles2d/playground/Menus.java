@@ -29,7 +29,13 @@ final class Menus {
     /** The stage that is marked. */
     private String stage;
 
-    Menus(SessionLoop loop, PlaygroundCanvas canvas, FileMenu files, BackendSwitch switcher, Runnable quit) {
+    Menus(
+            SessionLoop loop,
+            PlaygroundCanvas canvas,
+            FileMenu files,
+            BackendSwitch switcher,
+            Runnable gallery,
+            Runnable quit) {
         bar.setBackground(new Color(Theme.BAR.getRGB()));
         bar.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.LINE));
         JMenu file = menu("File");
@@ -41,7 +47,7 @@ final class Menus {
         item(file, "Copy picture", "ctrl C", files::copyPicture);
         file.addSeparator();
         item(file, "Quit", "ctrl Q", quit);
-        addStages(loop);
+        addStages(loop, gallery);
         JMenu run = menu("Run");
         shownItem(run, "Pause or go on", "SPACE", () -> loop.ask(Session::togglePause));
         shownItem(run, "One step", "PERIOD", () -> loop.ask(Session::stepOnce));
@@ -101,15 +107,17 @@ final class Menus {
         }
     }
 
-    private void addStages(SessionLoop loop) {
+    private void addStages(SessionLoop loop, Runnable gallery) {
         JMenu menu = menu("Scene");
+        shownItem(menu, "All with pictures ...", "M", gallery);
+        menu.addSeparator();
         boolean separated = false;
         for (Stage one : Stages.all()) {
             if (one.published() && !separated) {
                 menu.addSeparator();
                 separated = true;
             }
-            JRadioButtonMenuItem item = choice(menu, stageGroup, one.name());
+            JRadioButtonMenuItem item = choice(menu, stageGroup, StageNotes.title(one.name()));
             item.setToolTipText(StageNotes.of(one.name()));
             item.addActionListener(event -> {
                 stage = null; // the next frame says whether it has come

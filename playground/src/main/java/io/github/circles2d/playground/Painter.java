@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 
 /** Paints the arena, the circles, the joints, the terrain and the marks of the tools. One thread at a time; it keeps its raster between frames. */
 final class Painter {
@@ -14,6 +15,9 @@ final class Painter {
     private static final double MARK_AT = 0.52;
 
     private static final double MARK_RADIUS = 0.26;
+
+    /** The share of its colour in the inside of a soft body. */
+    private static final double FILLING = 0.6;
 
     /** Below this radius in pixels a circle has no mark, which would be a speck. */
     private static final double MARK_FROM = 2.5;
@@ -48,6 +52,7 @@ final class Painter {
         double wall = Math.max(1, Math.round(1.5 * pixels));
         raster.box(left - wall, top - wall, right + wall, bottom + wall, Theme.WALL);
         raster.box(left, top, right, bottom, Theme.ARENA);
+        paintBlobs(width, height, camera, frame);
         for (int k = 0; k < frame.circles; k++) {
             double x = camera.screenX(frame.x[k], width);
             double y = camera.screenY(frame.y[k], height);
@@ -61,6 +66,31 @@ final class Painter {
                         x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, colour, colour);
             }
         }
+    }
+
+    private void paintBlobs(int width, int height, Camera camera, Frame frame) {
+        if (frame.blobs == 0) {
+            return;
+        }
+        Graphics2D g = raster.image().createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        int point = 0;
+        for (int k = 0; k < frame.blobs; k++) {
+            Path2D outline = new Path2D.Double();
+            for (boolean first = true; point < frame.blobEnd[k]; first = false, point++) {
+                double x = camera.screenX(frame.blobPoint[2 * point], width);
+                double y = camera.screenY(frame.blobPoint[2 * point + 1], height);
+                if (first) {
+                    outline.moveTo(x, y);
+                } else {
+                    outline.lineTo(x, y);
+                }
+            }
+            outline.closePath();
+            g.setColor(new Color(Ramp.mix(Theme.ARENA, frame.blobColour[k], FILLING)));
+            g.fill(outline);
+        }
+        g.dispose();
     }
 
     private static void paint(Graphics2D g, Mark mark, int width, int height, Camera camera) {

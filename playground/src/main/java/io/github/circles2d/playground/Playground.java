@@ -9,7 +9,7 @@ import java.nio.file.Path;
 
 /**
  * A window on a {@link io.github.circles2d.World} to play with: circles are grabbed and thrown, poured, blown up, drawn and erased, in
- * slow motion and back in time, on any back end. {@code --help} lists options, keys and scenes. {@code --picture}, {@code --film},
+ * slow motion and back in time, on any back end. {@code --help} lists options, keys and scenes. {@code --picture}, {@code --film}, {@code --gallery},
  * {@code --save} and {@code --link} need no display.
  */
 public final class Playground {
@@ -62,6 +62,9 @@ public final class Playground {
     private static void writeFiles(PlaygroundOptions options, PrintStream out) throws IOException {
         if (options.film() != null) {
             out.println(options.film() + ": " + Film.write(options.film()) + " bytes");
+        }
+        if (options.gallery() != null) {
+            Gallery.write(options.gallery());
         }
         if (options.picture() != null) {
             writePicture(options, options.picture());

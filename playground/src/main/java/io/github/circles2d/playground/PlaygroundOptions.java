@@ -21,6 +21,7 @@ final class PlaygroundOptions {
     private int height = 720;
     private Path picture;
     private Path film;
+    private Path gallery;
     private Path save;
     private boolean link;
     private String page = "";
@@ -61,6 +62,7 @@ final class PlaygroundOptions {
             case "--picture" -> picture = path(name, value(name, rest));
             case "--film" -> film = path(name, value(name, rest));
             case "--save" -> save = path(name, value(name, rest));
+            case "--gallery" -> gallery = path(name, value(name, rest));
             case "--link" -> link = true;
             case "--page" -> page = page(value(name, rest));
             default -> throw new UsageException("there is no option '" + name + "'");
@@ -158,6 +160,7 @@ final class PlaygroundOptions {
                         + "  --frames N            frames before the picture, file or link (300)%n"
                         + "  --page ADDRESS        of that page: links begin with it (they are what goes behind it)%n"
                         + "  --film FILE           no window: write the short film of the README, an animated PNG%n"
+                        + "  --gallery FOLDER      no window: write a small picture of each scene%n"
                         + "  --help, -h            print this text%n%n"
                         + "Keys and mouse:%n")
                 + Help.text();
@@ -210,6 +213,11 @@ final class PlaygroundOptions {
         return film;
     }
 
+    /** The folder to write a picture of each scene to instead of showing a window; null for none. */
+    Path gallery() {
+        return gallery;
+    }
+
     /** The file to write the world to instead of showing a window; null for none. */
     Path save() {
         return save;
@@ -222,7 +230,7 @@ final class PlaygroundOptions {
 
     /** Whether files or links come in place of a window. */
     boolean writes() {
-        return film != null || picture != null || save != null || link;
+        return film != null || gallery != null || picture != null || save != null || link;
     }
 
     /** The address that links begin with; may be empty. */

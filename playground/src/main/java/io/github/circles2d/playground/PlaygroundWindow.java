@@ -29,8 +29,9 @@ final class PlaygroundWindow {
         this.loop = loop;
         Menus.prepare();
         canvas = new PlaygroundCanvas(loop, width, height);
-        bar = new Bar(loop, width);
-        menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop, page), backends, this::leave);
+        Runnable gallery = () -> Gallery.show(frame, loop);
+        bar = new Bar(loop, gallery, width);
+        menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop, page), backends, gallery, this::leave);
         JPanel content = new JPanel(new BorderLayout());
         content.add(bar, BorderLayout.NORTH);
         content.add(canvas, BorderLayout.CENTER);
@@ -45,7 +46,7 @@ final class PlaygroundWindow {
             }
         });
         CanvasMouse.listen(canvas, loop);
-        Keys.bind(frame, canvas, loop, backends);
+        Keys.bind(frame, canvas, loop, backends, gallery);
         frame.setMinimumSize(new Dimension(360, 300));
         frame.pack();
         frame.setLocationRelativeTo(null);

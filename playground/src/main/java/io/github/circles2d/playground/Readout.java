@@ -1,5 +1,6 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.JointType;
 import io.github.circles2d.Joints;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Terrain;
@@ -12,7 +13,10 @@ final class Readout {
     /** Each force is read by itself. */
     private static final int MOST_FORCES = 4_000;
 
+    private static final long[] NONE = new long[0];
+
     private final Shades shades = new Shades();
+    private final BlobShapes blobs = new BlobShapes();
     private Grain grain;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
@@ -60,6 +64,8 @@ final class Readout {
         } else {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
+        blobs.read(world);
+        blobs.show(frame, positions, circles);
         readPieces(frame, sandbox);
         readJoints(frame, sandbox);
         frame.legendMost = shades.most(paint);
@@ -108,12 +114,30 @@ final class Readout {
         if (handles.length < frame.jointColour.length) {
             handles = new long[frame.jointColour.length];
         }
-        frame.joints = sandbox.loop().jointEnds(frame.joint, handles);
-        for (int k = 0; k < frame.joints; k++) {
-            float force = frame.joints > MOST_FORCES ? 0 : joints.force(handles[k]);
-            frame.jointColour[k] = shades.tension(force);
+        int all = sandbox.loop().jointEnds(frame.joint, handles);
+        int shown = 0;
+        for (int k = 0; k < all; k++) {
+            float force = all > MOST_FORCES ? 0 : joints.force(handles[k]);
+            if (all > MOST_FORCES || !isHidden(joints, handles[k], force)) {
+                System.arraycopy(frame.joint, 4 * k, frame.joint, 4 * shown, 4);
+                frame.jointColour[shown++] = shades.tension(force);
+            }
         }
+        frame.joints = shown;
         shades.scaleTension();
+    }
+
+    /** A joint that goes through a filled blob; and one that would stretch a rope, beside that rope while it is slack. */
+    private boolean isHidden(Joints joints, long joint, float force) {
+        long circle = joints.circle(joint);
+        long other = joints.other(joint);
+        if (blobs.any() && other != 0 && blobs.join(World.id(circle), World.id(other))) {
+            return true;
+        }
+        return force == 0
+                && joints.joint(joint).type() == JointType.LIMITS
+                && joints.joint(joint).minLength() == 0
+                && joints.ofCircle(circle, NONE) > 1;
     }
 
     /** Whether a circle turns or has turned. */

@@ -2,13 +2,16 @@ package io.github.circles2d.playground;
 
 import io.github.circles2d.Joints;
 import io.github.circles2d.World;
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /** The circle that was clicked last with the tool that grabs, and its numbers. */
 final class Selection {
     private static final int MOST_JOINTS = 4;
+
+    /** The ring that marks it, in its radii. */
+    private static final float AROUND = 1.25f;
 
     private long circle;
     private float[] loads = new float[0];
@@ -26,6 +29,22 @@ final class Selection {
         return circle;
     }
 
+    /** A ring around it, where it is shown. */
+    void mark(Sandbox sandbox, List<Mark> marks) {
+        World world = sandbox.world();
+        long one = circle(world);
+        if (one != 0) {
+            FloatBuffer at = sandbox.loop().positions(null);
+            int x = 2 * World.id(one);
+            boolean shown = x < at.limit() && at.get(x) == at.get(x);
+            marks.add(Mark.ring(
+                    shown ? at.get(x) : world.x(one),
+                    shown ? at.get(x + 1) : world.y(one),
+                    AROUND * world.radius(one),
+                    1));
+        }
+    }
+
     /** Where it is and what it does, a line for each; none if no circle is selected. */
     List<String> lines(World world) {
         long one = circle(world);
@@ -35,17 +54,17 @@ final class Selection {
         int id = World.id(one);
         boolean isStatic = world.mass(one) == Float.POSITIVE_INFINITY;
         List<String> lines = new ArrayList<>();
-        lines.add(format("circle %,d, kind %d", id, world.kindOf(one)));
-        lines.add(format("position  %.2f, %.2f", world.x(one), world.y(one)));
-        lines.add(format("velocity  %.2f, %.2f", world.vx(one), world.vy(one)));
-        lines.add(format("angle  %.2f, turns %.2f a second", world.angle(one), world.angularVelocity(one)));
-        lines.add(format("radius %.3g, ", world.radius(one))
-                + (isStatic ? "static" : format("mass %.3g", world.mass(one))));
+        lines.add(Figures.format("circle %,d, kind %d", id, world.kindOf(one)));
+        lines.add(Figures.format("position  %.2f, %.2f", world.x(one), world.y(one)));
+        lines.add(Figures.format("velocity  %.2f, %.2f", world.vx(one), world.vy(one)));
+        lines.add(Figures.format("angle  %.2f, turns %.2f a second", world.angle(one), world.angularVelocity(one)));
+        lines.add(Figures.format("radius %.3g, ", world.radius(one))
+                + (isStatic ? "static" : Figures.format("mass %.3g", world.mass(one))));
         if (loads.length < 2 * world.idLimit()) {
             loads = new float[2 * world.idLimit()];
         }
         world.readLoadsById(loads, null);
-        lines.add(format("contacts  %.0f, force %.3g", loads[2 * id], loads[2 * id + 1]));
+        lines.add(Figures.format("contacts  %.0f, force %.3g", loads[2 * id], loads[2 * id + 1]));
         long[] joints = new long[MOST_JOINTS];
         int count = world.joints().ofCircle(one, joints);
         StringBuilder kinds = new StringBuilder();
@@ -54,9 +73,5 @@ final class Selection {
         }
         lines.add("joints  " + count + kinds + (count > MOST_JOINTS ? " ..." : ""));
         return lines;
-    }
-
-    private static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

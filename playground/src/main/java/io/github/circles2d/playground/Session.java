@@ -128,6 +128,7 @@ final class Session implements AutoCloseable {
         frame.subSteps = world().subSteps();
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
+        selection.mark(sandbox, frame.marks);
         frame.card = selection.lines(world());
         frame.showsProfile = sandbox.isProfiling();
         frame.profile = profile.parts();

@@ -3,9 +3,9 @@ package io.github.circles2d.playground;
 /** The colours of circles and joints. Scales of speed, pressure and tension belong to a world. */
 final class Shades {
     private static final int[] TINTS = {0x4aa8d8, 0x5bc0be, 0x7fb7e6, 0x9b8cf0, 0x6d9eeb, 0x48c9b0, 0x8fd3f4, 0x74a9cf};
-    private static final Ramp SPEED = new Ramp(0x2c4a7c, 0x3178b8, 0x35b6c4, 0x9fdc7c, 0xffd166, 0xff7a45, 0xffe9dc);
-    private static final Ramp PRESSURE = new Ramp(0x26415e, 0x4b4a9a, 0x9a3f9d, 0xe0526f, 0xff9a56, 0xfff1b8);
-    private static final int[] CONTACTS = {0x33567a, 0x3c8dbc, 0x35b6a4, 0x7fcf5f, 0xf2cf4a, 0xf58b3c, 0xe8505b};
+    private static final Ramp SPEED = new Ramp(0x5c83bd, 0x4597cf, 0x35b6c4, 0x9fdc7c, 0xffd166, 0xff7a45, 0xffe9dc);
+    private static final Ramp PRESSURE = new Ramp(0x4f7398, 0x6a66bd, 0xb04bb0, 0xe0526f, 0xff9a56, 0xfff1b8);
+    private static final int[] CONTACTS = {0x4f78a4, 0x3c8dbc, 0x35b6a4, 0x7fcf5f, 0xf2cf4a, 0xf58b3c, 0xe8505b};
 
     private static final Ramp TENSION = new Ramp(0x6f8aa3, 0xb9c7d3, 0xffd166, 0xff7a45, 0xe8505b);
 

@@ -1,5 +1,6 @@
 package io.github.circles2d.playground;
 
+import java.util.Locale;
 import java.util.Map;
 
 /** A sentence on each stage: what there is to see and to try. */
@@ -32,7 +33,24 @@ final class StageNotes {
             Map.entry("mixed", "Radii over two decades: large balls among fine grains."),
             Map.entry("one-cell", "A thousand circles that start in one place push each other apart."));
 
+    /** Names in words that do not follow from the short ones. */
+    private static final Map<String, String> TITLES = Map.of(
+            "thesis", "The thesis's test",
+            "balls2", "Rapier's balls",
+            "nexus-balls2", "Nexus's balls",
+            "no-collide", "No collision",
+            "one-cell", "All in one place",
+            "crowd", "Ten thousand");
+
     private StageNotes() {}
+
+    /** The name of a stage in words, such as "Slopes and belts". */
+    static String title(String stage) {
+        String words = stage.replace('-', ' ');
+        return stage.isEmpty() || of(stage).isEmpty()
+                ? stage
+                : TITLES.getOrDefault(stage, words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1));
+    }
 
     /** The sentence on a stage; the empty string for a world from a file. */
     static String of(String stage) {

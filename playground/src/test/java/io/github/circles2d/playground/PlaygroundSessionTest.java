@@ -269,10 +269,48 @@ class PlaygroundSessionTest {
                     .as(stage.name())
                     .endsWith(".")
                     .hasSizeLessThan(90);
+            assertThat(StageNotes.title(stage.name())).matches("[A-Z][\\w' ]+");
+            assertThat(Gallery.class.getResource("scenes/" + stage.name() + ".png"))
+                    .as(stage.name())
+                    .isNotNull();
         }
+        assertThat(StageNotes.title("slopes-and-belts")).isEqualTo("Slopes and belts");
+        assertThat(StageNotes.title("my-own.circles2d")).as("a file").isEqualTo("my-own.circles2d");
         session.load(Stages.named("drum"));
         frames(1);
         assertThat(frame.message).isEqualTo("A half-full drum with paddles turns.");
+    }
+
+    @Test
+    void softRingsAreFilledAndTheirSpringsAreHidden() {
+        session.load(Stages.named("blobs"));
+        frames(1);
+        assertThat(frame.blobs).isEqualTo(14);
+        assertThat(frame.blobEnd[13]).isEqualTo(frame.circles).isEqualTo(14 * 24);
+        assertThat(frame.joints).isZero();
+        session.load(Stages.named("cloth"));
+        frames(1);
+        assertThat(frame.blobs).isZero();
+        assertThat(frame.joints).isEqualTo(session.world().joints().size());
+    }
+
+    @Test
+    void theJointThatLimitsARopeIsNotDrawnBesideIt() {
+        session.load(Stages.named("bridge"));
+        frames(1);
+        assertThat(frame.joints).isGreaterThan(39);
+        for (int k = 0; k < frame.joints; k++) {
+            assertThat(Math.hypot(
+                            frame.joint[4 * k] - frame.joint[4 * k + 2],
+                            frame.joint[4 * k + 1] - frame.joint[4 * k + 3]))
+                    .isLessThan(5);
+        }
+    }
+
+    @Test
+    void whatIsRoundedToZeroHasNoSign() {
+        assertThat(Figures.format("%.2f, %.2f; %.3g", -0.001, -0.01, -0.0)).isEqualTo("0.00, -0.01; 0.00");
+        assertThat(Figures.format("%.0f %.1f", -0.4, -20.0)).isEqualTo("0 -20.0");
     }
 
     @Test

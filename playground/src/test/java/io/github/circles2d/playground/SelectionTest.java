@@ -33,6 +33,7 @@ class SelectionTest {
         assertThat(frame.card).hasSize(7);
         assertThat(frame.card.get(0)).isEqualTo("circle " + World.id(ball) + ", kind 0");
         assertThat(frame.card.get(4)).isEqualTo("radius 2.00, mass 4.00");
+        assertThat(frame.marks).as("a ring around it").anyMatch(mark -> mark.radius() == 2.5f);
         String place = frame.card.get(1);
         for (int k = 0; k < 200; k++) {
             session.frame(FRAME, frame);
@@ -46,6 +47,7 @@ class SelectionTest {
         session.setTool(ToolKind.GRAB);
         click(10, 60);
         assertThat(frame.card).isEmpty();
+        assertThat(frame.marks).noneMatch(mark -> mark.radius() == 2.5f);
     }
 
     @Test

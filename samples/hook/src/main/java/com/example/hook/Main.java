@@ -8,6 +8,7 @@ import java.awt.AWTError;
 import java.awt.AWTEvent;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.GradientPaint;
 import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -122,10 +123,17 @@ public final class Main extends JLabel {
     private void draw() {
         Graphics2D g = image.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setBackground(new Color(0x101726));
-        g.clearRect(0, 0, image.getWidth(), image.getHeight());
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setPaint(new GradientPaint(0, 0, new Color(0x141235), 0, image.getHeight(), new Color(0x6b3a6b)));
+        g.fillRect(0, 0, image.getWidth(), image.getHeight());
         g.translate(0, image.getHeight());
         g.scale(SCALE, -SCALE);
+        g.setColor(new Color(0xf6d6a8));
+        g.fill(disc(132, 34, 9)); // the moon
+        g.setColor(new Color(0x2c2150));
+        for (int k = 0; k < 6; k++) { // mountains
+            g.fill(disc(10 + 30 * k, -22 + 7 * (k % 2), 42));
+        }
         drawTerrain(g);
         int joints = loop.jointEnds(numbers, null);
         g.setColor(new Color(0xcfd8e6));
@@ -140,6 +148,8 @@ public final class Main extends JLabel {
         for (int id = 0; id < game.world.idLimit(); id++) {
             float x = positions.get(2 * id), y = positions.get(2 * id + 1), radius = circles[4 * id + 2];
             if (!Float.isNaN(x)) {
+                g.setColor(new Color(COLORS[kinds[id]] & 0xffffff | 0x30000000, true));
+                g.fill(disc(x, y, kinds[id] == Hook.LIGHT ? 2.2f * radius : 0)); // its glow
                 g.setColor(new Color(COLORS[kinds[id]]));
                 g.fill(disc(x, y, radius));
                 float markX = (float) Math.cos(angles[id]), markY = (float) Math.sin(angles[id]);
@@ -151,6 +161,8 @@ public final class Main extends JLabel {
         g.setColor(Color.WHITE);
         g.setFont(g.getFont().deriveFont(20f));
         g.drawString(game.score + " lights", 20, 34 - image.getHeight());
+        g.setFont(g.getFont().deriveFont(15f));
+        g.drawString("hold the mouse: throw the hook, and swing    A, D: drive", 20, 60 - image.getHeight());
     }
 
     private void drawTerrain(Graphics2D g) {

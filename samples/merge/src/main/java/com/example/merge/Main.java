@@ -15,6 +15,7 @@ import java.util.zip.Deflater;
 
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
 public final class Main extends MergeApplication {
+    private static final int FRAME = 110; // pixels of a screen for a title and a bar of tasks
     private final String picture;
     private boolean isOpen;
 
@@ -42,15 +43,17 @@ public final class Main extends MergeApplication {
 
     /** Returns when the window has been closed. */
     private void open(boolean isVisible) {
+        Lwjgl3ApplicationConfiguration.errorStream = new PrintStream(OutputStream.nullOutputStream()); // stack traces
         Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
         configuration.setTitle("Merge: click to drop a ball");
-        configuration.setWindowedMode(WIDTH, HEIGHT);
         configuration.setResizable(false);
         configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
         configuration.disableAudio(true);
         configuration.setInitialVisible(isVisible);
-        Lwjgl3ApplicationConfiguration.errorStream = new PrintStream(OutputStream.nullOutputStream()); // stack traces
         try {
+            int room = isVisible ? Lwjgl3ApplicationConfiguration.getDisplayMode().height - FRAME : HEIGHT;
+            int height = Math.min(HEIGHT, room);
+            configuration.setWindowedMode(WIDTH * height / HEIGHT, height);
             new Lwjgl3Application(this, configuration);
         } catch (GdxRuntimeException e) {
             if (isOpen) {

@@ -7,6 +7,7 @@ import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.graphics.glutils.ShapeRenderer;
 import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.utils.Align;
 import com.badlogic.gdx.utils.ScreenUtils;
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
@@ -51,13 +52,17 @@ class MergeApplication extends ApplicationAdapter {
     public void create() {
         shapes = new ShapeRenderer();
         batch = new SpriteBatch();
-        font = new BitmapFont();
-        font.getData().setScale(2);
+        font = new BitmapFont(Gdx.files.classpath("com/example/merge/points.fnt"));
+    }
+
+    @Override
+    public void resize(int width, int height) {
+        batch.getProjectionMatrix().setToOrtho2D(0, 0, width, height); // text keeps its pixels, so it stays sharp
     }
 
     @Override
     public void render() {
-        game.mouseX = (float) Gdx.input.getX() / SCALE - 1;
+        game.mouseX = (float) WIDTH / SCALE * Gdx.input.getX() / Gdx.graphics.getWidth() - 1;
         if (Gdx.input.justTouched() && game.isOver()) {
             game.world.close();
             start(System.nanoTime());
@@ -91,7 +96,8 @@ class MergeApplication extends ApplicationAdapter {
         batch.begin();
         font.setColor(Color.valueOf("6b4226"));
         String text = game.isOver() ? " points. Game over: click to play again" : " points";
-        font.draw(batch, game.score + text, SCALE, 770);
+        int left = Gdx.graphics.getWidth() / 12; // of the box, which has a margin of 1
+        font.draw(batch, game.score + text, left, Gdx.graphics.getHeight() * 0.97f, 10 * left, Align.left, true);
         batch.end();
     }
 

@@ -24,6 +24,7 @@ import java.io.PrintStream;
 
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
 public final class Main extends ApplicationAdapter {
+    private static final int FRAME = 110; // pixels of a screen for a title and a bar of tasks
     private static final int WIDTH = 540, HEIGHT = 864, SCALE = 45; // pixels, and pixels for a length of 1
     private static final String[] COLORS = {"7c6cf2", "e8ecff", "ff4d8d", "ffd166", "4dd2ff", "ff4d8d", "ffb347"
     }; // by kind
@@ -69,15 +70,17 @@ public final class Main extends ApplicationAdapter {
 
     /** Returns when the window has been closed. */
     private void open() {
+        Lwjgl3ApplicationConfiguration.errorStream = new PrintStream(OutputStream.nullOutputStream()); // stack traces
         Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
         configuration.setTitle("Pinball: left, right, and space to pull the plunger");
-        configuration.setWindowedMode(WIDTH, HEIGHT);
         configuration.setResizable(false);
         configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
         configuration.disableAudio(true);
         configuration.setInitialVisible(options.frames() == 0);
-        Lwjgl3ApplicationConfiguration.errorStream = new PrintStream(OutputStream.nullOutputStream()); // stack traces
         try {
+            int room = options.frames() == 0 ? Lwjgl3ApplicationConfiguration.getDisplayMode().height - FRAME : HEIGHT;
+            int height = Math.min(HEIGHT, room);
+            configuration.setWindowedMode(WIDTH * height / HEIGHT, height);
             new Lwjgl3Application(this, configuration);
         } catch (GdxRuntimeException e) {
             if (shapes != null) {
@@ -149,7 +152,7 @@ public final class Main extends ApplicationAdapter {
         shapes.end();
         batch.begin();
         String state = game.isOver() ? "\nspace: play again" : "\nball " + (4 - game.balls);
-        font.draw(batch, game.score + state, 16, HEIGHT - 16);
+        font.draw(batch, game.score + state, 16, Gdx.graphics.getHeight() - 16);
         batch.end();
     }
 

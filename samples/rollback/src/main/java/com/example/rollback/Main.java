@@ -1,26 +1,30 @@
 package com.example.rollback;
 
 import io.github.circles2d.Backend;
-import java.awt.Graphics;
+import java.awt.BorderLayout;
 import java.awt.GraphicsEnvironment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.regex.Pattern;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
 /** Both peers side by side, with a slow network between them; or with {@code --frames N} a game that plays itself. */
-public final class Main extends JComponent {
+public final class Main {
     private record Packet(int arrives, int to, int frame, long input) {}
 
     private final Hockey[] peers;
     private final long[] inputs = new long[2];
     private final List<Packet> network = new ArrayList<>();
     private final Random random = new Random(3);
+    private int slowest = 9; // ticks that a packet takes at most
     private int tick;
+    private Rink[] rinks; // null without a window
 
     private Main(Backend backend) {
         peers = new Hockey[] {new Hockey(backend), new Hockey(backend)};
@@ -62,10 +66,17 @@ public final class Main extends JComponent {
             network.stream()
                     .filter(packet -> packet.arrives == tick && packet.to == side)
                     .forEach(packet -> rollback.setInput(1 - side, packet.frame, packet.input));
+            if (rinks != null) {
+                rinks[side].beforeCorrection();
+            }
             rollback.reconcile();
+            if (rinks != null) {
+                rinks[side].afterCorrection();
+            }
             if (rollback.canAdvance() && rollback.frame() < frames) {
-                // A packet takes 2 to 9 ticks, so it may arrive before others that are sent earlier.
-                network.add(new Packet(tick + 2 + random.nextInt(8), 1 - side, rollback.frame(), inputs[side]));
+                // A packet takes 2 ticks at least, so it may arrive before others that are sent earlier.
+                int ticks = 2 + random.nextInt(slowest - 1);
+                network.add(new Packet(tick + ticks, 1 - side, rollback.frame(), inputs[side]));
                 rollback.setInput(side, rollback.frame(), inputs[side]);
                 rollback.advance();
             }
@@ -75,31 +86,37 @@ public final class Main extends JComponent {
     }
 
     private void open() {
+        rinks = new Rink[] {new Rink(peers[0], 0), new Rink(peers[1], 1)};
         JFrame frame = new JFrame("Rollback: both peers of one game; the mouse on the left moves the left player");
         frame.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);
-        frame.add(this);
-        frame.setSize(2 * Hockey.WIDTH + 20, Hockey.HEIGHT + 40);
+        JSlider delay = new JSlider(2, 30, slowest);
+        JLabel label = new JLabel();
+        delay.addChangeListener(event -> {
+            slowest = delay.getValue();
+            label.setText("a packet takes up to " + slowest + " frames, " + 1000 * slowest / 60 + " ms");
+        });
+        delay.getChangeListeners()[0].stateChanged(null);
+        JPanel network = new JPanel();
+        network.add(label);
+        network.add(delay);
+        JPanel both = new JPanel();
+        both.add(rinks[0]);
+        both.add(rinks[1]);
+        for (var panel : new JPanel[] {network, both}) {
+            panel.setBackground(Rink.GROUND);
+        }
+        delay.setBackground(Rink.GROUND);
+        label.setForeground(Rink.TEXT);
+        frame.add(both, BorderLayout.CENTER);
+        frame.add(network, BorderLayout.SOUTH);
+        frame.pack();
         frame.setVisible(true);
         new Timer(1000 / 60, event -> {
-                    var mouse = getMousePosition();
+                    var mouse = rinks[0].mouse();
                     inputs[0] = mouse == null ? inputs[0] : (long) mouse.x << 32 | mouse.y;
                     nextTick(Integer.MAX_VALUE);
-                    repaint();
+                    frame.repaint();
                 })
                 .start();
-    }
-
-    @Override
-    protected void paintComponent(Graphics g) {
-        for (Hockey peer : peers) {
-            float[] circles = new float[4 * peer.world.idLimit()];
-            peer.world.readById(circles, null);
-            for (int k = 0; k < circles.length; k += 4) {
-                int radius = (int) circles[k + 2];
-                g.fillOval((int) circles[k] - radius, (int) circles[k + 1] - radius, 2 * radius, 2 * radius);
-            }
-            g.drawString(peer.points[0] + " : " + peer.points[1], Hockey.WIDTH / 2, 20);
-            g.translate(Hockey.WIDTH, 0);
-        }
     }
 }

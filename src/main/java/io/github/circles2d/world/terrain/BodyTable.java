@@ -316,9 +316,9 @@ public final class BodyTable {
         x[id] = place(nextX, bounds.minX(), bounds.periodX());
         y[id] = place(nextY, bounds.minY(), bounds.periodY());
         angle[id] += (int) turn;
-        lastVx[id] = velocity(travelX, dt) + 0f; // one zero, as of velocities that are set
-        lastVy[id] = velocity(travelY, dt) + 0f;
-        lastOmega[id] = velocity(turn * Rotation.RADIANS_PER_UNIT, dt) + 0f;
+        lastVx[id] = travels[id] ? velocity(travelX, dt) + 0f : vx[id]; // one zero, as of velocities that are set
+        lastVy[id] = travels[id] ? velocity(travelY, dt) + 0f : vy[id];
+        lastOmega[id] = travels[id] ? velocity(turn * Rotation.RADIANS_PER_UNIT, dt) + 0f : omega[id];
         travels[id] = false;
         jumps++;
     }

@@ -58,6 +58,11 @@ final class Sandbox {
     private final View first;
     private final Rewind past;
     private final int mostCircles;
+
+    // Of gravity.
+    private final float directionX;
+    private final float directionY;
+
     private final Random random = new Random(1);
 
     /** The pins whose force has a limit that the world had when it came. Others of the past are hands of then. */
@@ -79,6 +84,9 @@ final class Sandbox {
         grain = Grain.of(world, first);
         mostCircles = Math.max(MOST_CIRCLES, world.size() + MORE_CIRCLES);
         int fitting = BYTES_OF_PAST / world.snapshotBytes();
+        float strength = gravity();
+        directionX = strength > 0 ? world.gravityX() / strength : 0;
+        directionY = strength > 0 ? world.gravityY() / strength : -1;
         findPulls();
         past = new Rewind(world, Math.max(LEAST_PAST, Math.min(fitting, MOST_PAST)));
     }
@@ -225,6 +233,18 @@ final class Sandbox {
         for (Wall wall : Wall.values()) {
             world.setWallSurface(wall, friction, rollingResistance, world.wallBeltSpeed(wall));
         }
+    }
+
+    void setGravity(float strength) {
+        world.setGravity(strength * directionX, strength * directionY);
+    }
+
+    float gravity() {
+        return length(world.gravityX(), world.gravityY());
+    }
+
+    private static float length(float x, float y) {
+        return (float) Math.sqrt((double) x * x + (double) y * y);
     }
 
     float friction() {

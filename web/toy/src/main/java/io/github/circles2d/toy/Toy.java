@@ -18,10 +18,10 @@ public final class Toy {
     /** Nothing runs unless it is called. */
     public static void main(String[] arguments) {}
 
-    /** Opens a stage in place of what is. */
+    /** Opens a scene in place of what is. */
     @JSExport
-    public static void open(String stage) {
-        take(Stages.open(stage));
+    public static void open(String scene) {
+        take(Stages.open(scene));
     }
 
     /** Opens a snapshot in place of what is; all stays as it is if it has no world. Returns why not, or an empty text. */
@@ -188,6 +188,18 @@ public final class Toy {
     @JSExport
     public static void setSurface(float friction, float rollingResistance) {
         sandbox.setSurface(friction, rollingResistance);
+    }
+
+    /** Sets how strong gravity is, from 0 on, in the direction that it has at first; down if there is none. */
+    @JSExport
+    public static void setGravity(float strength) {
+        sandbox.setGravity(strength);
+    }
+
+    /** How strong it is. */
+    @JSExport
+    public static float gravity() {
+        return sandbox.gravity();
     }
 
     /** The friction of that surface. */
