@@ -19,6 +19,7 @@ void startStep(const World *w) {
 #endif
 #ifdef SLEEPING
     w->status[SLEEPERS] = 0;
+    w->status[RESTLESS] = 0;
     w->status[WOKEN_COUNT] = 0;
     w->status[KEPT_COUNT] = 0;
 #endif
@@ -215,8 +216,14 @@ bool gridIsEmpty(const World *w) {
     return w->bucketStart[w->levels->first[LEVELS]] == 0 || w->status[EVENTS_LACK] != 0;
 }
 
+#ifdef SLEEPING
+#define WAKING_PARAMETER , int waking // whether the step can wake circles; else it does not take any that sleep
+#else
+#define WAKING_PARAMETER
+#endif
+
 // Index space: slots. Cost: the circles of its bucket.
-kernel void grid_gather(WORLD_PARAMETERS) {
+kernel void grid_gather(WORLD_PARAMETERS WAKING_PARAMETER) {
     World w = WORLD;
     // For all of the work-group: a store of every fast circle to one place takes longer than all the rest.
     local int fast;
@@ -236,6 +243,9 @@ kernel void grid_gather(WORLD_PARAMETERS) {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0 && fast) status[FAST] = 1;
 #ifdef SLEEPING
-    if (get_local_id(0) == 0 && sleepers) status[SLEEPERS] = 1;
+    if (get_local_id(0) == 0 && sleepers) {
+        status[SLEEPERS] = 1;
+        if (!waking) status[OUT_OF_ROOM] = 1;
+    }
 #endif
 }

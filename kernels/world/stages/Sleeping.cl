@@ -458,9 +458,23 @@ void restoreImpulse(const World *w, int k) {
 
 // ---- who falls asleep
 
+// Whether the next step, if nothing else is new, may find a circle in another state than this one has, which did not move it.
+bool isRestless(const World *w, int slot) {
+    float4 m = w->homeMotion[slot];
+    bool moves = m.VX != 0.0f || m.VY != 0.0f;
+#ifdef TURNING
+    moves = moves || as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
+#endif
+    return moves || (isAsleep(w->homeSleep[slot].REST) && w->homeSleep[slot].REST != SLEEP_ASLEEP);
+}
+
 void restCircle(const World *w, int slot) {
     float4 t = w->homeTraits[slot];
-    if (t.INVERSE_MASS == 0.0f) return;
+    if (t.INVERSE_MASS == 0.0f) {
+        if (isRestless(w, slot)) w->status[RESTLESS] = 1;
+        return;
+    }
+    w->status[RESTLESS] = 1;
     int id = w->homeId[slot];
     float4 c = w->homeCircle[slot];
     float4 m = w->homeMotion[slot];

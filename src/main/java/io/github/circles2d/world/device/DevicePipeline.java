@@ -361,6 +361,7 @@ public final class DevicePipeline implements Pipeline {
             return;
         }
         settle();
+        queue.stir();
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.operation(r);
             home.circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
@@ -377,6 +378,10 @@ public final class DevicePipeline implements Pipeline {
             return;
         }
         prepareSteps(input.reports);
+        if (queue.isQuiet() && reader == null && continues(input, shape)) {
+            return;
+        }
+        queue.stir();
         if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
             settle();
             if (ready.haveNews()) {
@@ -521,6 +526,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void confine(Bounds from, Bounds to) {
         settle();
+        queue.stir();
         commands.confine(from, to, home.slots);
         arena = to;
     }
@@ -593,6 +599,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void load(SavedState from) {
         settle();
+        queue.stir();
         StateTransfer.load(from, arrays, links);
         links = null;
         joints.load(from.jointStates, queue.status(), queue.seen());

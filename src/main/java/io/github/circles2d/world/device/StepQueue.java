@@ -67,6 +67,12 @@ final class StepQueue {
     /** Whether circles fall asleep and wake. */
     private boolean sleeping;
 
+    /** For how many more batches steps can wake circles; 0 if they do not take any that sleep. */
+    private int waking;
+
+    /** Whether a further step would change nothing, if nothing else is new. */
+    private boolean quiet;
+
     StepQueue(
             DeviceArrays arrays,
             Home home,
@@ -105,6 +111,16 @@ final class StepQueue {
     /** Whether a step may be enqueued behind those that are pending, if it is as they are. */
     boolean canContinue() {
         return pending > 0 && warmScale == 1f;
+    }
+
+    /** Whether all that has been enqueued has been made, and a further step would change nothing unless something else is new. */
+    boolean isQuiet() {
+        return pending == 0 && quiet;
+    }
+
+    /** Something is new. */
+    void stir() {
+        quiet = false;
     }
 
     /** Steps that have been enqueued since the world was made. */
@@ -178,7 +194,8 @@ final class StepQueue {
                 reports && reader.isSensing(),
                 arrays.turning(),
                 stages.haveJoints(),
-                sleeping);
+                sleeping,
+                sleeping && waking > 0);
     }
 
     /** Waits until all steps have been made. */
@@ -197,6 +214,8 @@ final class StepQueue {
                 stats.stepped(plan, home.circles, status.get(StatusWord.CONTACTS));
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
+                quiet = sleeping && waking > 0 && !status.has(StatusWord.RESTLESS);
+                waking = status.has(StatusWord.SLEEPERS) ? CALM : Math.max(0, waking - 1);
             } else {
                 adapt();
                 enqueueRefused();
@@ -242,6 +261,9 @@ final class StepQueue {
     /** Changes what the step lacked that has been refused. */
     private void adapt() {
         int contacts = cachedContacts();
+        if (sleeping && status.has(StatusWord.SLEEPERS)) {
+            waking = CALM;
+        }
         if (sweeping == 0 && status.has(StatusWord.FAST)) {
             sweeping = CALM;
         }

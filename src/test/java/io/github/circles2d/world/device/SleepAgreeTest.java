@@ -7,10 +7,14 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
+import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -87,6 +91,60 @@ class SleepAgreeTest {
             twins.moveWalls(new SplittableRandom(1), 0.02f);
             run(twins, "walls move", DT, 20);
             assertThat(twins.size()).isEqualTo(20);
+        }
+    }
+
+    /** Nothing is launched while all sleep, until something is new. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsInWhichAllSleepCostNothing(Device device) {
+        DevicePipeline profiled = Pipelines.of(device, Plans.COLOURS, true);
+        try (Twins twins = Twins.sleeping(BOX, 4, 10, Pipelines.ready(jvm(), profiled))) {
+            for (int k = 0; k < 4; k++) {
+                twins.add(0.5f + 0.4f * k, 0.15f, 0.15f, 1, 0, 0, 0);
+            }
+            twins.step(DT, 200);
+            twins.step(DT, 1);
+            assertThat(twins.assertSameSleepers("at rest")).isEqualTo(4);
+            Map<String, Long> before = new TreeMap<>(profiled.kernelNanos());
+            twins.step(DT, 50);
+            twins.assertEqual("at rest");
+            assertThat(profiled.kernelNanos()).isEqualTo(before);
+            twins.set(Commands.VELOCITY, 1, 0.5f, 1);
+            twins.step(DT, 20);
+            twins.assertEqual("one moves");
+            assertThat(twins.assertSameSleepers("one moves")).isLessThan(4);
+            assertThat(profiled.kernelNanos()).isNotEqualTo(before);
+        }
+    }
+
+    private static JvmPipeline jvm() {
+        return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+    }
+
+    /** Those that fell asleep elsewhere have more impulses and events than there is room for at first. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void manyThatSleepAreTakenOver(Device device) {
+        Bounds bounds = new Bounds(0, 0, 6, 12);
+        try (Twins asleep = Twins.sleeping(bounds, 4, 10, jvm());
+                Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device))) {
+            asleep.setKind(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
+            asleep.setKind(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.1f));
+            for (int k = 0; k < 400; k++) {
+                asleep.add(0.3f + 0.27f * (k % 20) + 0.02f * (k / 20 % 2), 0.15f + 0.25f * (k / 20), 0.12f, 1, 0, 0, 0);
+            }
+            asleep.step(DT, 600);
+            twins.takeOver(asleep);
+            assertThat(twins.assertSameSleepers("at first")).isGreaterThan(200);
+            twins.report(ContactEvents.ALL);
+            twins.setHitSpeed(0);
+            twins.add(3, 8, 0.2f, 2, 0, 0, -8);
+            run(twins, "a ball", DT, 60);
+            twins.wakeAll();
+            run(twins, "all awake", DT, 30);
+            assertThat(run(twins, "at rest", DT, 90)).isPositive();
         }
     }
 

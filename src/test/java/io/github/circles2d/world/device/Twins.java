@@ -227,6 +227,12 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    void setHitSpeed(float speed) {
+        for (Simulation simulation : simulations) {
+            simulation.reports.setHitSpeed(speed);
+        }
+    }
+
     /** Has events of two kinds reported. */
     void report(int kindA, int kindB, int types) {
         for (Simulation simulation : simulations) {

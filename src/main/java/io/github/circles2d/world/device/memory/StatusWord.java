@@ -16,6 +16,7 @@ public enum StatusWord {
     LONGEST_PATH(12, "then, as bits: the longest path of a circle that is not static"),
     SLEEPERS(13, "1 where some circle sleeps as the step begins"),
     REACHES(14, "a bit for each class of reaches that has fast circles that reach far"),
+    RESTLESS(15, "0 if circles sleep, and the next step leaves all as it is unless something else is new"),
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),

@@ -15,18 +15,26 @@ final class GridStage {
     private final Kernel scatter;
     private final Kernel gather;
 
+    /** Whether circles may sleep. */
+    private final boolean sleeping;
+
     GridStage(StageKernels kernels, DeviceArrays arrays, Scan scan) {
         this.arrays = arrays;
         this.scan = scan;
         count = kernels.staged("grid_count");
         scatter = kernels.staged("grid_scatter");
         gather = kernels.staged("grid_gather");
+        sleeping = arrays.sleeping();
     }
 
-    void build(GridLevels levels, int slots, int circles) {
+    /** waking: whether the step can wake circles. */
+    void build(GridLevels levels, int slots, int circles, boolean waking) {
         count.run(slots);
         scan.run(arrays, levels.buckets() + 1, DeviceArray.BUCKET_START);
         scatter.run(slots);
+        if (sleeping) {
+            gather.arg(StageKernels.own(0), waking ? 1 : 0);
+        }
         gather.run(circles);
     }
 }

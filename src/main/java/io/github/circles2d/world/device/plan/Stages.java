@@ -144,8 +144,8 @@ public final class Stages {
         sleeping = steps.sleeping();
         for (int step = 0; step < steps.count(); step++) {
             send(step == 0 ? steps.warmScale() : 1f, slots, circles);
-            grid.build(steps.levels(), slots, circles);
-            if (sleeping) {
+            grid.build(steps.levels(), slots, circles, steps.waking());
+            if (steps.waking()) {
                 sleep.wake(circles, steps.tilted() && step == 0);
             }
             if (joints != null) {

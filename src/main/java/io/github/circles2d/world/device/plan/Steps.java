@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.GridLevels;
  * Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles.
  *
  * @param tilted whether gravity is not that of the step before the first
+ * @param waking whether circles that sleep can wake; else steps do not take any
  * @param reportsBehind whether what the step reports is decided behind what its plan enqueues
  */
 public record Steps(
@@ -23,7 +24,8 @@ public record Steps(
         boolean sensing,
         boolean turning,
         boolean joints,
-        boolean sleeping) {
+        boolean sleeping,
+        boolean waking) {
     boolean haveOneLevel() {
         return levels.usedCount == 1;
     }
