@@ -48,7 +48,12 @@ final class DeviceBeside {
         return wanted == last ? device : null;
     }
 
-    /** Begins to make it ready, unless that goes on or is of no use. */
+    /** Begins to open it, unless that goes on or is of no use. */
+    void open(int circles) {
+        prepare(null, circles);
+    }
+
+    /** Begins to make it ready, likewise; null opens it alone. */
     synchronized void prepare(Readiness wanted, int circles) {
         if (thread == null && failure == null && !closed && !refused.contains(wanted)) {
             last = null;
@@ -56,11 +61,6 @@ final class DeviceBeside {
             thread.setDaemon(true);
             thread.start();
         }
-    }
-
-    /** Whether the thread is at work. */
-    synchronized boolean isAtWork() {
-        return thread != null;
     }
 
     /** Why there is no device; null if there is one, or may be. */
@@ -79,9 +79,9 @@ final class DeviceBeside {
         Throwable thrown = null;
         try {
             if (device == null) {
-                RunningBuilds.make(() -> open(circles));
+                RunningBuilds.make(() -> take(opens.apply(circles)));
             }
-            if (!isClosed()) {
+            if (wanted != null && !isClosed()) {
                 device.compile(wanted);
             }
         } catch (RuntimeException | Error e) {
@@ -90,11 +90,8 @@ final class DeviceBeside {
         end(wanted, thrown);
     }
 
-    private void open(int circles) {
-        Pipeline opened = opens.apply(circles);
-        synchronized (this) {
-            device = opened;
-        }
+    private synchronized void take(Pipeline opened) {
+        device = opened;
     }
 
     private synchronized boolean isClosed() {
@@ -112,13 +109,6 @@ final class DeviceBeside {
         if (closed) {
             closeDevice();
         }
-        notifyAll();
-    }
-
-    /** Gives the device up for good. why: what is told of it. */
-    synchronized void fail(Throwable why) {
-        failure = why;
-        closeDevice();
     }
 
     /** Frees the device, which may be opened again. */
@@ -142,13 +132,6 @@ final class DeviceBeside {
         last = null;
         if (open != null) {
             open.close();
-        }
-    }
-
-    /** Waits until the thread has ended, for tests. */
-    synchronized void await() throws InterruptedException {
-        while (thread != null) {
-            wait();
         }
     }
 }

@@ -61,7 +61,7 @@ final class RunningChoice implements Mover {
                     + capacity;
         } else {
             reason = "it starts here, and a GPU is made ready beside it";
-            beside.prepare(Readiness.USUAL, capacity);
+            beside.open(capacity); // what it needs is known before its first step
         }
     }
 
@@ -154,7 +154,7 @@ final class RunningChoice implements Mover {
     }
 
     private void lack(Pipeline device, Throwable why) {
-        tooMany = circles;
+        tooMany = circles - circles / 10; // else the loss of one circle would be reason to try again
         reason = device.device() + " cannot take " + circles + " circles: " + why.getMessage();
         Notice.once(reason, "World goes on on " + Backend.JVM + ": " + reason);
     }
@@ -184,11 +184,6 @@ final class RunningChoice implements Mover {
                         rule.millisHere(),
                         rule.millisThere(),
                         away ? "the JVM" : "the GPU");
-    }
-
-    /** Waits until nothing is made ready, for tests. */
-    void awaitBeside() throws InterruptedException {
-        beside.await();
     }
 
     @Override

@@ -91,6 +91,7 @@ final class Setting {
         if (sleeps) {
             call("sleep", true);
         }
+        call("moving", circles % 2 == 0); // no word on back ends that are named
     }
 
     private static Edge edge(Random random) {

@@ -11,6 +11,8 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Features;
+import io.github.circles2d.world.model.Readiness;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
@@ -57,6 +59,24 @@ class ReadyPlansTest {
                 Twins.load(Scenes.packed(100, 1), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), waiting)) {
             twins.step(1 / 60f, 1);
             assertThat(waiting.readyPlans()).hasSize(2);
+        }
+    }
+
+    /** As a world that moves has it done, which no step then waits for. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void whatIsCompiledAheadIsThereAtTheFirstStep(Device device) {
+        DevicePipeline ahead = pipeline(device, false);
+        assertThat(ahead.isReady(Readiness.USUAL)).isFalse();
+        ahead.compile(Readiness.USUAL);
+        assertThat(ahead.isReady(Readiness.USUAL)).isTrue();
+        assertThat(ahead.isReady(new Readiness(true, Features.NONE, false, false)))
+                .isFalse();
+        try (Twins twins =
+                Twins.load(Scenes.packed(100, 1), new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), ahead)) {
+            twins.step(1 / 60f, 1);
+            assertThat(ahead.readyPlans()).hasSize(2);
+            twins.assertEqual("by tiles");
         }
     }
 
