@@ -7,7 +7,7 @@ import java.util.Arrays;
 
 /** Prints what becomes of steps beside busy threads. Argument: {@code bits} or {@code times}. */
 final class BusySteps {
-    private static final int ROUNDS = 5;
+    private static final int ROUNDS = 9;
 
     private BusySteps() {}
 

@@ -46,8 +46,8 @@ final class Crew {
     /** Ints from a worker's element of {@link #parts} to the next one's, so that they lie in different cache lines. */
     private static final int APART = 32;
 
-    /** About what it costs the caller that a thread sleeps in a run and is woken. */
-    private static final long NANOS_OF_A_WAKE = 40_000;
+    /** What a thread that sleeps in a run and is woken counts as: the caller may lose its own processor to it. */
+    private static final long NANOS_OF_A_WAKE = 100_000;
 
     private static final int ASLEEP = 1;
     private static final int CALLED = 2;
