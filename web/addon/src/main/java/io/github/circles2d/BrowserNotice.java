@@ -4,5 +4,7 @@ package io.github.circles2d;
 final class BrowserNotice {
     private BrowserNotice() {}
 
+    static void once(String subject, String text) {}
+
     static void debug(String text) {}
 }
