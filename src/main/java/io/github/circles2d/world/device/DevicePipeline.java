@@ -155,6 +155,9 @@ public final class DevicePipeline implements Pipeline {
         if (features.turning()) {
             readback.useTurning(loading);
         }
+        if (features.sleeping()) {
+            readback.useSleeping(loading);
+        }
         loaded = features;
         if (steps) {
             stages =
@@ -380,7 +383,6 @@ public final class DevicePipeline implements Pipeline {
         if (queue.isQuiet() && reader == null && continues(input, shape)) {
             return;
         }
-        queue.stir();
         if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
             settle();
             if (ready.haveNews()) {
@@ -474,7 +476,7 @@ public final class DevicePipeline implements Pipeline {
     public void readAsleep(long[] byId) {
         if (arrays.sleeping()) {
             settle();
-            readback.asleep(home.slots, byId);
+            readback.asleep(byId);
         }
     }
 
