@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl
+// uses: world/shared/Sleep.cl world/stages/World.cl
 // The state by id, for one copy to the host. Index space: slots at home.
 
 kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots,
@@ -36,3 +36,16 @@ kernel void readback_velocities(global const int *homeId, global const float4 *h
     int slot = (int) get_global_id(0);
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].VELOCITY;
 }
+
+#ifdef SLEEPING
+// A bit an id, of circles that sleep. Index space: words of 32 ids.
+kernel void readback_asleep(global const int *slotOf, global const int4 *homeSleep, int ids, global uint *byId) {
+    int word = (int) get_global_id(0);
+    uint bits = 0;
+    for (int k = 0; k < 32 && 32 * word + k < ids; k++) {
+        int slot = slotOf[32 * word + k];
+        if (slot >= 0 && isAsleep(homeSleep[slot].REST)) bits |= 1u << k;
+    }
+    if (32 * word < ids) byId[word] = bits;
+}
+#endif

@@ -156,6 +156,9 @@ public final class DevicePipeline implements Pipeline {
         if (features.turning()) {
             readback.useTurning(loading);
         }
+        if (features.sleeping()) {
+            readback.useSleeping(loading);
+        }
         loaded = features;
         if (steps) {
             stages =
@@ -381,7 +384,6 @@ public final class DevicePipeline implements Pipeline {
         if (queue.isQuiet() && reader == null && continues(input, shape)) {
             return;
         }
-        queue.stir();
         if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
             settle();
             if (ready.haveNews()) {
@@ -475,7 +477,7 @@ public final class DevicePipeline implements Pipeline {
     public void readAsleep(long[] byId) {
         if (arrays.sleeping()) {
             settle();
-            readback.asleep(home.slots, byId);
+            readback.asleep(byId);
         }
     }
 

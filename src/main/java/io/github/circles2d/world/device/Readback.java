@@ -10,7 +10,6 @@ import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
-import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.function.IntPredicate;
@@ -34,6 +33,9 @@ final class Readback {
 
     /** Null unless circles turn. */
     private Kernel turns;
+
+    /** Null unless circles sleep. */
+    private Kernel asleep;
 
     private DeviceBuffer byId;
     private HostBuffer host;
@@ -108,14 +110,25 @@ final class Readback {
         byId.read(0, host, 0, bytes);
     }
 
+    /** Reads back who sleeps, too, by kernels for that. */
+    void useSleeping(StageKernels kernels) {
+        asleep = kernels.plain("readback_asleep");
+    }
+
     /** Sets the bits of the ids of circles that sleep. */
-    void asleep(int slots, long[] to) {
-        int[] id = ints(arrays.get(DeviceArray.HOME_ID), slots);
-        int[] sleep = ints(arrays.get(DeviceArray.HOME_SLEEP), SLEEP_INTS * slots);
-        for (int slot = 0; slot < slots; slot++) {
-            if (id[slot] >= 0 && Sleep.isAsleep(sleep[SLEEP_INTS * slot])) {
-                to[id[slot] >> 6] |= 1L << id[slot];
-            }
+    void asleep(long[] to) {
+        int ids = Math.min(Long.SIZE * to.length, arrays.idCapacity());
+        int words = (ids + Integer.SIZE - 1) / Integer.SIZE;
+        ensureHost((long) Integer.BYTES * words);
+        asleep.arg(0, arrays.get(DeviceArray.SLOT_OF))
+                .arg(1, arrays.get(DeviceArray.HOME_SLEEP))
+                .arg(2, ids)
+                .arg(3, byId)
+                .run(words);
+        byId.read(0, host, 0, (long) Integer.BYTES * words);
+        IntBuffer read = host.ints();
+        for (int word = 0; word < words; word++) {
+            to[word / 2] |= Integer.toUnsignedLong(read.get(word)) << Integer.SIZE * (word % 2);
         }
     }
 

@@ -102,6 +102,7 @@ final class StepQueue {
         warmScale = k.warmScale;
         tilted = k.tilted;
         sleeping = k.sleeping;
+        quiet = false;
     }
 
     Status status() {
@@ -141,6 +142,9 @@ final class StepQueue {
         for (int left = steps; left > 0; ) {
             if (pending == MOST_PENDING) {
                 settle();
+            }
+            if (reader == null && isQuiet()) {
+                return;
             }
             int count = Math.min(left, MOST_PENDING - pending);
             enqueue(count);
