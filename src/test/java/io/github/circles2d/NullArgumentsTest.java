@@ -129,6 +129,7 @@ class NullArgumentsTest {
         }));
         calls.put("World.readById", Map.of("circles", () -> world.readById(null, null)));
         calls.put("World.readVelocitiesById", Map.of("velocities", () -> world.readVelocitiesById(null, null)));
+        calls.put("World.readAwakeById", Map.of("awake", () -> world.readAwakeById(null)));
         calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
         calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));

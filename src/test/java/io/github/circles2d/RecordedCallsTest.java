@@ -66,6 +66,12 @@ class RecordedCallsTest {
             change("setMass(long, float)", (w, a, b) -> w.setMass(a, Float.POSITIVE_INFINITY)),
             change("setRestitution(long, float)", (w, a, b) -> w.setRestitution(b, 0.9f)),
             change("setTag(long, long)", (w, a, b) -> w.setTag(b, -1L << 40)),
+            change("wake(long)", (w, a, b) -> w.wake(a)),
+            change("wakeAll()", (w, a, b) -> {
+                w.step(1, 2);
+                w.wakeAll();
+            }),
+            change("Kind.setSleeps(boolean)", (w, a, b) -> w.kind(0).setSleeps(false)),
             change("applyImpulse(long, float, float)", (w, a, b) -> w.applyImpulse(a, 1, 2)),
             change(
                     "setPositions(long[], int, float[], StaleHandles)",
@@ -287,6 +293,7 @@ class RecordedCallsTest {
             "Kind.number",
             "Kind.restitution",
             "Kind.rollingResistance",
+            "Kind.sleeps",
             "Kind.toString",
             "mass",
             "maxX",
@@ -300,7 +307,9 @@ class RecordedCallsTest {
             "queries",
             "radius",
             "read",
+            "isAwake",
             "readAnglesById",
+            "readAwakeById",
             "readAngularVelocitiesById",
             "readById",
             "readHandles",
@@ -468,7 +477,7 @@ class RecordedCallsTest {
     }
 
     private static World newWorld() {
-        return WorldScenes.jvm().gravity(0, -9).threads(1).build();
+        return WorldScenes.jvm().gravity(0, -9).sleep(true).threads(1).build();
     }
 
     private static ByteBuffer snapshotOfAnother() {

@@ -38,7 +38,8 @@ class BridjLibraryTest {
     static final class Auto {
         public static void main(String[] args) {
             try (World world = World.builder().capacity(1_000_000).moving(false).build()) {
-                System.out.println("on " + world.stats().backend());
+                System.out.println(
+                        "on " + world.stats().backend() + ": " + world.stats().reason());
             }
         }
     }
@@ -91,10 +92,10 @@ class BridjLibraryTest {
     private static void assertAutoFallsBack(ForkedJvm jvm, String... mentioned) {
         ForkedJvm.Result auto = jvm.run(Auto.class);
         assertThat(auto.output()).contains("on JVM").contains(mentioned).doesNotContain("Install an OpenCL driver");
-        // The two lines of the log, and the program's own; newer Javas warn of native access.
+        // The program's own line alone, since nobody has asked for a GPU; newer Javas warn of native access.
         assertThat(auto.output().lines().filter(line -> !line.isEmpty() && !line.startsWith("WARNING: ")))
                 .as(auto.output())
-                .hasSize(3);
+                .hasSize(1);
         assertThat(auto.exitStatus()).isZero();
     }
 

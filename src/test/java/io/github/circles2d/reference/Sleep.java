@@ -34,7 +34,7 @@ final class Sleep {
     /** By what presses it, beyond so many weights. */
     private static final float SHARE_OF_LOAD = 0.05f;
 
-    private static final float FREE_WEIGHTS = 4f;
+    private static final float FREE_WEIGHTS = 2f;
 
     /** Radii a step. */
     private static final float ROUNDING = 1e-7f;

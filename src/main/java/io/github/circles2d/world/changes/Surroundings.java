@@ -42,24 +42,20 @@ public final class Surroundings implements Calls.Effects {
 
     @Override
     public long make(Call call, int[] w) {
-        switch (call) {
-            case GRAVITY -> {
-                world.calls.begin(call, w);
-                world.settings.setGravity(real(w[0]), real(w[1]));
-            }
-            case WALL_SURFACE -> {
-                SurfaceSettings surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
-                world.calls.begin(call, w);
-                world.settings.setSurfaces(surfaces);
-            }
-            default -> {
-                Bounds next = Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3]));
-                moveWalls(
-                        w,
-                        next.with(
-                                world.settings.bounds().edgeX(),
-                                world.settings.bounds().edgeY()));
-            }
+        if (call == Call.GRAVITY) {
+            world.calls.begin(call, w);
+            world.settings.setGravity(real(w[0]), real(w[1]));
+        } else if (call == Call.WALL_SURFACE) {
+            SurfaceSettings surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
+            world.calls.begin(call, w);
+            world.settings.setSurfaces(surfaces);
+        } else {
+            Bounds next = Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3]));
+            moveWalls(
+                    w,
+                    next.with(
+                            world.settings.bounds().edgeX(),
+                            world.settings.bounds().edgeY()));
         }
         return 0;
     }

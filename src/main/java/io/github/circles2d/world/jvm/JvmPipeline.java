@@ -163,6 +163,7 @@ public final class JvmPipeline implements Pipeline {
         state.parting = parts ? jointStep : null;
         state.partingStates = parts ? joints.states : null;
         state.setArena(constants.arena);
+        state.setSleeps(constants.sleeping);
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
@@ -184,7 +185,7 @@ public final class JvmPipeline implements Pipeline {
 
     private void begin() {
         times.begin();
-        if (waking != null) {
+        if (state.sleepers != null) {
             waking.settle(constants, terrain, pieces);
         }
         state.resting.settle(constants, jointStep);
@@ -213,7 +214,7 @@ public final class JvmPipeline implements Pipeline {
     private void makeStep() {
         begin();
         grid.build(constants);
-        if (waking != null && state.sleepers.count > 0) {
+        if (state.sleepers != null && state.sleepers.count > 0) {
             wake();
         }
         times.end(GRID);
@@ -249,7 +250,7 @@ public final class JvmPipeline implements Pipeline {
         if (recorder != null) {
             recorder.end(terrain, constants);
         }
-        if (waking != null) {
+        if (state.sleepers != null) {
             fallAsleep();
         }
         times.end(SOLVER);

@@ -115,8 +115,11 @@ public final class State implements ContactEvents.Sleepers {
     /** What circles need to rotate; null as long as they cannot. */
     Turning turning;
 
-    /** How circles come to rest; null if none ever sleeps. */
+    /** How circles come to rest; null if none sleeps in the state of now. */
     Sleepers sleepers;
+
+    /** What {@link #sleepers} is in a world whose circles sleep; null as long as there has been none. */
+    private Sleepers allSleepers;
 
     /** Circles that have fallen asleep, or were loaded so, and do not lie with those that rest yet: ids. */
     private int[] drowsy = new int[16];
@@ -147,7 +150,7 @@ public final class State implements ContactEvents.Sleepers {
                 + 4L * slotOf.length
                 + fields.bytes()
                 + resting.bytes()
-                + (sleepers == null ? 0 : sleepers.bytes())
+                + (allSleepers == null ? 0 : allSleepers.bytes())
                 + (turning == null ? 0 : turning.bytes())
                 + (pieces == null ? 0 : pieces.bytes());
     }
@@ -207,8 +210,8 @@ public final class State implements ContactEvents.Sleepers {
         if (turning == null) {
             Turning all = new Turning(this);
             all.ensure(capacity);
-            if (sleepers != null) {
-                sleepers.ensureRows();
+            if (allSleepers != null) {
+                allSleepers.ensureRows();
             }
             turning = all;
         }
@@ -216,12 +219,17 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Makes room for how circles come to rest. */
     void startSleep(ImpulseCache cache) {
-        if (sleepers == null) {
+        if (allSleepers == null) {
             Sleepers all = new Sleepers(this);
             all.ensure(slotOf.length);
             impulseCache = cache;
-            sleepers = all;
+            allSleepers = all;
         }
+    }
+
+    /** Says whether circles sleep, for which there is room. */
+    void setSleeps(boolean does) {
+        sleepers = does ? allSleepers : null;
     }
 
     /** Makes room for what circles have to do with terrain. */
@@ -238,8 +246,8 @@ public final class State implements ContactEvents.Sleepers {
             int old = slotOf.length;
             int[] longer = Arrays.copyOf(slotOf, Math.max(ids, old + (old >> 1)));
             Arrays.fill(longer, old, longer.length, -1);
-            if (sleepers != null) {
-                sleepers.ensure(longer.length);
+            if (allSleepers != null) {
+                allSleepers.ensure(longer.length);
             }
             slotOf = longer;
         }
@@ -372,13 +380,13 @@ public final class State implements ContactEvents.Sleepers {
         if (sleepers == null) {
             return;
         }
-        switch (field) {
-            case KIND, GROUP -> {
-                sleepers.restart(wake(slotOf[circleId]));
-                wakeNear(slotOf[circleId]);
-            }
-            case FRICTION, ROLLING_RESISTANCE -> sleepers.restart(wake(slotOf[circleId]));
-            default -> sleepers.suspect(circleId); // its force
+        if (field == CircleField.KIND || field == CircleField.GROUP) {
+            sleepers.restart(wake(slotOf[circleId]));
+            wakeNear(slotOf[circleId]);
+        } else if (field == CircleField.FRICTION || field == CircleField.ROLLING_RESISTANCE) {
+            sleepers.restart(wake(slotOf[circleId]));
+        } else {
+            sleepers.suspect(circleId); // its force
         }
     }
 
@@ -816,17 +824,22 @@ public final class State implements ContactEvents.Sleepers {
         awake = n;
         resting.restart();
         drowsyCount = 0;
-        if (sleepers != null) {
-            sleepers.load(from);
-            if (from.parameters() != null) {
-                setArena(from.parameters().bounds());
-            }
-            for (int slot = 0; slot < n; slot++) {
-                if (sleepers.isAsleep(id[slot])) {
-                    traits[CircleRow.of(slot) + INVERSE_MASS] = 0f;
-                    drowsy[drowsyCount++] = id[slot];
-                    sleepers.count++;
-                }
+        if (allSleepers != null) {
+            loadSleepers(from);
+        }
+    }
+
+    private void loadSleepers(SavedState from) {
+        allSleepers.load(from);
+        if (from.parameters() != null) {
+            setArena(from.parameters().bounds());
+        }
+        setSleeps(from.sleeps);
+        for (int slot = 0; slot < n; slot++) {
+            if (allSleepers.isAsleep(id[slot])) {
+                traits[CircleRow.of(slot) + INVERSE_MASS] = 0f;
+                drowsy[drowsyCount++] = id[slot];
+                allSleepers.count++;
             }
         }
     }

@@ -31,7 +31,7 @@ public final class Sleep {
     /** Of what presses it, beyond {@link #FREE_WEIGHTS}. */
     public static final float SHARE_OF_LOAD = 0.05f;
 
-    public static final float FREE_WEIGHTS = 4f;
+    public static final float FREE_WEIGHTS = 2f;
 
     /** Radii a step. */
     public static final float ROUNDING = 1e-7f;

@@ -9,6 +9,8 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.terrain.BodyTable;
+import java.util.EnumSet;
+import java.util.Set;
 
 /**
  * The table of the calls that change a world, one row each: its number, its words and their ranges. A call is its number and its words, of
@@ -212,6 +214,20 @@ public enum Call {
 
     private static final Call[] BY_NUMBER = new Call[256];
 
+    private static final Set<Call> WAKING = EnumSet.of(
+            KIND,
+            PAIR_OF_KINDS,
+            WALL_SURFACE,
+            SEGMENT,
+            ARC,
+            CHAIN,
+            REMOVE_PIECE,
+            PIECE_KIND,
+            CLEAR_TERRAIN,
+            REMOVE_BODY,
+            TELEPORT_BODY,
+            WAKE_ALL);
+
     static {
         for (Call call : values()) {
             BY_NUMBER[call.number] = call;
@@ -258,21 +274,7 @@ public enum Call {
 
     /** Whether all circles wake that sleep: what carries them, or how they meet, may be another then. */
     boolean wakes() {
-        return switch (this) {
-            case KIND,
-                    PAIR_OF_KINDS,
-                    WALL_SURFACE,
-                    SEGMENT,
-                    ARC,
-                    CHAIN,
-                    REMOVE_PIECE,
-                    PIECE_KIND,
-                    CLEAR_TERRAIN,
-                    REMOVE_BODY,
-                    TELEPORT_BODY,
-                    WAKE_ALL -> true;
-            default -> false;
-        };
+        return WAKING.contains(this);
     }
 
     /** The float that a word stands for. */

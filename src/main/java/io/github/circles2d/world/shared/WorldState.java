@@ -56,6 +56,7 @@ public final class WorldState {
 
     /** Copies what the pipeline holds, for another one: without the changes that wait. */
     void carry(SavedState into) {
+        into.setParameters(world.settings.parameters());
         into.setIds(world.handles.end());
         into.fields.copy(world.handles.fields());
         world.pipeline.saveIds(into);

@@ -39,6 +39,8 @@ class WorldParametersTest {
             changed[k] = f + 1;
         } else if (values[k] instanceof Integer i) {
             changed[k] = i + 1;
+        } else if (values[k] instanceof Boolean b) {
+            changed[k] = !b;
         } else {
             changed[k] = null;
         }
