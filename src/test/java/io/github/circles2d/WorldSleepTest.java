@@ -113,6 +113,18 @@ class WorldSleepTest {
         }
     }
 
+    @Test
+    void aWorldThatHasMadeNoStepHasASnapshotToo() {
+        try (World world = box().sleep(true).build();
+                World taker = box().sleep(true).build()) {
+            heap(world);
+            goOnAlike(world, taker);
+            world.clear();
+            heap(world);
+            goOnAlike(world, taker);
+        }
+    }
+
     /** A snapshot says whether its world sleeps, whatever the world does that takes it. */
     @Test
     void aSnapshotBringsItsSleepAlong() {

@@ -70,7 +70,7 @@ final class ReadTable extends Table {
         add(2, "readRadiiById", byId(float[].class, 1), living());
         add(2, "readKindsById", byId(int[].class, 1), living());
         add(2, "readTagsById", byId(long[].class, 1), living());
-        add(2, "readAwakeById", living());
+        add(2, "readAwakeById", byId(long[].class, 1));
         add(3, "readLoadsById", byId(float[].class, 2), living());
         add(3, "contactsOf", handle(Ref.Of.CIRCLE), room(long[].class), optional(float[].class, "40", player -> 40));
         add(2, "positionsById", living());

@@ -224,6 +224,7 @@ public final class State implements ContactEvents.Sleepers {
             all.ensure(slotOf.length);
             impulseCache = cache;
             allSleepers = all;
+            sleepers = n == 0 ? all : null; // else another state is to come
         }
     }
 
@@ -831,10 +832,10 @@ public final class State implements ContactEvents.Sleepers {
 
     private void loadSleepers(SavedState from) {
         allSleepers.load(from);
-        if (from.parameters() != null) {
+        if (from.parameters() != null) { // else all circles go, and the world stays as it is
             setArena(from.parameters().bounds());
+            setSleeps(from.sleeps);
         }
-        setSleeps(from.sleeps);
         for (int slot = 0; slot < n; slot++) {
             if (allSleepers.isAsleep(id[slot])) {
                 traits[CircleRow.of(slot) + INVERSE_MASS] = 0f;
