@@ -206,9 +206,9 @@ final class SizesProgram {
     }
 
     private void menus() throws Exception {
-        say("the scene is marked", becomesTrue(() -> marked(1).equals(List.of("pegs"))));
-        SwingUtilities.invokeAndWait(() -> item(1, "marbles").doClick());
-        say("the next scene is marked", becomesTrue(() -> marked(1).equals(List.of("marbles"))));
+        say("the scene is marked", becomesTrue(() -> marked(1).equals(List.of(StageNotes.title("pegs")))));
+        SwingUtilities.invokeAndWait(() -> item(1, StageNotes.title("marbles")).doClick());
+        say("the next scene is marked", becomesTrue(() -> marked(1).equals(List.of(StageNotes.title("marbles")))));
         say("the back end is marked", marked(3).equals(List.of("JVM")));
         System.out.println("keys of the menus: " + keys());
         int step = onEventThread(() -> loop.latest().step);
