@@ -126,8 +126,8 @@ public class SavedCircles {
     }
 
     /** Says whether circles sleep, and makes room for what that takes. */
-    public void setSleeps(boolean they) {
-        sleeps = they;
+    public void setSleeps(boolean does) {
+        sleeps = does;
         if (sleeps && rest.length < circles) {
             int[] newRest = new int[circles];
             float[] newDrift = new float[2 * circles];

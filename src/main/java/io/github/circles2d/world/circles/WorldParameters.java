@@ -41,53 +41,17 @@ public record WorldParameters(
 
     /** The same with walls that start somewhere. */
     public WorldParameters startingAt(Bounds start) {
-        return new WorldParameters(
-                bounds,
-                gravityX,
-                gravityY,
-                restitution,
-                subSteps,
-                previousTimeStep,
-                contacts,
-                start,
-                surfaces,
-                sleeps,
-                previousGravityX,
-                previousGravityY);
+        return with(contacts, start, surfaces, sleeps, previousGravityX, previousGravityY);
     }
 
     /** The same with other contacts. */
     public WorldParameters with(ContactSettings settings) {
-        return new WorldParameters(
-                bounds,
-                gravityX,
-                gravityY,
-                restitution,
-                subSteps,
-                previousTimeStep,
-                settings,
-                wallStart,
-                surfaces,
-                sleeps,
-                previousGravityX,
-                previousGravityY);
+        return with(settings, wallStart, surfaces, sleeps, previousGravityX, previousGravityY);
     }
 
     /** The same with other surfaces. */
     public WorldParameters with(SurfaceSettings settings) {
-        return new WorldParameters(
-                bounds,
-                gravityX,
-                gravityY,
-                restitution,
-                subSteps,
-                previousTimeStep,
-                contacts,
-                wallStart,
-                settings,
-                sleeps,
-                previousGravityX,
-                previousGravityY);
+        return with(contacts, wallStart, settings, sleeps, previousGravityX, previousGravityY);
     }
 
     /** The same of a world whose circles sleep, or do not. */
@@ -97,6 +61,16 @@ public record WorldParameters(
 
     /** The same of a world whose circles sleep, with the gravity of the last step. */
     public WorldParameters sleeping(float gravityBeforeX, float gravityBeforeY) {
+        return with(contacts, wallStart, surfaces, true, gravityBeforeX, gravityBeforeY);
+    }
+
+    private WorldParameters with(
+            ContactSettings newContacts,
+            Bounds newStart,
+            SurfaceSettings newSurfaces,
+            boolean sleep,
+            float gravityBeforeX,
+            float gravityBeforeY) {
         return new WorldParameters(
                 bounds,
                 gravityX,
@@ -104,10 +78,10 @@ public record WorldParameters(
                 restitution,
                 subSteps,
                 previousTimeStep,
-                contacts,
-                wallStart,
-                surfaces,
-                true,
+                newContacts,
+                newStart,
+                newSurfaces,
+                sleep,
                 gravityBeforeX,
                 gravityBeforeY);
     }
