@@ -350,7 +350,6 @@ final class OclgrindWorlds {
         }
     }
 
-    /** A step without joints; then joints of every form: in batches, in none, and split ones; some break. */
     /** Circles that fell asleep on the host, of which some wake, and another one falls asleep. all: with friction, terrain and joints. */
     private Set<String> sleep(Plans plans, boolean all) {
         DevicePipeline pipeline = pipeline(plans, 64);
@@ -386,6 +385,7 @@ final class OclgrindWorlds {
         }
     }
 
+    /** A step without joints; then joints of every form: in batches, in none, and split ones; some break. */
     private Set<String> joints(Plans plans, Scene scene, boolean turns) {
         DevicePipeline pipeline = pipeline(plans);
         SplittableRandom random = new SplittableRandom(6);

@@ -255,8 +255,9 @@ final class Crew {
                 }
                 stage = announced;
                 int workers = size;
+                int own = thread < workers ? thread : 0; // a thread that was late for the last run may be none of this one's
                 for (int k = 0; k < workers; k++) {
-                    int worker = thread + k < workers ? thread + k : thread + k - workers;
+                    int worker = own + k < workers ? own + k : own + k - workers;
                     if (claims(worker, stage)) {
                         work.run(worker);
                         parts.set(place(worker), stage);
