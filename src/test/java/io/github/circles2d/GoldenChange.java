@@ -218,7 +218,7 @@ interface GoldenChange {
                         scene.maxY() - most * unit(run.random()));
     }
 
-    private static float unit(SplittableRandom random) {
+    static float unit(SplittableRandom random) {
         return random.nextInt(1 << 24) * 0x1p-24f;
     }
 }

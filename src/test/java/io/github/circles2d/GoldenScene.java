@@ -19,6 +19,7 @@ import java.util.SplittableRandom;
  * @param edgeY what there is at the lower and the upper edge
  * @param surfaces what circles and walls touch each other with
  * @param terrain what there is besides circles: terrain, joints
+ * @param sleeps whether circles fall asleep
  */
 record GoldenScene(
         String name,
@@ -27,7 +28,20 @@ record GoldenScene(
         Edge edgeX,
         Edge edgeY,
         Surfaces surfaces,
-        GoldenTerrain terrain) {
+        GoldenTerrain terrain,
+        boolean sleeps) {
+    /** A scene in which nobody sleeps. */
+    GoldenScene(
+            String name,
+            Scene scene,
+            GoldenChange change,
+            Edge edgeX,
+            Edge edgeY,
+            Surfaces surfaces,
+            GoldenTerrain terrain) {
+        this(name, scene, change, edgeX, edgeY, surfaces, terrain, false);
+    }
+
     /** A scene without terrain. */
     GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY, Surfaces surfaces) {
         this(name, scene, change, edgeX, edgeY, surfaces, GoldenTerrain.NONE);
@@ -225,12 +239,47 @@ record GoldenScene(
                         HardScenes.pile(40, 30, Scenes.SEED),
                         GoldenJoints::rejoin,
                         Surfaces.of(0.3f, 0f),
-                        GoldenJoints::net));
+                        GoldenJoints::net),
+                new GoldenScene("asleep-ball", heap(), GoldenSleep::ball).sleeping(),
+                new GoldenScene("asleep-pour", heap(), GoldenSleep::pour, Surfaces.of(0.6f, 0.02f)).sleeping(),
+                new GoldenScene("asleep-support", heap(), GoldenSleep::support, Surfaces.of(0.4f, 0.02f)).sleeping(),
+                new GoldenScene("asleep-tilt", heap(), GoldenSleep::tilt, Surfaces.of(0.6f, 0.05f)).sleeping(),
+                new GoldenScene("asleep-calls", heap(), GoldenSleep::calls, Surfaces.of(0.3f, 0f)).sleeping(),
+                new GoldenScene("asleep-mixed", mixedHeap(), GoldenSleep::ball, Surfaces.of(0.5f, 0f)).sleeping(),
+                new GoldenScene("asleep-time-steps", heap(), GoldenSleep::timeStep, Surfaces.of(0.6f, 0f)).sleeping(),
+                new GoldenScene(
+                                "asleep-wrapped",
+                                heap(),
+                                GoldenSleep::ball,
+                                Edge.WRAP,
+                                Edge.WALL,
+                                Surfaces.of(0.5f, 0.02f))
+                        .sleeping(),
+                new GoldenScene("asleep-lift", heap(), GoldenSleep::lift, Surfaces.of(0.5f, 0f), GoldenSleep::ground)
+                        .sleeping(),
+                new GoldenScene("asleep-rope", heap(), GoldenSleep::pull, Surfaces.of(0.5f, 0f), GoldenSleep::rope)
+                        .sleeping());
     }
 
-    /** Whether there are walls all around, and nothing but circles, none of which grips: such a scene needs no kernels of its own. */
+    private static Scene heap() {
+        return HardScenes.pile(15, 10, Scenes.SEED);
+    }
+
+    private static Scene mixedHeap() {
+        return HardScenes.mixedPile(15, 10, Scenes.SEED);
+    }
+
+    private GoldenScene sleeping() {
+        return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, true);
+    }
+
+    /** Whether there are walls all around, and nothing but circles, none of which grips or sleeps: such a scene needs no kernels of its own. */
     boolean isPlain() {
-        return edgeX == Edge.WALL && edgeY == Edge.WALL && surfaces == Surfaces.NONE && terrain == GoldenTerrain.NONE;
+        return edgeX == Edge.WALL
+                && edgeY == Edge.WALL
+                && surfaces == Surfaces.NONE
+                && terrain == GoldenTerrain.NONE
+                && !sleeps;
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
@@ -248,7 +297,8 @@ record GoldenScene(
     }
 
     World.Builder builder() {
-        return WorldScenes.with(surfaces, WorldScenes.builder(scene).edges(edgeX, edgeY));
+        return WorldScenes.with(surfaces, WorldScenes.builder(scene).edges(edgeX, edgeY))
+                .sleep(sleeps);
     }
 
     @Override

@@ -18,6 +18,10 @@ class ReferenceWorldTest {
 
     private static final int CIRCLES = 5_000;
     private static final int STEPS = TestScale.of(10, 100);
+
+    /** Nobody sleeps before 60 steps are over. */
+    private static final int STEPS_OF_SLEEP = TestScale.of(160, 1000);
+
     private static final int SUB_STEPS = 4;
 
     static List<GoldenScene> smallScenes() {
@@ -55,11 +59,14 @@ class ReferenceWorldTest {
         reference.setBounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
         reference.edges(golden.edgeX(), golden.edgeY()).surfaces(golden.surfaces());
         reference.setGravity(scene.gravityX(), scene.gravityY());
+        if (golden.sleeps()) {
+            reference.sleep();
+        }
         try (GoldenScene.Run run =
                         golden.start(golden.builder().subSteps(SUB_STEPS).build());
                 GoldenScene.Run expected = golden.start(reference)) {
             assertThat(run.hash()).as("hash before the first step").isEqualTo(expected.hash());
-            for (int step = 1; step <= STEPS; step++) {
+            for (int step = 1; step <= (golden.sleeps() ? STEPS_OF_SLEEP : STEPS); step++) {
                 run.advanceTo(step);
                 expected.advanceTo(step);
                 assertThat(run.hash()).as("hash after step %d", step).isEqualTo(expected.hash());

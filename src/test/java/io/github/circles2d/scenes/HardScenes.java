@@ -38,6 +38,22 @@ public final class HardScenes {
         return b.build();
     }
 
+    /** A pile as above of circles, each fourth of which has a tenth of the radius up to all of it; masses by area, restitution 0.2. */
+    public static Scene mixedPile(int columns, int rows, long seed) {
+        Scene.Builder b =
+                new Scene.Builder("mixed-pile", columns * rows).gravity(0, -1).restitution(0.2f);
+        Random random = new Random(seed);
+        float pitch = 1 / (columns + 0.5f);
+        for (int i = 0; i < columns * rows; i++) {
+            int row = i / columns;
+            float x = (i % columns + (row % 2 == 0 ? 0.5f : 1)) * pitch;
+            float y = (0.5f + 0.8660254f * row) * pitch;
+            float r = 0.5f * pitch * (i % 4 == 0 ? 0.1f + 0.9f * random.nextFloat() : 0.95f);
+            b.circle(i, x, y, r, 1e3f * r * r);
+        }
+        return b.build();
+    }
+
     /**
      * A slope: rows of circles, the largest three times as large as the least, above a floor that leans to the right by 20 degrees;
      * gravity 1, restitution 0.

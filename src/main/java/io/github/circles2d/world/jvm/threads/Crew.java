@@ -255,7 +255,8 @@ final class Crew {
                 }
                 stage = announced;
                 int workers = size;
-                int own = thread < workers ? thread : 0; // a thread that was late for the last run may be none of this one's
+                // A thread that was late for the last run may be none of this one's.
+                int own = thread < workers ? thread : 0;
                 for (int k = 0; k < workers; k++) {
                     int worker = own + k < workers ? own + k : own + k - workers;
                     if (claims(worker, stage)) {
