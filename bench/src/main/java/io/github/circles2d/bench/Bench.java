@@ -4,6 +4,7 @@ import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.BlobSwarm;
 import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.games.JointCosts;
+import io.github.circles2d.bench.games.SleepCosts;
 import io.github.circles2d.bench.games.SurfaceCosts;
 import io.github.circles2d.bench.games.TerrainCosts;
 import io.github.circles2d.bench.games.TerrainLevels;
@@ -85,6 +86,9 @@ public final class Bench {
                     break;
                 case "surfaces":
                     SurfaceCosts.run(rest, System.out);
+                    break;
+                case "sleep":
+                    SleepCosts.run(rest, System.out);
                     break;
                 case "terrain":
                     TerrainCosts.run(rest, System.out);

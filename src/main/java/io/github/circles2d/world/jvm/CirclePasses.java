@@ -329,7 +329,7 @@ final class CirclePasses {
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
         if (state.sleepers != null) {
-            drift(from, to);
+            noteMoves(from, to);
         }
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
@@ -353,14 +353,11 @@ final class CirclePasses {
         }
     }
 
-    /** Adds how far circles have moved to how far they have drifted. */
-    private void drift(int from, int to) {
-        float[] drift = state.sleepers.drift;
+    private void noteMoves(int from, int to) {
+        float[] moved = state.sleepers.moved;
         for (int slot = from; slot < to; slot++) {
-            if (!state.isStatic(slot)) {
-                drift[CircleRow.vector(state.id[slot])] += state.motion[CircleRow.of(slot) + DX];
-                drift[CircleRow.vector(state.id[slot]) + 1] += state.motion[CircleRow.of(slot) + DY];
-            }
+            moved[CircleRow.vector(slot)] = state.motion[CircleRow.of(slot) + DX];
+            moved[CircleRow.vector(slot) + 1] = state.motion[CircleRow.of(slot) + DY];
         }
     }
 

@@ -33,11 +33,14 @@ final class FallingAsleep {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
         float r = state.circle[s + RADIUS];
-        int v = CircleRow.vector(id);
-        if (!Sleep.rests(all.drift[v], all.drift[v + 1], 0, r, Sleep.DRIFT * r)) { // nearly all that move
-            all.restart(slot);
+        int row = Sleepers.RESTS * id;
+        float driftX = Float.intBitsToFloat(all.rests[row + Sleepers.DRIFT_X]) + all.moved[CircleRow.vector(slot)];
+        float driftY = Float.intBitsToFloat(all.rests[row + Sleepers.DRIFT_Y]) + all.moved[CircleRow.vector(slot) + 1];
+        if (!Sleep.rests(driftX, driftY, 0, r, Sleep.DRIFT * r)) { // nearly all that move
+            all.set(id, 0, 0, 0f - state.motion[s + DX], 0f - state.motion[s + DY]);
             return false;
         }
+        int turned = all.rests[row + Sleepers.TURNED] + (k.turning ? all.turnedInStep[slot] : 0);
         float gain = CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
         int kind = KindSleep.of(state.fields.getInt(CircleField.KIND, id));
         float damping = kinds[kind + KindSleep.DAMPING];
@@ -46,14 +49,13 @@ final class FallingAsleep {
                 && kinds[kind + KindSleep.AWAKE] == 0f
                 && !state.resting.isHeld(id)
                 && state.fields.getFloat(CircleField.TORQUE, id) == 0f;
-        if (!mayRest || !Sleep.rests(all.drift[v], all.drift[v + 1], all.turned[id], r, most)) {
-            all.restart(slot);
+        if (!mayRest || !Sleep.rests(driftX, driftY, turned, r, most)) {
+            all.set(id, 0, 0, 0f - state.motion[s + DX], 0f - state.motion[s + DY]);
             return false;
         }
-        all.rest[id]++;
-        all.drift[v] -= state.motion[s + DX];
-        all.drift[v + 1] -= state.motion[s + DY];
-        if (Sleep.fallsAsleep(all.rest[id], k.dt)
+        int rest = all.rest(id) + 1;
+        all.set(id, rest, turned, driftX - state.motion[s + DX], driftY - state.motion[s + DY]);
+        if (Sleep.fallsAsleep(rest, k.dt)
                 && Sleep.stays(state.circle[s + X], state.motion[s + DX])
                 && Sleep.stays(state.circle[s + Y], state.motion[s + DY])) {
             state.sleep(slot);

@@ -214,9 +214,7 @@ public final class JvmPipeline implements Pipeline {
     private void makeStep() {
         begin();
         grid.build(constants);
-        if (state.sleepers != null && state.sleepers.count > 0) {
-            wake();
-        }
+        boolean found = state.sleepers != null && state.sleepers.count > 0 && !wake();
         times.end(GRID);
         if (recorder != null) {
             recorder.begin();
@@ -229,7 +227,9 @@ public final class JvmPipeline implements Pipeline {
             pieces.find(terrain, constants.turning);
         }
         times.end(SWEEP);
-        contacts.findResting();
+        if (!found || grid.anyFast()) { // continuous collision changes how far circles look
+            contacts.findResting();
+        }
         contacts.beginResting(constants);
         boolean crowded = contacts.wereCrowded();
         if (!crowded) {
@@ -256,13 +256,15 @@ public final class JvmPipeline implements Pipeline {
         times.end(SOLVER);
     }
 
-    /** Wakes circles; if there are any, the grid is another one. */
-    private void wake() {
-        contacts.findResting(); // continuous collision changes how far circles look
-        if (waking.wake(constants, terrain, pieces)) {
+    /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
+    private boolean wake() {
+        contacts.findResting();
+        boolean some = waking.wake(constants, terrain, pieces);
+        if (some) {
             makeRoom();
             grid.build(constants);
         }
+        return some;
     }
 
     private void fallAsleep() {

@@ -28,10 +28,13 @@ import java.util.Arrays;
 final class Resting {
     private static final int NONE = -1;
 
-    /** A row of {@link #place}. */
-    private static final int PLACE = 4;
+    /** Ints of a circle in {@link #cell}. */
+    private static final int CELL = 4;
 
-    private static final int REACH = 3;
+    private static final int COLUMN = 0;
+    private static final int ROW = 1;
+    private static final int CLASS = 2;
+    private static final int NEXT = 3;
 
     /** Numbers of classes begin here, at the least exponent of a float. */
     private static final int LEAST_CLASS = Float.MIN_EXPONENT - 1;
@@ -43,11 +46,11 @@ final class Resting {
 
     private final State state;
 
-    /** By id: x, y, radius and reach. */
+    /** By id: x and y. */
     private float[] place = new float[0];
 
-    /** By id: the next in its bucket. */
-    private int[] next = new int[0];
+    /** By id: column, row and class of its cell, and the next id in the bucket. They lie together, since a search reads nothing else of most. */
+    private int[] cell = new int[0];
 
     /** By id: its place among the members of its class. */
     private int[] rank = new int[0];
@@ -118,7 +121,7 @@ final class Resting {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (place.length + next.length + rank.length + last.length + unsettled.length) + held.length;
+        long sum = 4L * (place.length + cell.length + rank.length + last.length + unsettled.length) + held.length;
         for (int k = 0; k < usedCount; k++) {
             sum += 4L * members[used[k]].length;
         }
@@ -276,14 +279,14 @@ final class Resting {
 
     /** Makes room for ids. */
     void ensure() {
-        if (next.length < state.slotOf.length) {
+        if (rank.length < state.slotOf.length) {
             int ids = state.slotOf.length;
-            float[] newPlace = Arrays.copyOf(place, PLACE * ids);
+            float[] newPlace = Arrays.copyOf(place, CircleRow.vector(ids));
+            int[] newCell = Arrays.copyOf(cell, CELL * ids);
             int[] newRank = Arrays.copyOf(rank, ids);
-            int[] newNext = Arrays.copyOf(next, ids);
             place = newPlace;
+            cell = newCell;
             rank = newRank;
-            next = newNext;
         }
     }
 
@@ -291,11 +294,14 @@ final class Resting {
     void add(int slot) {
         int id = state.id[slot];
         int s = CircleRow.of(slot);
-        place[PLACE * id + X] = state.circle[s + X];
-        place[PLACE * id + Y] = state.circle[s + Y];
-        place[PLACE * id + RADIUS] = state.circle[s + RADIUS];
-        place[PLACE * id + REACH] = Reach.reachOf(state.circle[s + RADIUS], 0f, true);
-        int ofClass = classOf(id);
+        float reach = Reach.reachOf(state.circle[s + RADIUS], 0f, true);
+        int ofClass = Math.getExponent(reach) - LEAST_CLASS;
+        float inverseEdge = inverseEdge(ofClass);
+        place[CircleRow.vector(id) + X] = state.circle[s + X];
+        place[CircleRow.vector(id) + Y] = state.circle[s + Y];
+        cell[CELL * id + COLUMN] = Reach.reachCell(state.circle[s + X], 0f, inverseEdge);
+        cell[CELL * id + ROW] = Reach.reachCell(state.circle[s + Y], 0f, inverseEdge);
+        cell[CELL * id + CLASS] = ofClass;
         if (count[ofClass] == members[ofClass].length) {
             members[ofClass] = Arrays.copyOf(members[ofClass], Math.max(16, 2 * count[ofClass]));
         }
@@ -307,7 +313,7 @@ final class Resting {
         }
         rank[id] = count[ofClass];
         members[ofClass][count[ofClass]++] = id;
-        link(id, ofClass);
+        link(id);
         widen(state.circle[s + X], state.circle[s + Y]);
         size++;
         if (state.fresh[slot] || state.firstCached[slot] >= 0) {
@@ -320,7 +326,7 @@ final class Resting {
         Arrays.fill(last, NONE);
         for (int k = 0; k < usedCount; k++) {
             for (int n = 0; n < count[used[k]]; n++) {
-                link(members[used[k]][n], used[k]);
+                link(members[used[k]][n]);
             }
         }
     }
@@ -334,16 +340,17 @@ final class Resting {
     }
 
     void remove(int id) {
-        int ofClass = classOf(id);
-        int bucket = bucket(id, ofClass);
+        int ofClass = cell[CELL * id + CLASS];
+        int bucket = bucket(id);
+        int next = cell[CELL * id + NEXT];
         if (last[bucket] == id) {
-            last[bucket] = next[id];
+            last[bucket] = next;
         } else {
             int before = last[bucket];
-            while (next[before] != id) {
-                before = next[before];
+            while (cell[CELL * before + NEXT] != id) {
+                before = cell[CELL * before + NEXT];
             }
-            next[before] = next[id];
+            cell[CELL * before + NEXT] = next;
         }
         int moved = members[ofClass][--count[ofClass]];
         members[ofClass][rank[id]] = moved;
@@ -358,14 +365,10 @@ final class Resting {
         size--;
     }
 
-    private void link(int id, int ofClass) {
-        int bucket = bucket(id, ofClass);
-        next[id] = last[bucket];
+    private void link(int id) {
+        int bucket = bucket(id);
+        cell[CELL * id + NEXT] = last[bucket];
         last[bucket] = id;
-    }
-
-    private int classOf(int id) {
-        return Math.getExponent(place[PLACE * id + REACH]) - LEAST_CLASS;
     }
 
     /** The greatest reach of a class. */
@@ -381,13 +384,9 @@ final class Resting {
         return Float.intBitsToFloat((Float.MAX_EXPONENT + exponent) << 23);
     }
 
-    private int bucket(int id, int ofClass) {
-        float inverseEdge = inverseEdge(ofClass);
-        return Reach.reachBucket(
-                Reach.reachCell(place[PLACE * id + X], 0f, inverseEdge),
-                Reach.reachCell(place[PLACE * id + Y], 0f, inverseEdge),
-                ofClass,
-                last.length);
+    private int bucket(int id) {
+        int row = CELL * id;
+        return Reach.reachBucket(cell[row + COLUMN], cell[row + ROW], cell[row + CLASS], last.length);
     }
 
     // ---- searches
@@ -477,21 +476,21 @@ final class Resting {
         for (int row = r0; row <= r1; row++) {
             for (int column = c0; column <= c1; column++) {
                 int id = last[Reach.reachBucket(column, row, ofClass, last.length)];
-                for (; id != NONE; id = next[id]) {
-                    if (Reach.reachCell(place[PLACE * id + X], 0f, inverseEdge) == column
-                            && Reach.reachCell(place[PLACE * id + Y], 0f, inverseEdge) == row
-                            && classOf(id) == ofClass) {
+                while (id != NONE) {
+                    int c = CELL * id;
+                    if (cell[c + COLUMN] == column && cell[c + ROW] == row && cell[c + CLASS] == ofClass) {
                         take(found, id, left, right, below, above, again);
                     }
                     found.tested++;
+                    id = cell[c + NEXT];
                 }
             }
         }
     }
 
     private void take(Found found, int id, float left, float right, float below, float above, boolean again) {
-        float x = place[PLACE * id + X];
-        float y = place[PLACE * id + Y];
+        float x = place[CircleRow.vector(id) + X];
+        float y = place[CircleRow.vector(id) + Y];
         if (left <= x && x <= right && below <= y && y <= above) {
             int slot = state.slotOf[id];
             if (!again || !found.has(slot)) {

@@ -27,14 +27,25 @@ final class Sleepers {
 
     private final State state;
 
-    /** By id, by {@link Sleep}. */
-    int[] rest = new int[0];
+    /** Ints of a circle in {@link #rests}. They lie together since a step meets circles in no order of ids. */
+    static final int RESTS = 4;
 
-    /** By id: how far a circle that is awake has drifted since it came to rest, less its displacement; within a step, with it. */
-    float[] drift = new float[0];
+    static final int REST = 0;
+    static final int TURNED = 1;
+    static final int DRIFT_X = 2;
+    static final int DRIFT_Y = 3;
 
-    /** By id: the units by which a circle that is awake has turned since then. */
-    int[] turned = new int[0];
+    /**
+     * By id: its rest, by {@link Sleep}; the units by which a circle that is awake has turned since it came to rest; the bits of how far it
+     * has drifted since then, less its displacement.
+     */
+    int[] rests = new int[0];
+
+    /** By slot, within a step: the displacement before it went into the base. */
+    float[] moved = new float[0];
+
+    /** By slot, within a step, if circles can rotate: the units by which a circle has turned in it. */
+    int[] turnedInStep = new int[0];
 
     /** How many circles sleep. */
     int count;
@@ -86,8 +97,8 @@ final class Sleepers {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (rest.length + drift.length + turned.length + first.length + links.length + normal.length)
-                + 4L * (rows.length + pieceCount.length + suspects.length);
+        long sum = 4L * (rests.length + moved.length + turnedInStep.length + first.length + links.length)
+                + 4L * (normal.length + rows.length + pieceCount.length + suspects.length);
         for (float[] each : pieceRows) {
             sum += each == null ? 0 : 4L * each.length;
         }
@@ -96,28 +107,36 @@ final class Sleepers {
 
     /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
     void ensure(int ids) {
-        if (rest.length < ids) {
-            int old = rest.length;
-            float[] newDrift = Arrays.copyOf(drift, CircleRow.vector(ids));
-            int[] newTurned = Arrays.copyOf(turned, ids);
+        if (first.length < ids) {
+            int old = first.length;
+            float[] newMoved = Arrays.copyOf(moved, CircleRow.vector(ids));
+            int[] newTurnedInStep = Arrays.copyOf(turnedInStep, ids);
+            int[] newRests = Arrays.copyOf(rests, RESTS * ids);
             int[] newFirst = Arrays.copyOf(first, ids);
             Arrays.fill(newFirst, old, ids, NONE);
             float[][] newPieceRows = Arrays.copyOf(pieceRows, ids);
             int[][] newPieceNumbers = Arrays.copyOf(pieceNumbers, ids);
             int[] newPieceCount = Arrays.copyOf(pieceCount, ids);
-            int[] newRest = Arrays.copyOf(rest, ids);
-            drift = newDrift;
-            turned = newTurned;
-            first = newFirst;
+            moved = newMoved;
+            turnedInStep = newTurnedInStep;
+            rests = newRests;
             pieceRows = newPieceRows;
             pieceNumbers = newPieceNumbers;
             pieceCount = newPieceCount;
-            rest = newRest;
+            first = newFirst;
         }
     }
 
     boolean isAsleep(int id) {
-        return Sleep.isAsleep(rest[id]);
+        return Sleep.isAsleep(rests[RESTS * id + REST]);
+    }
+
+    int rest(int id) {
+        return rests[RESTS * id + REST];
+    }
+
+    void setRest(int id, int rest) {
+        rests[RESTS * id + REST] = rest;
     }
 
     // ---- who sleeps
@@ -125,28 +144,36 @@ final class Sleepers {
 
     /** A circle that is awake begins anew to come to rest. */
     void restart(int slot) {
-        int id = state.id[slot];
         boolean isStatic = state.isStatic(slot);
-        rest[id] = 0;
-        turned[id] = 0;
-        drift[CircleRow.vector(id)] = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DX];
-        drift[CircleRow.vector(id) + 1] = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DY];
+        float driftX = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DX];
+        float driftY = isStatic ? 0f : 0f - state.motion[CircleRow.of(slot) + DY];
+        set(state.id[slot], 0, 0, driftX, driftY);
+    }
+
+    void set(int id, int rest, int turned, float driftX, float driftY) {
+        int row = RESTS * id;
+        rests[row + REST] = rest;
+        rests[row + TURNED] = turned;
+        rests[row + DRIFT_X] = Float.floatToRawIntBits(driftX);
+        rests[row + DRIFT_Y] = Float.floatToRawIntBits(driftY);
+    }
+
+    private float driftX(int id) {
+        return Float.intBitsToFloat(rests[RESTS * id + DRIFT_X]);
+    }
+
+    private float driftY(int id) {
+        return Float.intBitsToFloat(rests[RESTS * id + DRIFT_Y]);
     }
 
     /** A circle falls asleep. */
     void sleep(int id) {
-        rest[id] = Sleep.ASLEEP;
-        turned[id] = 0;
-        drift[CircleRow.vector(id)] = 0f;
-        drift[CircleRow.vector(id) + 1] = 0f;
+        set(id, Sleep.ASLEEP, 0, 0f, 0f);
     }
 
     /** An id is free. */
     void forget(int id) {
-        rest[id] = 0;
-        turned[id] = 0;
-        drift[CircleRow.vector(id)] = 0f;
-        drift[CircleRow.vector(id) + 1] = 0f;
+        set(id, 0, 0, 0f, 0f);
         pieceCount[id] = 0;
         while (first[id] != NONE) {
             unlink(first[id]);
@@ -360,10 +387,10 @@ final class Sleepers {
 
     /** Saves the circle with an id as circle k. */
     void save(int id, SavedState into, int k) {
-        into.rest[k] = rest[id];
-        into.drift[2 * k] = drift[CircleRow.vector(id)];
-        into.drift[2 * k + 1] = drift[CircleRow.vector(id) + 1];
-        into.turned[k] = turned[id];
+        into.rest[k] = rest(id);
+        into.drift[2 * k] = driftX(id);
+        into.drift[2 * k + 1] = driftY(id);
+        into.turned[k] = rests[RESTS * id + TURNED];
     }
 
     /** Saves the impulses of a circle, as the one of lower id. */
@@ -377,9 +404,7 @@ final class Sleepers {
 
     /** Takes over saved circles, for which there is room. */
     void load(SavedState from) {
-        Arrays.fill(rest, 0);
-        Arrays.fill(drift, 0f);
-        Arrays.fill(turned, 0);
+        Arrays.fill(rests, 0);
         Arrays.fill(first, NONE);
         Arrays.fill(pieceCount, 0);
         used = 0;
@@ -388,10 +413,7 @@ final class Sleepers {
         count = 0;
         for (int k = 0; from.sleeps && k < from.circles; k++) {
             int id = from.id[k];
-            rest[id] = from.rest[k];
-            drift[CircleRow.vector(id)] = from.drift[2 * k];
-            drift[CircleRow.vector(id) + 1] = from.drift[2 * k + 1];
-            turned[id] = from.turned[k];
+            set(id, from.rest[k], from.turned[k], from.drift[2 * k], from.drift[2 * k + 1]);
         }
         forgetSuspects();
         suspectAll();
@@ -399,9 +421,7 @@ final class Sleepers {
 
     /** The part of a circle in the hash of the state. */
     long hash(int id) {
-        float driftX = drift[CircleRow.vector(id)];
-        float driftY = drift[CircleRow.vector(id) + 1];
-        long sum = StateHash.rest(id, rest[id], driftX, driftY, turned[id]);
+        long sum = StateHash.rest(id, rest(id), driftX(id), driftY(id), rests[RESTS * id + TURNED]);
         for (int k = first[id]; k != NONE; k = next(k, id)) {
             if (links[LINKS * k + LO] == id) {
                 int hi = links[LINKS * k + HI];

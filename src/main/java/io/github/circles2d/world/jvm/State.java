@@ -659,7 +659,7 @@ public final class State implements ContactEvents.Sleepers {
         }
         if (sleepers != null && sleepers.isAsleep(id[to])) {
             traits[CircleRow.of(to) + INVERSE_MASS] = ownInverseMass(to);
-            sleepers.rest[id[to]] = 0;
+            sleepers.setRest(id[to], 0);
             sleepers.count--;
             sleepers.giveBack(id[to], impulseCache);
         }

@@ -178,8 +178,8 @@ final class Turning {
             float after = spin[s + SURFACE_SPEED];
             int angleBefore = angle[slot];
             angle[slot] = Surface.turn(angleBefore, spin[s + TURNED], k.h, r);
-            if (state.sleepers != null && !state.isStatic(slot)) {
-                state.sleepers.turned[state.id[slot]] += angle[slot] - angleBefore;
+            if (state.sleepers != null) {
+                state.sleepers.turnedInStep[slot] = angle[slot] - angleBefore;
             }
             angularVelocity[slot] = Surface.angularVelocity(angularVelocity[slot], before, after, r);
         }

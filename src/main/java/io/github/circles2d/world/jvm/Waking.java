@@ -479,12 +479,13 @@ final class Waking {
         float b = CircleMath.length(x, y);
         float r = radius(slot);
         if (!(b > Sleep.tolerance(k.tilted, gain, w * load(id, slot), r, k.dt))) {
-            sleepers().rest[id] = Sleep.ASLEEP;
+            sleepers().setRest(id, Sleep.ASLEEP);
             return 0f;
         }
-        sleepers().rest[id]--;
+        int rest = sleepers().rest(id) - 1;
+        sleepers().setRest(id, rest);
         sleepers().suspect(id);
-        int steps = Sleep.ASLEEP - sleepers().rest[id];
+        int steps = Sleep.ASLEEP - rest;
         return Sleep.losesPatience(k.tilted, gain, b, steps) ? Sleep.imbalanceOfStep(b, k.subSteps, r, k.dt) : 0f;
     }
 

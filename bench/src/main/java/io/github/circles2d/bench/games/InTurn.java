@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiConsumer;
+import java.util.function.DoubleSupplier;
 
 /** Two worlds that make their steps in turn, so that other work on the machine slows both. Times are in ms a step, the shortest first. */
 record InTurn(double[] ms, double[] otherMs) {
@@ -59,11 +60,20 @@ record InTurn(double[] ms, double[] otherMs) {
     static InTurn measure(World world, World other, int settling, int warm, int rounds) {
         settle(world, settling);
         settle(other, settling);
+        return measure(() -> time(world), () -> time(other), warm, rounds);
+    }
+
+    /** Makes rounds of 60 steps, a call a step, as a game does; before each step of a world its game does something. */
+    static InTurn measure(World world, Runnable game, World other, Runnable otherGame, int warm, int rounds) {
+        return measure(() -> time(world, game), () -> time(other, otherGame), warm, rounds);
+    }
+
+    private static InTurn measure(DoubleSupplier time, DoubleSupplier otherTime, int warm, int rounds) {
         double[] ms = new double[rounds];
         double[] otherMs = new double[rounds];
         for (int round = -warm; round < rounds; round++) {
-            double a = time(world);
-            double b = time(other);
+            double a = time.getAsDouble();
+            double b = otherTime.getAsDouble();
             if (round >= 0) {
                 ms[round] = a;
                 otherMs[round] = b;
@@ -74,7 +84,7 @@ record InTurn(double[] ms, double[] otherMs) {
         return new InTurn(ms, otherMs);
     }
 
-    private static void settle(World world, int steps) {
+    static void settle(World world, int steps) {
         world.step(TIME_STEP, steps);
         world.finish();
     }
@@ -83,6 +93,16 @@ record InTurn(double[] ms, double[] otherMs) {
         long from = System.nanoTime();
         for (int k = 0; k < STEPS; k += CALL) {
             world.step(TIME_STEP, CALL);
+        }
+        world.finish();
+        return (System.nanoTime() - from) / 1e6 / STEPS;
+    }
+
+    private static double time(World world, Runnable game) {
+        long from = System.nanoTime();
+        for (int k = 0; k < STEPS; k++) {
+            game.run();
+            world.step(TIME_STEP);
         }
         world.finish();
         return (System.nanoTime() - from) / 1e6 / STEPS;

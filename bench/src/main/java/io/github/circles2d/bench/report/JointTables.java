@@ -1,6 +1,7 @@
 package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.Table;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -16,7 +17,7 @@ final class JointTables {
                 .append(" times as long | of the shortest steps | asked |\n")
                 .append("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
         List<Map<String, String>> rows =
-                TerrainTables.rows(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
+                Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
         for (Map<String, String> row : rows) {
             String asked = row.get("asked_ratio");
             text.append("| ").append(row.get("machine")).append(" | ").append(row.get("case"));
@@ -37,7 +38,7 @@ final class JointTables {
         StringBuilder text = new StringBuilder(
                         "| machine | blobs | circles | joints | ms a frame | longest | frames a second |\n")
                 .append("|---|--:|--:|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = TerrainTables.rows(folder.resolve("swarm.csv"), List.of("machine", "blobs"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("swarm.csv"), List.of("machine", "blobs"));
         for (Map<String, String> row : rows) {
             text.append("| ").append(row.get("machine"));
             for (String number : List.of("blobs", "circles", "joints")) {

@@ -66,6 +66,7 @@ public final class Page {
         part("terrain engines", () -> beside("terrain", TerrainTables::engines));
         part("joints cost", () -> beside("joints", JointTables::cost));
         part("joints swarm", () -> beside("joints", JointTables::swarm));
+        part("sleep cost", () -> beside("sleep", SleepTables::cost));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
         parts.put("series outside", () -> SeriesTables.outside(folders));
         parts.put("world chart", () -> chart(folders.get(0).name() + "/", WorldCharts.FILE));

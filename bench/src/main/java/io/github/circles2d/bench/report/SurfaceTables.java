@@ -2,10 +2,6 @@ package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.Table;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +15,7 @@ final class SurfaceTables {
         StringBuilder text = new StringBuilder(
                         "| machine | radii | n | µs without | µs with friction | times as long |")
                 .append(" of the shortest steps | with rolling resistance, too |\n|---|---|--:|--:|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = rows(folder.resolve("cost.csv"), List.of("machine", "radii", "n"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "radii", "n"));
         for (Map<String, String> row : rows) {
             String ratio = row.get("friction_ratio");
             boolean misses = Numbers.parse(ratio) > Numbers.parse(row.get("asked"));
@@ -38,7 +34,7 @@ final class SurfaceTables {
     static String engines(Path folder) {
         StringBuilder text = new StringBuilder(
                 "| n | Box2D v3, ms | World on the JVM, ms | World is faster by |\n|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = rows(folder.resolve("engines.csv"), List.of("n"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("engines.csv"), List.of("n"));
         for (Map<String, String> row : rows) {
             double factor = Numbers.parse(row.get("box2d_ms")) / Numbers.parse(row.get("world_ms"));
             text.append("| ").append(Numbers.whole(row.get("n")));
@@ -51,16 +47,5 @@ final class SurfaceTables {
 
     private static String whole(String number) {
         return number.isEmpty() ? "" : Numbers.whole(number);
-    }
-
-    private static List<Map<String, String>> rows(Path file, List<String> keys) {
-        try {
-            return Files.exists(file)
-                    ? Table.parse(Files.readString(file, StandardCharsets.UTF_8), keys)
-                            .rows()
-                    : List.of();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 }

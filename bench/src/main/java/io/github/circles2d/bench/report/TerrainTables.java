@@ -2,10 +2,6 @@ package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.Table;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +16,7 @@ final class TerrainTables {
                         "| machine | case | circles | pieces | contacts | of the other | ms | of the other |")
                 .append(" times as long | of the shortest steps | ms more | asked |\n")
                 .append("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n");
-        List<Map<String, String>> rows = rows(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
         for (Map<String, String> row : rows) {
             String askedRatio = row.get("asked_ratio");
             String askedMore = row.get("asked_more_ms");
@@ -44,7 +40,7 @@ final class TerrainTables {
         StringBuilder text = new StringBuilder(
                         "| level | circles | Box2D v3, ms | World on the JVM, ms | World is faster by |\n")
                 .append("|---|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = rows(folder.resolve("engines.csv"), List.of("level", "n"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("engines.csv"), List.of("level", "n"));
         for (Map<String, String> row : rows) {
             double factor = Numbers.parse(row.get("box2d_ms")) / Numbers.parse(row.get("world_ms"));
             String shown = Numbers.brief(factor);
@@ -61,17 +57,5 @@ final class TerrainTables {
     /** A number, bold if it is greater than it may be. */
     static String marked(String number, String most) {
         return Numbers.parse(number) > Numbers.parse(most) ? "**" + number + "**" : number;
-    }
-
-    /** The rows of a file; none if it is not there. */
-    static List<Map<String, String>> rows(Path file, List<String> keys) {
-        try {
-            return Files.exists(file)
-                    ? Table.parse(Files.readString(file, StandardCharsets.UTF_8), keys)
-                            .rows()
-                    : List.of();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.bench.results;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,6 +36,17 @@ public final class Table {
         }
         this.keys = List.copyOf(keys);
         this.columns = List.copyOf(columns);
+    }
+
+    /** The rows of a file; none if there is no such file. */
+    public static List<Map<String, String>> rowsOf(Path file, List<String> keys) {
+        try {
+            return Files.exists(file)
+                    ? parse(Files.readString(file, StandardCharsets.UTF_8), keys).rows()
+                    : List.of();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** A row, or a part of one: column, value, column, value, .. */
