@@ -14,6 +14,18 @@ bool rests(float driftX, float driftY, int turned, float radius, float drift_) {
     return driftX * driftX + driftY * driftY <= drift_ * drift_ && fabs((float) turned) * SLEEP_RADIANS * radius <= drift_;
 }
 
+bool changes(float2 gain_, float knownX, float knownY, float h, float length_, float radius, float dt) {
+    return lengthf(gain_.x - knownX * h, gain_.y - knownY * h) > SLEEP_CHANGE * length_ + SLEEP_ROUNDING * radius / dt;
+}
+
+int parts(float x, float gain_) { return (int) clampf(x / gain_ * SLEEP_PARTS, -SLEEP_MOST_PARTS, SLEEP_MOST_PARTS); }
+
+int offset(float x, float y, float gain_) {
+    return gain_ > 0.0f ? (parts(x, gain_) & 0xffff) | (int) ((uint) parts(y, gain_) << 16) : 0;
+}
+
+float offsetX(int offset_, float gain_) { return (float) (short) offset_ / SLEEP_PARTS * gain_; }
+float offsetY(int offset_, float gain_) { return (float) (offset_ >> 16) / SLEEP_PARTS * gain_; }
 bool stays(float base, float displacement) {
     return as_int(base + displacement) == as_int(base) && as_int(0.0f + displacement) == as_int(displacement);
 }

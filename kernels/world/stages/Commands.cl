@@ -10,6 +10,10 @@ int4 restarted(float4 c, float4 m) {
     return (int4)(0, as_int(isStatic ? 0.0f : 0.0f - m.DX), as_int(isStatic ? 0.0f : 0.0f - m.DY), 0);
 }
 
+bool isOfSurfaceOrKind(int field) {
+    return field == FIELD_KIND || field == FIELD_GROUP || field == FIELD_FRICTION || field == FIELD_ROLLING_RESISTANCE;
+}
+
 // Whether an operation wakes its circle.
 bool wakesItself(global const int *record) {
     int field = record[COMMAND_FIRST];
@@ -20,7 +24,7 @@ bool wakesItself(global const int *record) {
     case COMMAND_ARRIVE:
         return false;
     case COMMAND_FIELD:
-        return field == FIELD_KIND || field == FIELD_GROUP || field == FIELD_FRICTION || field == FIELD_ROLLING_RESISTANCE;
+        return isOfSurfaceOrKind(field);
     default:
         return true;
     }
@@ -29,8 +33,8 @@ bool wakesItself(global const int *record) {
 // The circle before a change by which others may lose what carries them; of no mass if there is none.
 float4 changedBefore(global const int *record, float4 c) {
     int operation = record[COMMAND_OPCODE];
-    bool wakes =
-        operation == COMMAND_REMOVE || operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_MASS;
+    bool wakes = operation == COMMAND_REMOVE || operation == COMMAND_POSITION || operation == COMMAND_RADIUS ||
+                 operation == COMMAND_GROW || operation == COMMAND_MASS;
     return wakes ? c : (float4)(0.0f);
 }
 
@@ -38,9 +42,10 @@ float4 changedBefore(global const int *record, float4 c) {
 float4 changedBehind(global const int *record, float4 c) {
     int operation = record[COMMAND_OPCODE];
     int field = record[COMMAND_FIRST];
-    bool wakes = operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_MASS ||
+    bool wakes = operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_GROW ||
+                 operation == COMMAND_MASS || operation == COMMAND_ANGULAR_VELOCITY ||
                  (operation == COMMAND_ADD && inverseMass(c.MASS) == 0.0f) ||
-                 (operation == COMMAND_FIELD && (field == FIELD_KIND || field == FIELD_GROUP));
+                 (operation == COMMAND_FIELD && isOfSurfaceOrKind(field));
     return wakes ? c : (float4)(0.0f);
 }
 #else

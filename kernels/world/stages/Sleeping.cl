@@ -283,8 +283,8 @@ bool wakeSlot(const World *w, int slot) {
     return describeCircle(w, slot, w->id[slot], c, m, own);
 }
 
-// Whether a circle that sleeps wakes. Counts the steps in a row in which it was out of balance. tilted: gravity has changed.
-bool wakes(const World *w, int slot, bool tilted) {
+// Whether a circle that sleeps wakes. Counts the steps in a row in which it was out of balance.
+bool wakes(const World *w, int slot) {
     float4 c = w->circle[slot];
     float own = inverseMass(c.MASS);
     float range = impulseRange(c.RADIUS, w->k.inverseH, own);
@@ -304,29 +304,39 @@ bool wakes(const World *w, int slot, bool tilted) {
     float load = fromFixed(p.load, unit);
     float2 g = gainOf(w, w->id[slot], own);
     float gain_ = lengthf(g.x, g.y);
-    float imbalance = lengthf(g.x + own * fromFixed(p.x, unit), g.y + own * fromFixed(p.y, unit));
+    int4 sleep = w->sleep[slot];
+    bool strict = changes(g, as_float(sleep.KNOWN_X), as_float(sleep.KNOWN_Y), w->k.h, gain_, c.RADIUS, w->k.dt);
+    if (strict) {
+        sleep.KNOWN_X = as_int(g.x * w->k.inverseH);
+        sleep.KNOWN_Y = as_int(g.y * w->k.inverseH);
+    }
+    float x = g.x + own * fromFixed(p.x, unit);
+    float y = g.y + own * fromFixed(p.y, unit);
+    if (sleep.OFFSET == SLEEP_NO_OFFSET) sleep.OFFSET = strict ? 0 : offset(x, y, gain_);
+    float imbalance = lengthf(x - offsetX(sleep.OFFSET, gain_), y - offsetY(sleep.OFFSET, gain_));
     float speed = as_float(w->waking[slot].WAKING_SPEED);
     if (moved) speed = maxf(speed, strong(gain_ * (float) w->k.subSteps, c.RADIUS, w->k.dt));
     int rest = SLEEP_ASLEEP;
-    if (imbalance > tolerance(tilted, gain_, own * load, c.RADIUS, w->k.dt)) {
-        rest = w->sleep[slot].REST - 1;
-        if (losesPatience(tilted, gain_, imbalance, SLEEP_ASLEEP - rest)) {
+    if (imbalance > tolerance(strict, gain_, own * load, c.RADIUS, w->k.dt)) {
+        rest = sleep.REST - 1;
+        if (losesPatience(strict, gain_, imbalance, SLEEP_ASLEEP - rest)) {
             speed = maxf(speed, imbalanceOfStep(imbalance, w->k.subSteps, c.RADIUS, w->k.dt));
         }
     }
-    w->sleep[slot].REST = rest;
+    sleep.REST = rest;
+    w->sleep[slot] = sleep;
     w->waking[slot] = (int2)(as_int(speed), as_int(load));
     return speed > 0.0f;
 }
 
 // Index space: slots. Lists those that wake.
-kernel void sleeping_wake(WORLD_PARAMETERS, int tilted) {
+kernel void sleeping_wake(WORLD_PARAMETERS) {
     World w = WORLD;
     local int fast;
     int slot = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (slot < circles && haveSleepers(&w) && !gridIsEmpty(&w) && sleeps(&w, slot) && wakes(&w, slot, tilted != 0)) {
+    if (slot < circles && haveSleepers(&w) && !gridIsEmpty(&w) && sleeps(&w, slot) && wakes(&w, slot)) {
         if (wakeSlot(&w, slot)) fast = 1;
         w.woken[atomic_inc(&status[WOKEN_COUNT])].x = slot;
     }
@@ -485,7 +495,8 @@ void restCircle(const World *w, int slot) {
     float damping = kind[KIND_SLEEP_DAMPING];
     bool mayRest = (gain_ > 0.0f || damping > 0.0f) && kind[KIND_SLEEP_AWAKE] == 0.0f && w->waking[slot].WAKING_SPEED == 0;
 #ifdef TURNING
-    mayRest = mayRest && !(w->surfaces[SURFACE_OWN] != 0.0f && w->homeOwn[slot].OWN_TORQUE != 0.0f);
+    mayRest = mayRest && !(w->surfaces[SURFACE_OWN] != 0.0f && w->homeOwn[slot].OWN_TORQUE != 0.0f) &&
+              !(fabs(as_float(w->homeTurn[slot].ANGULAR_VELOCITY)) * w->k.dt >= SLEEP_TURN_OF_STEP);
 #endif
     float x = as_float(s.DRIFT_X);
     float y = as_float(s.DRIFT_Y);
@@ -497,7 +508,7 @@ void restCircle(const World *w, int slot) {
         w->homeSleep[slot] = (int4)(s.REST + 1, as_int(x - m.DX), as_int(y - m.DY), s.UNITS_TURNED);
         return;
     }
-    w->homeSleep[slot] = (int4)(SLEEP_ASLEEP, 0, 0, 0);
+    w->homeSleep[slot] = (int4)(SLEEP_ASLEEP, as_int(g.x * w->k.inverseH), as_int(g.y * w->k.inverseH), SLEEP_NO_OFFSET);
     w->homeMotion[slot].VELOCITY = (float2)(0.0f);
     w->homeTraits[slot].INVERSE_MASS = 0.0f;
 #ifdef TURNING

@@ -165,7 +165,7 @@ class ReferenceSleepTest {
             long one = some();
             float a = little();
             float b = little();
-            switch (random.nextInt(25)) {
+            switch (random.nextInt(32)) {
                 case 0 -> add(0.5f + 9f * (float) random.nextDouble(), 4f + 4f * (float) random.nextDouble());
                 case 1 -> both("remove", c -> c.remove(one));
                 case 2 -> both("setVelocity", c -> c.setVelocity(one, 10f * a, 10f * b));
@@ -196,6 +196,13 @@ class ReferenceSleepTest {
                         both("setTorque", c -> c.setTorque(one, a > 0f ? a : 0f));
                     }
                 }
+                case 24 -> both("applyForce", c -> c.applyForce(one, 100f * a, 100f * b));
+                case 25 -> both("setAngularVelocity", c -> c.setAngularVelocity(one, 10f * a));
+                case 26 -> both("setFriction", c -> c.setFriction(one, a > 0f ? 0.5f : 0f));
+                case 27 -> both("setRollingResistance", c -> c.setRollingResistance(one, a > 0f ? 0.1f : 0f));
+                case 28 -> both("setBounds", c -> c.setBounds(0f, a > 0f ? 0f : -2f, SIZE, SIZE));
+                case 30 -> both("setMotion", c -> c.setMotion(1, 1f, a > 0f ? 4f : 0f, 50f));
+                case 29 -> both("setGravity", c -> c.setGravity(0.02f * a, -10f + 0.02f * b));
                 default -> both("setVelocity", c -> c.setVelocity(one, a, 0f));
             }
         }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.function.BiConsumer;
 import org.junit.jupiter.api.Test;
 
 /** Circles that sleep, as a user sees them. {@link ReferenceSleepTest} has the rule. */
@@ -41,6 +43,7 @@ class WorldSleepTest {
                 box().friction(0.5f).rollingResistance(0.05f).sleep(true).build()) {
             long[] heap = heap(world);
             sleepAll(world);
+            world.step(DT); // in which the last one learns what it is out of balance
             long hash = world.hash();
             world.step(DT, 600);
             assertThat(world.hash()).isEqualTo(hash);
@@ -159,6 +162,112 @@ class WorldSleepTest {
             from.step(DT);
             taker.step(DT);
             assertThat(taker.hash()).isEqualTo(from.hash());
+        }
+    }
+
+    /** A ball that sleeps on the floor, or on a static circle. */
+    private static World ball(boolean onCircle, World.Builder builder) {
+        World world = builder.bounds(-50, 0, 50, 50).gravity(0, -10).sleep(true).build();
+        if (onCircle) {
+            world.add(0, 5, 1, Float.POSITIVE_INFINITY);
+            world.add(-1.1f, 6, 0.5f, Float.POSITIVE_INFINITY);
+            world.add(1.1f, 6, 0.5f, Float.POSITIVE_INFINITY);
+        }
+        world.add(0, onCircle ? 6.5f : 0.5f, 0.5f, 1);
+        sleepAll(world);
+        return world;
+    }
+
+    @Test
+    void aWallThatJumpsAwayLetsWhoLiesOnItFall() {
+        try (World world = ball(false, WorldScenes.jvm())) {
+            world.setBounds(-50, -20, 50, 50);
+            world.step(DT, 60);
+            assertThat(world.y(world.handle(0))).isLessThan(-4f);
+        }
+    }
+
+    @Test
+    void aForceOfOneStepIsFelt() {
+        for (float force : new float[] {0.5f, 20, 1000}) {
+            try (World world = ball(false, WorldScenes.jvm())) {
+                long ball = world.handle(0);
+                world.applyForce(ball, force, 0);
+                world.step(DT, 2);
+                assertThat(world.vx(ball)).as("force %f", force).isGreaterThan(0.99f * force * DT);
+            }
+        }
+    }
+
+    @Test
+    void gravityIsFeltOnceItsChangesAddUpButNotIfItTrembles() {
+        try (World world = ball(false, WorldScenes.jvm())) {
+            for (int k = 0; k < 300; k++) {
+                world.setGravity(k % 2 * 1e-4f, -10);
+                world.step(DT);
+            }
+            assertThat(world.stats().awake()).isZero();
+            for (int k = 0; k < 300; k++) {
+                world.setGravity(k * 1e-4f, -10);
+                world.step(DT);
+            }
+            assertThat(world.vx(world.handle(0))).isGreaterThan(0.06f);
+        }
+    }
+
+    @Test
+    void aStaticCircleThatChangesWakesWhoLiesOnIt() {
+        List<BiConsumer<World, Long>> changes = List.of(
+                (world, support) -> world.grow(support, 0.2f, 20),
+                (world, support) -> world.setAngularVelocity(support, 1),
+                (world, support) ->
+                        world.setAngularVelocities(new long[] {support}, 1, new float[] {1}, StaleHandles.REFUSE),
+                (world, support) -> world.setFriction(support, 0),
+                (world, support) -> world.setRollingResistance(support, 0));
+        for (BiConsumer<World, Long> change : changes) {
+            try (World world = ball(true, WorldScenes.jvm().friction(0.6f).rollingResistance(0.1f))) {
+                change.accept(world, world.handle(0));
+                world.step(DT);
+                assertThat(world.isAwake(world.handle(3))).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void whatTheSolverLeavesOutOfBalanceKeepsNobodyAwake() {
+        try (World valley = WorldScenes.jvm()
+                .bounds(-10, 0, 10, 10)
+                .gravity(0, -10)
+                .sleep(true)
+                .build()) {
+            valley.terrain().ground().addChain(Chain.from(-5, 1).lineTo(0, 0.5f).lineTo(5, 1));
+            long ball = valley.add(0.3f, 1.2f, 0.5f, 1);
+            valley.kind(1).setDamping(5);
+            long damped = valley.add(7, 0.5f, 0.5f, 1, 0, 0, 1);
+            long onIt = valley.add(7, 1.5f, 0.5f, 1, 0, 0, 1);
+            valley.step(DT, 900);
+            for (int k = 0; k < 300; k++) {
+                valley.step(DT);
+                assertThat(valley.isAwake(ball) || valley.isAwake(damped) || valley.isAwake(onIt))
+                        .as("step %d", k)
+                        .isFalse();
+            }
+        }
+    }
+
+    @Test
+    void aBallThatTurnsWholeTurnsInAStepKeepsTurning() {
+        try (World world = WorldScenes.jvm()
+                .bounds(-50, 0, 50, 50)
+                .gravity(0, -10)
+                .friction(0)
+                .sleep(true)
+                .build()) {
+            long ball = world.add(0, 0.5f, 0.5f, 1);
+            float speed = (float) (120 * Math.PI);
+            world.setAngularVelocity(ball, speed);
+            world.step(DT, 200);
+            assertThat(world.angularVelocity(ball)).isEqualTo(speed);
         }
     }
 }

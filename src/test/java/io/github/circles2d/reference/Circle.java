@@ -67,10 +67,10 @@ final class Circle {
      */
     int rest;
 
-    /** While awake, how far it is from where it came to rest, less the displacement. */
+    /** While awake, how far it is from where it came to rest, less the displacement; while asleep, the acceleration by gravity and its force. */
     final float[] drift = new float[2];
 
-    /** While awake, by how many parts of a turn it has turned since it came to rest. */
+    /** While awake, by how many parts of a turn it has turned since it came to rest; while asleep, what it was out of balance. */
     int turned;
 
     // within a step

@@ -81,9 +81,6 @@ public final class ReferenceWorld implements WorldCalls {
     private float previousDt;
     private boolean sleeps;
 
-    /** Of the step before, if circles sleep. */
-    private float[] previousGravity = {0f, 0f};
-
     public ReferenceWorld(float restitution, int subSteps) {
         this(restitution, subSteps, Settings.DEFAULT);
     }
@@ -125,7 +122,7 @@ public final class ReferenceWorld implements WorldCalls {
                 subSteps,
                 settings,
                 surfaces,
-                sleeps ? previousGravity : null);
+                sleeps);
     }
 
     /** In the order of the ids. */
@@ -141,7 +138,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
             List<Circle> circles = circles();
-            circles.forEach(ReferenceWorld::grow);
+            circles.forEach(this::grow);
             float[][] velocities =
                     circles.stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
@@ -170,7 +167,6 @@ public final class ReferenceWorld implements WorldCalls {
             }
             terrain.end(arena);
             previousDt = dt;
-            previousGravity = sleeps ? gravity : previousGravity;
             startMin = min;
             startMax = max;
         }
@@ -327,17 +323,19 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     /** Takes its share of the rest of the way, which all steps left share evenly. */
-    private static void grow(Circle c) {
-        if (c.stepsToGrow > 0) {
-            c.wake();
+    private void grow(Circle c) {
+        if (c.stepsToGrow == 0) {
+            return;
         }
+        wakeNear(c);
         if (c.stepsToGrow == 1) {
             c.radius = c.radiusGrownTo;
             c.stepsToGrow = 0;
-        } else if (c.stepsToGrow > 1) {
+        } else {
             c.radius += (c.radiusGrownTo - c.radius) / c.stepsToGrow;
             c.stepsToGrow--;
         }
+        change(c);
     }
 
     @Override
@@ -699,13 +697,13 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setFriction(long handle, float friction) {
-        find(handle).wake();
+        change(find(handle));
         find(handle).friction = friction + 0f;
     }
 
     @Override
     public void setRollingResistance(long handle, float resistance) {
-        find(handle).wake();
+        change(find(handle));
         find(handle).rollingResistance = resistance + 0f;
     }
 
@@ -717,7 +715,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setAngularVelocity(long handle, float angularVelocity) {
-        find(handle).wake();
+        change(find(handle));
         find(handle).angularVelocity = angularVelocity + 0f;
     }
 
@@ -886,8 +884,13 @@ public final class ReferenceWorld implements WorldCalls {
         arena = arena.at(new float[] {minX, minY}, new float[] {maxX, maxY});
         min = arena.lowerWalls();
         max = arena.upperWalls();
-        startMin = starts(startMin, min);
-        startMax = starts(startMax, max);
+        float[] fromMin = startMin;
+        float[] fromMax = startMax;
+        startMin = starts(fromMin, min);
+        startMax = starts(fromMax, max);
+        if (jumps(fromMin, startMin) || jumps(fromMax, startMax)) {
+            wakeAll();
+        }
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
                 float low = min[a] + margin(startMin[a], min[a], c);
@@ -913,6 +916,10 @@ public final class ReferenceWorld implements WorldCalls {
         return start;
     }
 
+    private boolean jumps(float[] from, float[] start) {
+        return !Arrays.equals(from, start);
+    }
+
     /** How far a circle is kept from a wall: not at all if the next step pushes it. */
     private static float margin(float from, float to, Circle c) {
         boolean pushed = from != to && Math.abs(to - from) <= c.radius;
@@ -920,7 +927,7 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     private long hashOfSleep() {
-        long sum = absorb(SLEEP, previousGravity);
+        long sum = 0;
         for (Circle c : circles()) {
             if (c.rest != 0 || c.turned != 0 || !areZeros(c.drift)) {
                 sum += absorb(absorb(absorb(absorb(SLEEP, c.id), c.rest), c.drift), c.turned);

@@ -28,7 +28,19 @@ final class Sleep {
 
     // how far a circle may be out of balance, in what gravity adds to its speed in a sub-step
     private static final float FLOOR = 0.01f;
-    private static final float STRICT = 0.002f;
+    private static final float STRICT = 0.0005f;
+    /** By how much gravity and a force change, of what they are, until a circle gets to know. */
+    private static final float CHANGE = 0.001f;
+
+    // what a circle was out of balance as it fell asleep, in parts of its gain, along x in the lower half of a number
+    // and y in the upper
+    private static final float PARTS = 16384f;
+    private static final float MOST_PARTS = 8192f;
+    private static final int NO_OFFSET = Integer.MIN_VALUE;
+
+    /** In radians. */
+    private static final float TURN_OF_STEP = 1f;
+
     private static final float MOST_BY_LOAD = 1f;
 
     /** By what presses it, beyond so many weights. */
@@ -86,7 +98,6 @@ final class Sleep {
     /** Wakes circles before anything else of the step. */
     void wake(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
         impulseCache.forEach((pair, each) -> impulses.put(pair, each.times(warmScale)));
-        boolean strict = k.gravity()[0] != k.sleep()[0] || k.gravity()[1] != k.sleep()[1];
         Map<Circle, Pressed> pressed = new HashMap<>();
         for (Circle c : circles) {
             if (c.isAsleep()) {
@@ -97,7 +108,7 @@ final class Sleep {
         }
         List<Circle> woken = new ArrayList<>();
         for (Circle c : pressed.keySet()) {
-            float speed = max(wakingSpeed(c), outOfBalance(c, pressed.get(c), strict));
+            float speed = max(wakingSpeed(c), outOfBalance(c, pressed.get(c)));
             if (speed > 0f) {
                 c.wakingSpeed = speed;
                 woken.add(c);
@@ -198,10 +209,16 @@ final class Sleep {
     }
 
     /** By how much a circle is out of balance in a step, as a speed, if that is enough to wake it. Counts the steps in a row. */
-    private float outOfBalance(Circle c, Pressed pressed, boolean strict) {
+    private float outOfBalance(Circle c, Pressed pressed) {
         float w = c.ownInverseMass();
         float gain = gain(c);
-        float b = length(c.gain[0] + w * pressed.x(), c.gain[1] + w * pressed.y());
+        boolean strict = learns(c, gain);
+        float x = c.gain[0] + w * pressed.x();
+        float y = c.gain[1] + w * pressed.y();
+        if (c.turned == NO_OFFSET) {
+            c.turned = strict || gain == 0f ? 0 : parts(x, gain) & 0xffff | parts(y, gain) << 16;
+        }
+        float b = length(x - (short) c.turned / PARTS * gain, y - (c.turned >> 16) / PARTS * gain);
         float byLoad = SHARE_OF_LOAD * max(w * pressed.load() - FREE_WEIGHTS * gain, 0f);
         float most = strict ? STRICT * gain : FLOOR * gain + min(byLoad, MOST_BY_LOAD * gain);
         if (!(b > most + ROUNDING * c.radius / k.dt())) {
@@ -212,6 +229,21 @@ final class Sleep {
         int steps = -1 - c.rest;
         boolean wakes = strict || gain == 0f || b * (steps * steps) >= PATIENCE * gain;
         return wakes ? max(b * k.subSteps(), LEAST_WAKING * c.radius / k.dt()) : 0f;
+    }
+
+    /** Whether gravity and the force of a circle are others than it knows; it knows them then. */
+    private boolean learns(Circle c, float gain) {
+        float change = length(c.gain[0] - c.drift[0] * k.h(), c.gain[1] - c.drift[1] * k.h());
+        boolean changes = change > CHANGE * gain + ROUNDING * c.radius / k.dt();
+        if (changes) {
+            c.drift[0] = c.gain[0] * k.inverseH();
+            c.drift[1] = c.gain[1] * k.inverseH();
+        }
+        return changes;
+    }
+
+    private static int parts(float x, float gain) {
+        return (int) Numbers.clamp(x / gain * PARTS, -MOST_PARTS, MOST_PARTS);
     }
 
     /** Sums up, in no order, what a circle that sleeps is pressed by. */
@@ -287,7 +319,8 @@ final class Sleep {
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds.get(c.kind, Kinds.AWAKE) == 0
                 && !joints.hold(c)
-                && c.actingTorque == 0f;
+                && c.actingTorque == 0f
+                && Math.abs(c.angularVelocity) * k.dt() < TURN_OF_STEP;
         boolean rests = mayRest
                 && dot(c.drift, c.drift) <= drift * drift
                 && Math.abs((float) c.turned) * RADIANS * c.radius <= drift;
@@ -301,9 +334,9 @@ final class Sleep {
         }
         if (c.rest * k.dt() >= TIME && stays(c, 0) && stays(c, 1)) {
             c.rest = -1;
-            c.drift[0] = 0f;
-            c.drift[1] = 0f;
-            c.turned = 0;
+            c.drift[0] = c.gain[0] * k.inverseH();
+            c.drift[1] = c.gain[1] * k.inverseH();
+            c.turned = NO_OFFSET;
             c.velocity[0] = 0f;
             c.velocity[1] = 0f;
             c.angularVelocity = 0f;

@@ -37,7 +37,7 @@ final class Step {
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
         circles.forEach(this::findGain);
-        if (k.sleep() != null) {
+        if (k.sleep()) {
             circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
             circles.forEach(this::planMotion);
             new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, warmScale);
@@ -73,7 +73,7 @@ final class Step {
 
     /** Lets circles fall asleep, after the step. */
     void fallAsleep() {
-        if (k.sleep() != null) {
+        if (k.sleep()) {
             new Sleep(circles, terrain, joints, k, kinds).fallAsleep();
         }
     }
@@ -300,7 +300,7 @@ final class Step {
 
     private void finalizePositions(Circle c) {
         for (int a = 0; a < 2; a++) {
-            c.drift[a] += k.sleep() == null || c.isStatic() ? 0f : c.displacement[a];
+            c.drift[a] += !k.sleep() || c.isStatic() ? 0f : c.displacement[a];
             float sum = c.base[a] + c.displacement[a];
             float inside = clamp(sum, c.low(a, k), c.high(a, k));
             float part = sum - c.base[a];

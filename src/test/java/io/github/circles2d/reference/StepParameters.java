@@ -8,7 +8,7 @@ package io.github.circles2d.reference;
  * @param max the upper walls at the end of the step
  * @param minIn what the lower walls come in during the step; negative if they go out
  * @param maxIn what the upper walls come in during the step; negative if they go out
- * @param sleep the gravity of the step before, if circles sleep; else null
+ * @param sleep whether circles sleep
  */
 record StepParameters(
         Arena arena,
@@ -21,7 +21,7 @@ record StepParameters(
         int subSteps,
         Settings settings,
         Surfaces surfaces,
-        float[] sleep) {
+        boolean sleep) {
     float h() {
         return dt / subSteps;
     }

@@ -73,6 +73,9 @@ public final class Surroundings implements Calls.Effects {
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
         Bounds start = WallMotion.start(world.settings.wallStart(), next, greatest);
         world.calls.begin(Call.BOUNDS, w);
+        if (world.settings.sleeps() && WallMotion.jumps(world.settings.wallStart(), start)) {
+            world.commands.wakeAll();
+        }
         world.pipeline.confine(start.walls(), next.walls());
         nextStep.confine(next.walls());
         world.settings.setBounds(start, next);

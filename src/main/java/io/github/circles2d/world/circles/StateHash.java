@@ -10,9 +10,8 @@ import io.github.circles2d.world.model.SurfaceSettings;
 /**
  * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, one per field of a
  * circle ({@link CircleField}) or of a kind ({@link KindField}) that has not its initial value, one per pair of kinds whose response
- * is set, one for the walls if the next step moves them, one for the gravity of the last step and one per circle that comes to rest if circles
- * sleep, one for {@link ContactSettings} and one for {@link SurfaceSettings} if they are
- * not the default, and one per circle and per impulse that has what circles turn by. A sum of
+ * is set, one for the walls if the next step moves them, one per circle that comes to rest, one for {@link ContactSettings} and one for
+ * {@link SurfaceSettings} if they are not the default, and one per circle and per impulse that has what circles turn by. A sum of
  * integers does not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses x and y; an
@@ -116,11 +115,6 @@ public final class StateHash {
             h = absorb(h, impulses[at + row]);
         }
         return any == 0 ? 0 : h;
-    }
-
-    /** The number of a world whose circles sleep, by the gravity of the last step. */
-    public static long sleep(float gravityX, float gravityY) {
-        return absorb(absorb(SLEEP, gravityX), gravityY);
     }
 
     /** The number of how a circle comes to rest; 0 if it moves. */

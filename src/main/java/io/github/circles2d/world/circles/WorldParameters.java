@@ -6,7 +6,7 @@ import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
  * What a world has besides its circles. The last time step is 0 before the first. Walls start elsewhere than at the bounds if they have
- * been moved since. Gravity of the last step is 0 before the first, and in worlds whose circles never sleep.
+ * been moved since.
  */
 public record WorldParameters(
         Bounds bounds,
@@ -18,9 +18,7 @@ public record WorldParameters(
         ContactSettings contacts,
         Bounds wallStart,
         SurfaceSettings surfaces,
-        boolean sleeps,
-        float previousGravityX,
-        float previousGravityY) {
+        boolean sleeps) {
     /** Parameters of a world whose walls are at rest, whose contacts are as by default, and in which nothing grips or sleeps. */
     public WorldParameters(
             Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {
@@ -34,43 +32,31 @@ public record WorldParameters(
                 ContactSettings.DEFAULT,
                 bounds,
                 SurfaceSettings.NONE,
-                false,
-                0,
-                0);
+                false);
     }
 
     /** The same with walls that start somewhere. */
     public WorldParameters startingAt(Bounds start) {
-        return with(contacts, start, surfaces, sleeps, previousGravityX, previousGravityY);
+        return with(contacts, start, surfaces, sleeps);
     }
 
     /** The same with other contacts. */
     public WorldParameters with(ContactSettings settings) {
-        return with(settings, wallStart, surfaces, sleeps, previousGravityX, previousGravityY);
+        return with(settings, wallStart, surfaces, sleeps);
     }
 
     /** The same with other surfaces. */
     public WorldParameters with(SurfaceSettings settings) {
-        return with(contacts, wallStart, settings, sleeps, previousGravityX, previousGravityY);
+        return with(contacts, wallStart, settings, sleeps);
     }
 
     /** The same of a world whose circles sleep, or do not. */
     public WorldParameters sleeping(boolean does) {
-        return does ? sleeping(0, 0) : this;
-    }
-
-    /** The same of a world whose circles sleep, with the gravity of the last step. */
-    public WorldParameters sleeping(float gravityBeforeX, float gravityBeforeY) {
-        return with(contacts, wallStart, surfaces, true, gravityBeforeX, gravityBeforeY);
+        return with(contacts, wallStart, surfaces, does);
     }
 
     private WorldParameters with(
-            ContactSettings newContacts,
-            Bounds newStart,
-            SurfaceSettings newSurfaces,
-            boolean sleep,
-            float gravityBeforeX,
-            float gravityBeforeY) {
+            ContactSettings newContacts, Bounds newStart, SurfaceSettings newSurfaces, boolean sleep) {
         return new WorldParameters(
                 bounds,
                 gravityX,
@@ -81,9 +67,7 @@ public record WorldParameters(
                 newContacts,
                 newStart,
                 newSurfaces,
-                sleep,
-                gravityBeforeX,
-                gravityBeforeY);
+                sleep);
     }
 
     public boolean wallsMove() {
@@ -112,9 +96,7 @@ public record WorldParameters(
             ContactSettings otherContacts,
             Bounds otherStart,
             SurfaceSettings otherSurfaces,
-            boolean othersSleep,
-            float otherPreviousX,
-            float otherPreviousY) {
+            boolean othersSleep) {
         return bounds == otherBounds
                 && same(gravityX, otherGravityX)
                 && same(gravityY, otherGravityY)
@@ -124,9 +106,7 @@ public record WorldParameters(
                 && contacts == otherContacts
                 && wallStart == otherStart
                 && surfaces == otherSurfaces
-                && sleeps == othersSleep
-                && same(previousGravityX, otherPreviousX)
-                && same(previousGravityY, otherPreviousY);
+                && sleeps == othersSleep;
     }
 
     private static boolean same(float a, float b) {

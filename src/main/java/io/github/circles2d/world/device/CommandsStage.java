@@ -154,7 +154,9 @@ final class CommandsStage {
                         Commands.REMOVE,
                         Commands.POSITION,
                         Commands.RADIUS,
+                        Commands.GROW,
                         Commands.MASS,
+                        Commands.ANGULAR_VELOCITY,
                         Commands.FIELD -> {
                     return true;
                 }

@@ -409,7 +409,6 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the pending batch can take these steps, which saves a round trip. */
     private boolean continues(StepInput input, GridLevels shape) {
         return input.constants.warmScale == 1f
-                && !(input.constants.sleeping && input.constants.tilted)
                 && parameters.areOf(input, shape)
                 && (reader == null || reader.areOf(input.reports));
     }
@@ -471,6 +470,12 @@ public final class DevicePipeline implements Pipeline {
     public void readAngularVelocities(HandleTable handles, float[] to) {
         settle();
         readback.angularVelocities(handles, home.slots, to);
+    }
+
+    @Override
+    public boolean isAsleep(int id) {
+        settle();
+        return arrays.sleeping() && readback.isAsleep(id);
     }
 
     @Override

@@ -10,6 +10,7 @@ import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.function.IntPredicate;
@@ -113,6 +114,14 @@ final class Readback {
     /** Reads back who sleeps, too, by kernels for that. */
     void useSleeping(StageKernels kernels) {
         asleep = kernels.plain("readback_asleep");
+    }
+
+    boolean isAsleep(int id) {
+        ensureHost(Integer.BYTES);
+        arrays.get(DeviceArray.SLOT_OF).read((long) Integer.BYTES * id, host, 0, Integer.BYTES);
+        long slot = host.ints().get(0);
+        arrays.get(DeviceArray.HOME_SLEEP).read(SLEEP_INTS * Integer.BYTES * slot, host, 0, Integer.BYTES);
+        return Sleep.isAsleep(host.ints().get(0));
     }
 
     /** Sets the bits of the ids of circles that sleep. */

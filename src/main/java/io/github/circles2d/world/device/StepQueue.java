@@ -61,9 +61,6 @@ final class StepQueue {
     private int subSteps;
     private float warmScale;
 
-    /** Whether gravity is not that of the step before. */
-    private boolean tilted;
-
     /** Whether circles fall asleep and wake. */
     private boolean sleeping;
 
@@ -100,7 +97,6 @@ final class StepQueue {
         levels.copy(shape);
         subSteps = k.subSteps;
         warmScale = k.warmScale;
-        tilted = k.tilted;
         sleeping = k.sleeping;
         quiet = false;
     }
@@ -190,7 +186,6 @@ final class StepQueue {
                 // Behind pending steps the state is as a step leaves it, and the length of the step before is that of
                 // the step.
                 pending == 0 ? warmScale : 1f,
-                pending == 0 && tilted,
                 sweeping > 0,
                 thinning > 0,
                 reportsBehind,
@@ -238,7 +233,6 @@ final class StepQueue {
             home.slots = home.circles;
             commands.slotsInOrder();
             warmScale = 1f;
-            tilted = false;
             if (reader != null) {
                 reader.made(status, seen, stages, plan, home.circles);
             }

@@ -41,14 +41,17 @@ final class FallingAsleep {
             return false;
         }
         int turned = all.rests[row + Sleepers.TURNED] + (k.turning ? all.turnedInStep[slot] : 0);
-        float gain = CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
+        float gainX = state.gainX(slot, k);
+        float gainY = state.gainY(slot, k);
+        float gain = CircleMath.length(gainX, gainY);
         int kind = KindSleep.of(state.fields.getInt(CircleField.KIND, id));
         float damping = kinds[kind + KindSleep.DAMPING];
         float most = Sleep.drift(r, gain, k.inverseH, damping);
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds[kind + KindSleep.AWAKE] == 0f
                 && !state.resting.isHeld(id)
-                && state.fields.getFloat(CircleField.TORQUE, id) == 0f;
+                && state.fields.getFloat(CircleField.TORQUE, id) == 0f
+                && !(k.turning && Math.abs(state.turning.angularVelocity[slot]) * k.dt >= Sleep.TURN_OF_STEP);
         if (!mayRest || !Sleep.rests(driftX, driftY, turned, r, most)) {
             all.set(id, 0, 0, 0f - state.motion[s + DX], 0f - state.motion[s + DY]);
             return false;
@@ -58,7 +61,7 @@ final class FallingAsleep {
         if (Sleep.fallsAsleep(rest, k.dt)
                 && Sleep.stays(state.circle[s + X], state.motion[s + DX])
                 && Sleep.stays(state.circle[s + Y], state.motion[s + DY])) {
-            state.sleep(slot);
+            state.sleep(slot, gainX * k.inverseH, gainY * k.inverseH);
             return true;
         }
         return false;

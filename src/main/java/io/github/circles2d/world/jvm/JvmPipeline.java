@@ -178,7 +178,6 @@ public final class JvmPipeline implements Pipeline {
         }
         for (int step = 0; step < count; step++) {
             constants.warmScale = step > 0 ? 1f : constants.warmScale;
-            constants.tilted &= step == 0;
             team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
         }
     }
@@ -388,6 +387,11 @@ public final class JvmPipeline implements Pipeline {
                 to[k++] = state.turning.angularVelocity[state.slotOf[id]];
             }
         }
+    }
+
+    @Override
+    public boolean isAsleep(int id) {
+        return state.sleepers != null && state.sleepers.isAsleep(id);
     }
 
     @Override

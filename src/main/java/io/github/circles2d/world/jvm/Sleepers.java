@@ -7,6 +7,7 @@ import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 
@@ -37,7 +38,7 @@ final class Sleepers {
 
     /**
      * By id: its rest, by {@link Sleep}; the units by which a circle that is awake has turned since it came to rest; the bits of how far it
-     * has drifted since then, less its displacement.
+     * has drifted since then, less its displacement. Of one that sleeps: its rest, its offset, and the bits of the acceleration it knows.
      */
     int[] rests = new int[0];
 
@@ -166,9 +167,27 @@ final class Sleepers {
         return Float.intBitsToFloat(rests[RESTS * id + DRIFT_Y]);
     }
 
-    /** A circle falls asleep. */
-    void sleep(int id) {
-        set(id, Sleep.ASLEEP, 0, 0f, 0f);
+    /** A circle falls asleep, with the acceleration by gravity and its force. */
+    void sleep(int id, float knownX, float knownY) {
+        set(id, Sleep.ASLEEP, Sleep.NO_OFFSET, knownX, knownY);
+    }
+
+    /** A circle that sleeps gets to know gravity and its force; returns whether they have changed. */
+    boolean learn(int id, float gainX, float gainY, float gain, float radius, StepConstants k) {
+        boolean changes = Sleep.changes(gainX, gainY, driftX(id), driftY(id), k.h, gain, radius, k.dt);
+        if (changes) {
+            set(id, rest(id), rests[RESTS * id + TURNED], gainX * k.inverseH, gainY * k.inverseH);
+        }
+        return changes;
+    }
+
+    /** The offset of a circle that sleeps. One that has just fallen asleep gets it from what it is out of balance, unless that is new. */
+    int offset(int id, float x, float y, float gain, boolean isNew) {
+        int row = RESTS * id;
+        if (rests[row + TURNED] == Sleep.NO_OFFSET) {
+            rests[row + TURNED] = isNew ? 0 : Sleep.offset(x, y, gain);
+        }
+        return rests[row + TURNED];
     }
 
     /** An id is free. */

@@ -320,11 +320,8 @@ public final class State implements ContactEvents.Sleepers {
                 changed(field(records, k), circleId);
                 continue;
             }
-            if (records[k + Commands.OPCODE] != Commands.GROW) {
-                wakeNear(records[k + Commands.OPCODE], slot);
-                slot = slotOf[circleId];
-            }
-            slot = wake(slot);
+            wakeNear(records[k + Commands.OPCODE], slot);
+            slot = wake(slotOf[circleId]);
             float a = Float.intBitsToFloat(records[k + Commands.FIRST]);
             float b = Float.intBitsToFloat(records[k + Commands.SECOND]);
             int s = CircleRow.of(slot);
@@ -381,20 +378,23 @@ public final class State implements ContactEvents.Sleepers {
         if (sleepers == null) {
             return;
         }
-        if (field == CircleField.KIND || field == CircleField.GROUP) {
-            sleepers.restart(wake(slotOf[circleId]));
-            wakeNear(slotOf[circleId]);
-        } else if (field == CircleField.FRICTION || field == CircleField.ROLLING_RESISTANCE) {
-            sleepers.restart(wake(slotOf[circleId]));
-        } else {
-            sleepers.suspect(circleId); // its force
+        switch (field) {
+            case KIND, GROUP, FRICTION, ROLLING_RESISTANCE -> {
+                sleepers.restart(wake(slotOf[circleId]));
+                wakeNear(slotOf[circleId]);
+            }
+            default -> sleepers.suspect(circleId); // its force
         }
     }
 
     /** Before a change of a circle, and behind it: wakes those that may lose what carries them, or be pushed. */
     private void wakeNear(int operation, int slot) {
-        if (operation == Commands.POSITION || operation == Commands.RADIUS || operation == Commands.MASS) {
-            wakeNear(slot);
+        switch (operation) {
+            case Commands.POSITION, Commands.RADIUS, Commands.GROW, Commands.MASS, Commands.ANGULAR_VELOCITY ->
+                wakeNear(slot);
+            default -> {
+                // the others lie as they did
+            }
         }
     }
 
@@ -461,10 +461,10 @@ public final class State implements ContactEvents.Sleepers {
                 && isStatic(slotOf[otherId]);
     }
 
-    /** A circle falls asleep; until the next step it lies where it is. */
-    void sleep(int slot) {
+    /** A circle falls asleep, with the acceleration by gravity and its force; until the next step it lies where it is. */
+    void sleep(int slot, float knownX, float knownY) {
         int s = CircleRow.of(slot);
-        sleepers.sleep(id[slot]);
+        sleepers.sleep(id[slot], knownX, knownY);
         motion[s + VX] = 0f;
         motion[s + VY] = 0f;
         traits[s + INVERSE_MASS] = 0f;

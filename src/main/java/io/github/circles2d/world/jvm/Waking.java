@@ -72,6 +72,11 @@ final class Waking {
 
     private int wokenCount;
 
+    /** The gravity of the last step. */
+    private float gravityStepX;
+
+    private float gravityStepY;
+
     // what the step has
     private StepConstants k;
 
@@ -148,7 +153,10 @@ final class Waking {
         for (int n = 0; n < sleepers().suspects(); n++) {
             look(sleepers().suspectAt(n));
         }
-        if (sleepers().suspectsAll() || k.tilted || k.warmScale != 1f) {
+        boolean tilted = k.gravityStepX != gravityStepX || k.gravityStepY != gravityStepY;
+        gravityStepX = k.gravityStepX;
+        gravityStepY = k.gravityStepY;
+        if (sleepers().suspectsAll() || tilted || k.warmScale != 1f) {
             for (int slot = state.awake; slot < state.n; slot++) {
                 look(state.id[slot]);
             }
@@ -474,11 +482,13 @@ final class Waking {
         float gainX = gainX(slot);
         float gainY = gainY(slot);
         float gain = CircleMath.length(gainX, gainY);
+        float r = radius(slot);
+        boolean strict = sleepers().learn(id, gainX, gainY, gain, r, k);
         float x = gainX + w * CrossRule.fromFixed(sums[SUMS * id + SUM_X], unit);
         float y = gainY + w * CrossRule.fromFixed(sums[SUMS * id + SUM_Y], unit);
-        float b = CircleMath.length(x, y);
-        float r = radius(slot);
-        if (!(b > Sleep.tolerance(k.tilted, gain, w * load(id, slot), r, k.dt))) {
+        int offset = sleepers().offset(id, x, y, gain, strict);
+        float b = CircleMath.length(x - Sleep.offsetX(offset, gain), y - Sleep.offsetY(offset, gain));
+        if (!(b > Sleep.tolerance(strict, gain, w * load(id, slot), r, k.dt))) {
             sleepers().setRest(id, Sleep.ASLEEP);
             return 0f;
         }
@@ -486,7 +496,7 @@ final class Waking {
         sleepers().setRest(id, rest);
         sleepers().suspect(id);
         int steps = Sleep.ASLEEP - rest;
-        return Sleep.losesPatience(k.tilted, gain, b, steps) ? Sleep.imbalanceOfStep(b, k.subSteps, r, k.dt) : 0f;
+        return Sleep.losesPatience(strict, gain, b, steps) ? Sleep.imbalanceOfStep(b, k.subSteps, r, k.dt) : 0f;
     }
 
     // ---- rings

@@ -1,11 +1,16 @@
 package io.github.circles2d.world.model;
 
 /**
- * Which circles fall asleep, and which wake. A circle sleeps as long as gravity, its force and all impulses on it add up to nothing, and
- * nobody is about to push it. It knows no more than those that it touches: there are no islands. {@code Sleep.cl} has the same formulas.
+ * Which circles fall asleep, and which wake. A circle sleeps as long as gravity, its force and all impulses on it add up to what they did when it
+ * fell asleep, and nobody is about to push it. It knows no more than those that it touches: there are no islands. {@code Sleep.cl} has the
+ * same formulas.
  *
  * <p>The rest of a circle that is awake is how many steps in a row it has been near to where it came to rest; that of one that sleeps is
  * {@link #ASLEEP} minus the steps in a row in which it was out of balance.
+ *
+ * <p>A circle that falls asleep does not need its drift and turn any more. Their place takes the acceleration by gravity and its force that it
+ * knows, and its offset: what the solver left it out of balance, which is nearly nothing for most. It is a fixed number of {@link #PARTS} of the
+ * gain along each axis, in 16 bits each.
  */
 public final class Sleep {
     public static final int ASLEEP = -1;
@@ -22,8 +27,20 @@ public final class Sleep {
     /** How far a circle may be out of balance, in what gravity adds to its speed in a sub-step. */
     public static final float FLOOR = 0.01f;
 
-    /** The same once gravity has changed. */
-    public static final float STRICT = 0.002f;
+    /** The same once gravity or the circle's force has changed. */
+    public static final float STRICT = 0.0005f;
+
+    /** By how much they have to change, of what they are. Smaller changes add up. */
+    public static final float CHANGE = 0.001f;
+
+    /** Parts of the gain in an offset. */
+    public static final float PARTS = 16384f;
+
+    /** Parts of the greatest offset. A circle that nothing carries has twice as many. */
+    public static final float MOST_PARTS = 8192f;
+
+    /** The offset of a circle that has just fallen asleep: it is not known yet. */
+    public static final int NO_OFFSET = Integer.MIN_VALUE;
 
     /** How much more it may be, by what presses it. */
     public static final float MOST_BY_LOAD = 1f;
@@ -57,6 +74,9 @@ public final class Sleep {
     /** How near a circle is to another one that a call changes, by the sum of radii. */
     public static final float NEIGHBOURS = 1.05f;
 
+    /** How far a circle may turn in a step, in radians. */
+    public static final float TURN_OF_STEP = 1f;
+
     /** Radians of a unit of angles. */
     public static final float RADIANS = 1.4629180792671596e-9f;
 
@@ -78,6 +98,30 @@ public final class Sleep {
     public static boolean rests(float driftX, float driftY, int turned, float radius, float drift) {
         return driftX * driftX + driftY * driftY <= drift * drift
                 && Math.abs((float) turned) * RADIANS * radius <= drift;
+    }
+
+    /** Whether gravity and the force of a circle are others than it knows: what they add to its speed in a sub-step, and the acceleration. */
+    public static boolean changes(
+            float gainX, float gainY, float knownX, float knownY, float h, float gain, float radius, float dt) {
+        float change = CircleMath.length(gainX - knownX * h, gainY - knownY * h);
+        return change > CHANGE * gain + ROUNDING * radius / dt;
+    }
+
+    private static int parts(float x, float gain) {
+        return (int) CircleMath.clamp(x / gain * PARTS, -MOST_PARTS, MOST_PARTS);
+    }
+
+    /** The offset of a circle that is out of balance by a speed. */
+    public static int offset(float x, float y, float gain) {
+        return gain > 0f ? parts(x, gain) & 0xffff | parts(y, gain) << 16 : 0;
+    }
+
+    public static float offsetX(int offset, float gain) {
+        return (float) (short) offset / PARTS * gain;
+    }
+
+    public static float offsetY(int offset, float gain) {
+        return (float) (offset >> 16) / PARTS * gain;
     }
 
     /** Whether a step leaves a coordinate and its displacement as they are, to the bit, if the circle does not move. */

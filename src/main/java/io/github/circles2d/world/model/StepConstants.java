@@ -81,9 +81,6 @@ public final class StepConstants {
     /** Whether circles fall asleep and wake. */
     public boolean sleeping;
 
-    /** Whether gravity is not that of the step before. */
-    public boolean tilted;
-
     float gravityX;
     float gravityY;
 

@@ -37,6 +37,12 @@ public final class WallMotion {
                 .with(to.edgeX(), to.edgeY());
     }
 
+    /** Whether a wall jumps that is to start somewhere. */
+    public static boolean jumps(Bounds from, Bounds start) {
+        return start.edgeX() == AxisEdge.WALL && (from.minX() != start.minX() || from.maxX() != start.maxX())
+                || start.edgeY() == AxisEdge.WALL && (from.minY() != start.minY() || from.maxY() != start.maxY());
+    }
+
     private static float start(float from, float to, float greatestRadius) {
         return from == to || Math.abs(to - from) > greatestRadius ? to : from;
     }

@@ -118,8 +118,8 @@ public final class Readings {
         world.guard.enter();
         try {
             int id = world.circle(handle);
-            findAsleep();
-            return (asleep[id >> 6] & 1L << id) == 0;
+            world.pending.settle();
+            return !world.pipeline.isAsleep(id);
         } finally {
             world.guard.leave();
         }

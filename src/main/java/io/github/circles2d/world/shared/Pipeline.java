@@ -113,6 +113,11 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
+    /** Whether the circle of an id sleeps. All steps have been finished. */
+    default boolean isAsleep(int id) {
+        return false;
+    }
+
     /** Sets the bits of the ids of circles that sleep, of bits that are 0. All steps have been finished. */
     default void readAsleep(long[] byId) {}
 

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
@@ -29,11 +28,6 @@ public final class WorldSettings {
     /** Whether circles fall asleep. */
     private boolean sleeps;
 
-    /** The gravity of the last step, if circles sleep; else 0. */
-    private float previousGravityX;
-
-    private float previousGravityY;
-
     /** What {@link #parameters} gave last. */
     private WorldParameters parameters;
 
@@ -56,8 +50,6 @@ public final class WorldSettings {
         surfaces = p.surfaces();
         timeStep = p.previousTimeStep();
         sleeps = p.sleeps();
-        previousGravityX = p.previousGravityX();
-        previousGravityY = p.previousGravityY();
         parameters = p;
     }
 
@@ -84,10 +76,6 @@ public final class WorldSettings {
     /** A step has been made, of a length. */
     public void stepped(float length) {
         timeStep = length;
-        if (sleeps) {
-            previousGravityX = gravityX;
-            previousGravityY = gravityY;
-        }
     }
 
     public boolean sleeps() {
@@ -146,7 +134,6 @@ public final class WorldSettings {
         constants.set(length, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
         constants.surfaces = surfaces;
         constants.sleeping = sleeps;
-        constants.tilted = gravityX != previousGravityX || gravityY != previousGravityY;
     }
 
     /** All of it. */
@@ -161,9 +148,7 @@ public final class WorldSettings {
                 contacts,
                 wallStart,
                 surfaces,
-                sleeps,
-                previousGravityX,
-                previousGravityY)) {
+                sleeps)) {
             parameters = new WorldParameters(
                     bounds,
                     gravityX,
@@ -174,15 +159,12 @@ public final class WorldSettings {
                     contacts,
                     wallStart,
                     surfaces,
-                    sleeps,
-                    previousGravityX,
-                    previousGravityY);
+                    sleeps);
         }
         return parameters;
     }
 
     public long hash() {
-        long sleep = sleeps ? StateHash.sleep(previousGravityX, previousGravityY) : 0;
-        return WorldParameters.hash(bounds, wallStart, contacts, surfaces) + sleep;
+        return WorldParameters.hash(bounds, wallStart, contacts, surfaces);
     }
 }

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.snapshots;
 
-import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
@@ -12,15 +11,15 @@ import java.util.Arrays;
  * How circles sleep, in a snapshot of a world whose circles do.
  *
  * <pre>
- * section    float gravity of the last step, x, y; int number of circles that come to rest
+ * section    int number of circles that come to rest
  *            for each: varint of the id minus the one before (-1 at first); varint: rest (awake) times 2, or 1 plus twice the steps out of
- *            balance (asleep); if awake: float drift x, y, int turned
+ *            balance (asleep); float drift x, y, int turned (awake), or float known acceleration x, y, int offset (asleep), by {@link Sleep}
  * </pre>
  */
 final class SleepSection {
-    private static final int HEAD = 2 * Float.BYTES + Integer.BYTES;
-    private static final int AWAKE_BYTES = 2 * Float.BYTES + Integer.BYTES;
-    private static final int LEAST = 2;
+    private static final int HEAD = Integer.BYTES;
+    private static final int ROW = 2 * Float.BYTES + Integer.BYTES;
+    private static final int LEAST = 2 + ROW;
 
     private SleepSection() {}
 
@@ -42,7 +41,7 @@ final class SleepSection {
         for (int k = 0; k < s.circles; k++) {
             if (!moves(s, k)) {
                 sum += Varint.bytes(s.id[k] - previous) + Varint.bytes(key(s.rest[k]));
-                sum += Sleep.isAsleep(s.rest[k]) ? 0 : AWAKE_BYTES;
+                sum += ROW;
                 previous = s.id[k];
             }
         }
@@ -54,17 +53,14 @@ final class SleepSection {
         for (int k = 0; k < s.circles; k++) {
             count += moves(s, k) ? 0 : 1;
         }
-        WorldParameters p = s.parameters();
-        out.putFloat(p.previousGravityX()).putFloat(p.previousGravityY()).putInt(count);
+        out.putInt(count);
         int previous = -1;
         for (int k = 0; k < s.circles; k++) {
             if (!moves(s, k)) {
                 Varint.put(out, s.id[k] - previous);
                 previous = s.id[k];
                 Varint.put(out, key(s.rest[k]));
-                if (!Sleep.isAsleep(s.rest[k])) {
-                    out.putFloat(s.drift[2 * k]).putFloat(s.drift[2 * k + 1]).putInt(s.turned[k]);
-                }
+                out.putFloat(s.drift[2 * k]).putFloat(s.drift[2 * k + 1]).putInt(s.turned[k]);
             }
         }
     }
@@ -72,10 +68,8 @@ final class SleepSection {
     /** Reads the section behind its number, and checks it; circles have been read. */
     static void read(ByteBuffer in, SavedState s) {
         SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
-        float x = Limits.within("gravity x", in.getFloat(), -Limits.SPEED, Limits.SPEED);
-        float y = Limits.within("gravity y", in.getFloat(), -Limits.SPEED, Limits.SPEED);
         if (!s.parameters().sleeps()) { // else they were known before, and a new object would be garbage
-            s.setParameters(s.parameters().sleeping(x, y));
+            s.setParameters(s.parameters().sleeping(true));
         }
         int count = in.getInt();
         SnapshotCodec.require(
@@ -104,19 +98,27 @@ final class SleepSection {
         SnapshotCodec.require(
                 CircleMath.inverseMass(s.circle[CircleRow.of(k) + CircleRow.MASS]) > 0f, "a static circle sleeps");
         s.rest[k] = (key & 1) == 0 ? key >> 1 : Sleep.ASLEEP - (key >> 1);
-        if (Sleep.isAsleep(s.rest[k])) {
-            SnapshotCodec.require(isStill(s, k), "a circle sleeps that moves");
-            return;
-        }
-        SnapshotCodec.require(in.remaining() >= AWAKE_BYTES, "it ends early");
-        s.drift[2 * k] = drift(in);
-        s.drift[2 * k + 1] = drift(in);
+        SnapshotCodec.require(in.remaining() >= ROW, "it ends early");
+        boolean asleep = Sleep.isAsleep(s.rest[k]);
+        s.drift[2 * k] = asleep ? acceleration(in) : drift(in);
+        s.drift[2 * k + 1] = asleep ? acceleration(in) : drift(in);
         s.turned[k] = in.getInt();
+        SnapshotCodec.require(!asleep || isStill(s, k), "a circle sleeps that moves");
+        SnapshotCodec.require(!asleep || isOffset(s.turned[k]), "a circle sleeps that is far out of balance");
         SnapshotCodec.require(!moves(s, k), "it says of a circle that it does not come to rest");
     }
 
     private static float drift(ByteBuffer in) {
         return Limits.within("a drift", in.getFloat(), -Limits.COORDINATE, Limits.COORDINATE);
+    }
+
+    private static float acceleration(ByteBuffer in) {
+        return Limits.within("a known acceleration", in.getFloat(), -Float.MAX_VALUE, Float.MAX_VALUE);
+    }
+
+    private static boolean isOffset(int offset) {
+        return offset == Sleep.NO_OFFSET
+                || Math.abs((short) offset) <= Sleep.MOST_PARTS && Math.abs(offset >> 16) <= Sleep.MOST_PARTS;
     }
 
     /** Whether steps leave a circle as it is, if nothing pushes it. */

@@ -541,9 +541,7 @@ final class Twins implements AutoCloseable {
                     p.contacts(),
                     bounds,
                     p.surfaces(),
-                    p.sleeps(),
-                    p.previousGravityX(),
-                    p.previousGravityY());
+                    p.sleeps());
         });
     }
 

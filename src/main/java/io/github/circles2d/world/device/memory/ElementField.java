@@ -137,6 +137,11 @@ enum ElementField {
     DRIFT_Y(DeviceArray.SLEEP, 2, 1),
     UNITS_TURNED(DeviceArray.SLEEP, 3, 1),
 
+    // of one that sleeps
+    KNOWN_X(DeviceArray.SLEEP, 1, 1),
+    KNOWN_Y(DeviceArray.SLEEP, 2, 1),
+    OFFSET(DeviceArray.SLEEP, 3, 1),
+
     WAKING_SPEED(DeviceArray.WAKING, 0, 1),
     PRESSING(DeviceArray.WAKING, 1, 1),
 

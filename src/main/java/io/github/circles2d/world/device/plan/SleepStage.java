@@ -36,11 +36,11 @@ final class SleepStage {
         return source.define("SLEEPING_GROUP", GROUP);
     }
 
-    /** Behind the grid. tilted: whether gravity is not that of the step before. */
-    void wake(int circles, boolean tilted) {
+    /** Behind the grid. */
+    void wake(int circles) {
         press.run(circles);
         hold(true);
-        wake.arg(StageKernels.own(0), tilted ? 1 : 0).run(circles);
+        wake.run(circles);
         spread.run(GROUP, GROUP);
         keep.run(circles);
     }

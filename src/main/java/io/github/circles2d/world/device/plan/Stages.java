@@ -146,7 +146,7 @@ public final class Stages {
             send(step == 0 ? steps.warmScale() : 1f, slots, circles);
             grid.build(steps.levels(), slots, circles, steps.waking());
             if (steps.waking()) {
-                sleep.wake(circles, steps.tilted() && step == 0);
+                sleep.wake(circles);
             }
             if (joints != null) {
                 joints.find();

@@ -5,7 +5,6 @@ import io.github.circles2d.world.model.GridLevels;
 /**
  * Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles.
  *
- * @param tilted whether gravity is not that of the step before the first
  * @param waking whether circles that sleep can wake; else steps do not take any
  * @param reportsBehind whether what the step reports is decided behind what its plan enqueues
  */
@@ -16,7 +15,6 @@ public record Steps(
         int circles,
         int subSteps,
         float warmScale,
-        boolean tilted,
         boolean sweeping,
         boolean thinning,
         boolean reportsBehind,

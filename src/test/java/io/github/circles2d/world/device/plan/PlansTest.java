@@ -105,7 +105,6 @@ class PlansTest {
                 s.circles(),
                 s.subSteps(),
                 s.warmScale(),
-                s.tilted(),
                 s.sweeping(),
                 s.thinning(),
                 s.reportsBehind(),
@@ -180,7 +179,6 @@ class PlansTest {
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
         return new Steps(
-                1, levels, circles, circles, 4, 1f, false, false, thinning, false, false, false, false, false, false,
-                false);
+                1, levels, circles, circles, 4, 1f, false, thinning, false, false, false, false, false, false, false);
     }
 }
