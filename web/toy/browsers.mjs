@@ -17,6 +17,7 @@ const figure = async (page, k) =>
   Number((await page.$$eval('#figures b', all => all.map(e => e.textContent)))[k].replaceAll(',', ''));
 const circles = page => figure(page, 0);
 const steps = page => figure(page, 1);
+const awake = async page => Number((await text(page, '#awake')).replaceAll(',', ''));
 const hash = page => text(page, '#hash');
 
 async function at(page, x, y) {
@@ -166,6 +167,23 @@ async function play(name, program) {
   console.log(`${name}: with friction ${marked.toFixed(0)} frames a second; ${await text(page, '#figures')}`);
   await picture('crowd-turns');
 
+  await page.click('#gallery [data-scene=rest]');
+  const opened = Date.now();
+  await page.waitForFunction(() => document.querySelector('#figures b').textContent === '100,001', { timeout: 60_000 });
+  console.log(`${name}: 100,000 circles at rest are there after ${Date.now() - opened} ms`);
+  await sleep(2000);
+  assert.ok(await awake(page) < 20_000, 'most circles sleep');
+  const dim = await brightness(page);
+  await picture('rest');
+  await page.click('#pause');
+  await page.click('#sleep');
+  await page.waitForFunction(() => document.getElementById('awake').textContent === '100,001');
+  await sleep(200);
+  assert.ok(await brightness(page) > 1.4 * dim, 'circles that sleep are dim');
+  assert.equal(await page.$eval('#sleep', button => button.getAttribute('aria-pressed')), 'false');
+  await page.click('#gallery [data-scene=marbles]');
+  await page.click('#pause');
+
   await page.click('#bits');
   await page.waitForFunction(
     () => document.querySelectorAll('#scenes tr').length > 0 && !document.getElementById('bits').disabled,
@@ -235,6 +253,18 @@ async function marksOfRoller(page) {
       }
     }
     return marked;
+  });
+}
+
+/** Of all pixels above the ball of the scene of circles at rest. */
+async function brightness(page) {
+  return page.$eval('#arena', canvas => {
+    const { data } = canvas.getContext('2d').getImageData(0, 10, canvas.width, Math.floor(canvas.height / 4));
+    let sum = 0;
+    for (let k = 0; k < data.length; k += 4) {
+      sum += data[k] + data[k + 1] + data[k + 2] - 0x13 - 0x19 - 0x22; // the ground
+    }
+    return sum;
   });
 }
 

@@ -3,9 +3,14 @@ package io.github.circles2d.toy;
 import io.github.circles2d.Joints;
 import io.github.circles2d.Terrain;
 import io.github.circles2d.World;
+import java.util.Arrays;
 import org.teavm.jso.typedarrays.Float32Array;
+import org.teavm.jso.typedarrays.Int32Array;
 
-/** What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned; terrain; and joints. */
+/**
+ * What the page draws: five numbers a circle, which are x, y, radius, shade, and the angle by which it has turned; terrain; and joints. The page
+ * keeps circles that sleep, so it is told only of those that fall asleep or wake.
+ */
 final class Picture {
     static final int PLAIN = 0;
     static final int SPEED = 1;
@@ -36,6 +41,20 @@ final class Picture {
     private float[] more = new float[0];
     private float[] angles = new float[0];
     private int[] kinds = new int[0];
+    private long[] awake = new long[0];
+
+    /** A bit for each circle that the page has as one that sleeps. */
+    private long[] shown = new long[0];
+
+    private Float32Array rested = new Float32Array(0);
+    private Int32Array woken = new Int32Array(0);
+    private int modeOfShown = PLAIN;
+
+    // Of the last picture.
+    private int shownIds; // their limit
+    private int awakeOfShown;
+    private int sleepers;
+
     private float[] pieces = new float[0];
     private float[] ends = new float[0];
     private float meanPressure;
@@ -85,43 +104,129 @@ final class Picture {
         return rows;
     }
 
-    /** Draws the world as it is. */
+    /** Draws the circles that do not sleep, as they are, and finds those that have fallen asleep or woken since the last picture. */
     Float32Array of(World world, int mode) {
-        int ids = world.idLimit();
-        circles = atLeast(circles, 4 * ids);
-        more = atLeast(more, 2 * ids);
-        angles = atLeast(angles, ids);
-        if (kinds.length < ids) {
-            kinds = new int[ids + ids / 2];
+        int ids = Math.max(world.idLimit(), shownIds);
+        if (mode != modeOfShown) {
+            Arrays.fill(shown, 0);
+            sleepers = 0;
+            modeOfShown = mode;
         }
-        world.readById(circles, null);
-        world.readAnglesById(angles, null);
-        world.readKindsById(kinds, null);
+        ensure(ids);
+        world.readAwakeById(awake);
+        if (awakeOfShown == 0 && sleepers == world.size() && isEmpty(awake)) {
+            rested = new Float32Array(0); // all slept, and do
+            woken = new Int32Array(0);
+            return rested;
+        }
+        read(world, mode);
+        for (int id = world.idLimit(); id < ids; id++) {
+            circles[4 * id] = Float.NaN; // gone, with its id
+        }
+        shownIds = world.idLimit();
         boolean turns = turns(ids);
-        if (mode == SPEED) {
-            world.readVelocitiesById(more, null);
-        } else if (mode == PRESSURE) {
-            world.readLoadsById(more, null);
-        }
-        Float32Array picture = new Float32Array(STRIDE * world.size());
-        int at = 0;
+        int moving = 0;
+        int statics = 0;
+        int resting = 0;
+        int waking = 0;
         for (int id = 0; id < ids; id++) {
-            if (!Float.isNaN(circles[4 * id])) {
-                boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
-                boolean isBelt = isStatic && world.kind(kinds[id]).beltSpeed() != 0;
-                for (int k = 0; k < 3; k++) {
-                    picture.set(at + k, circles[4 * id + k]);
-                }
-                picture.set(at + 3, isBelt ? BELT : isStatic ? STATIC : shade(id, mode));
-                boolean isMarked = turns && (!isStatic || angles[id] != 0);
-                picture.set(at + 4, isMarked ? angles[id] : Float.NaN);
+            boolean sleeps = sleeps(id);
+            moving += exists(id) && !sleeps ? 1 : 0;
+            statics += circles[4 * id + 3] == Float.POSITIVE_INFINITY && exists(id) ? 1 : 0;
+            resting += sleeps && !isShown(id) ? 1 : 0;
+            waking += !sleeps && isShown(id) ? 1 : 0;
+        }
+        Float32Array picture = new Float32Array(STRIDE * moving);
+        awakeOfShown = moving - statics;
+        sleepers = world.size() - moving;
+        rested = new Float32Array((STRIDE + 1) * resting);
+        woken = new Int32Array(waking);
+        int at = 0;
+        int restedAt = 0;
+        int wokenAt = 0;
+        for (int id = 0; id < ids; id++) {
+            boolean sleeps = sleeps(id);
+            if (sleeps && !isShown(id)) {
+                rested.set(restedAt, id);
+                draw(rested, restedAt + 1, world, id, turns, mode);
+                restedAt += STRIDE + 1;
+                shown[id >> 6] |= 1L << id;
+            } else if (exists(id) && !sleeps) {
+                draw(picture, at, world, id, turns, mode);
                 at += STRIDE;
+            }
+            if (!sleeps && isShown(id)) {
+                woken.set(wokenAt++, id);
+                shown[id >> 6] &= ~(1L << id);
             }
         }
         if (mode == PRESSURE) {
             follow(ids);
         }
         return picture;
+    }
+
+    /** How many circles neither slept nor were static in the last picture. */
+    int awake() {
+        return awakeOfShown;
+    }
+
+    /** The circles that have fallen asleep by the last picture: an id and five numbers each. */
+    Float32Array rested() {
+        return rested;
+    }
+
+    /** The ids of those that slept and do not sleep any more. */
+    Int32Array woken() {
+        return woken;
+    }
+
+    private void ensure(int ids) {
+        circles = atLeast(circles, 4 * ids);
+        more = atLeast(more, 2 * ids);
+        angles = atLeast(angles, ids);
+        if (kinds.length < ids) {
+            kinds = new int[ids + ids / 2];
+        }
+        int words = (ids + 63) / 64;
+        if (awake.length < words) {
+            awake = new long[words + words / 2];
+            shown = Arrays.copyOf(shown, awake.length);
+        }
+    }
+
+    private void read(World world, int mode) {
+        world.readById(circles, null);
+        world.readAnglesById(angles, null);
+        world.readKindsById(kinds, null);
+        if (mode == SPEED) {
+            world.readVelocitiesById(more, null);
+        } else if (mode == PRESSURE) {
+            world.readLoadsById(more, null);
+        }
+    }
+
+    private boolean exists(int id) {
+        return !Float.isNaN(circles[4 * id]);
+    }
+
+    private boolean sleeps(int id) {
+        return exists(id) && (awake[id >> 6] & 1L << id) == 0;
+    }
+
+    private boolean isShown(int id) {
+        return (shown[id >> 6] & 1L << id) != 0;
+    }
+
+    private void draw(Float32Array picture, int at, World world, int id, boolean turns, int mode) {
+        boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
+        boolean isBelt = isStatic && world.kind(kinds[id]).beltSpeed() != 0;
+        for (int k = 0; k < 3; k++) {
+            picture.set(at + k, circles[4 * id + k]);
+        }
+        picture.set(at + 3, isBelt ? BELT : isStatic ? STATIC : shade(id, mode));
+        boolean isMarked = turns && (!isStatic || angles[id] != 0);
+        picture.set(at + 4, isMarked ? angles[id] : Float.NaN);
     }
 
     /** Whether a circle has turned. */
@@ -132,6 +237,15 @@ final class Picture {
             }
         }
         return false;
+    }
+
+    private static boolean isEmpty(long[] bits) {
+        for (long word : bits) {
+            if (word != 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static float[] atLeast(float[] array, int length) {

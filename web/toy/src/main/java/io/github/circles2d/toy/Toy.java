@@ -6,6 +6,7 @@ import io.github.circles2d.World;
 import java.nio.ByteBuffer;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Float32Array;
+import org.teavm.jso.typedarrays.Int32Array;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /** The calls of the page. */
@@ -214,10 +215,52 @@ public final class Toy {
         return sandbox.rollingResistance();
     }
 
-    /** Five numbers a circle: x, y, radius, shade, and the angle by which it has turned, or NaN. */
+    /** Five numbers for each circle that does not sleep: x, y, radius, shade, and the angle by which it has turned, or NaN. */
     @JSExport
     public static Float32Array picture(int mode) {
         return picture.of(sandbox.world(), mode);
+    }
+
+    /** The same of those that have fallen asleep since the picture before, each behind its id. After another mode, all that sleep. */
+    @JSExport
+    public static Float32Array rested() {
+        return picture.rested();
+    }
+
+    /** The ids of those that have slept in the picture before, and do not any more. */
+    @JSExport
+    public static Int32Array woken() {
+        return picture.woken();
+    }
+
+    /** All circles. */
+    @JSExport
+    public static int size() {
+        return sandbox.world().size();
+    }
+
+    /** Those that neither slept nor were static in the last picture. */
+    @JSExport
+    public static int awake() {
+        return picture.awake();
+    }
+
+    /** Whether the world is one in which circles may fall asleep. */
+    @JSExport
+    public static boolean canSleep() {
+        return sandbox.world().sleeps();
+    }
+
+    /** Whether they do. */
+    @JSExport
+    public static boolean sleeps() {
+        return sandbox.sleeps();
+    }
+
+    /** Lets them, or keeps them awake. */
+    @JSExport
+    public static void setSleeps(boolean sleeps) {
+        sandbox.setSleeps(sleeps);
     }
 
     /** The pieces of terrain, as {@link io.github.circles2d.Terrain#readPieces} gives them, with a shade in place of the kind. */
