@@ -113,6 +113,7 @@ async function play(name, program) {
   assert.ok(await circles(page) > loose + 5, 'a rope is drawn');
   await page.click('#gallery [data-scene=blobs]');
   await sleep(2000);
+  assert.ok((await filled(page)).length >= 3, 'soft bodies are filled');
   await picture('blobs');
   await page.click('#gallery [data-scene=wrecking]');
   await sleep(1500);
@@ -225,6 +226,8 @@ async function play(name, program) {
 
   await playWorlds(browser, address, worlds, (of, what) => of.screenshot({ path: join(pictures, `${name}-${what}.png`) }));
 
+  await playRollback(browser, name);
+
   const old = await browser.newPage();
   await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
   await old.goto(address);
@@ -254,6 +257,41 @@ async function marksOfRoller(page) {
     }
     return marked;
   });
+}
+
+/** The colours of which the arena has many pixels, but those of ground and terrain. */
+async function filled(page) {
+  return page.$eval('#arena', canvas => {
+    const pixels = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    const counts = new Map();
+    for (const pixel of pixels) {
+      counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+    }
+    return [...counts].filter(([pixel, count]) => count > 800 && pixel !== 0xff221913 && pixel !== 0xff78685a);
+  });
+}
+
+/** The page of two peers: both play by themselves, and a slow network makes them guess more. */
+async function playRollback(browser, name) {
+  const page = await browser.newPage();
+  const errors = [];
+  page.on('pageerror', e => errors.push(e.message));
+  await page.setViewport({ width: 1100, height: 700 });
+  await page.goto(`${address}rollback.html`);
+  await page.waitForFunction(() => /, [1-9]\d* times wrong/.test(document.querySelector('figure.blue span').textContent), { timeout: 60_000 });
+  assert.equal(await text(page, '#delay-value'), '9 frames, 150 ms');
+  await page.$eval('#delay', slider => { slider.value = 30; slider.dispatchEvent(new Event('input')); });
+  await page.waitForFunction(() => Number(document.querySelector('figure.orange span').textContent.match(/\d+/)[0]) >= 9);
+  const box = await (await page.$('figure.orange canvas')).boundingBox();
+  await page.mouse.move(box.x + box.width / 4, box.y + box.height / 4);
+  await page.waitForFunction(() => { // the player has come
+    const canvas = document.querySelector('figure.orange canvas');
+    const [red, green, blue] = canvas.getContext('2d').getImageData(canvas.width / 4, canvas.height / 4, 1, 1).data;
+    return red === 255 && green === 180 && blue === 84;
+  });
+  await page.screenshot({ path: join(pictures, `${name}-rollback.png`) });
+  assert.deepEqual(errors, []);
+  await page.close();
 }
 
 /** Of all pixels above the ball of the scene of circles at rest. */

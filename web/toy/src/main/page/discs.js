@@ -45,6 +45,28 @@ export class Discs {
     }
   }
 
+  /** Fills a polygon, whose points are an array of x and y one behind the other, with an opaque colour. */
+  fill(points, colour) {
+    const { width } = this.image;
+    const own = pixel(...colour);
+    const heights = points.filter((_, k) => k % 2 === 1);
+    const bottom = Math.min(this.bottom, Math.ceil(Math.max(...heights) - 0.5));
+    for (let row = Math.max(this.top, Math.ceil(Math.min(...heights) - 0.5)); row < bottom; row++) {
+      const crossings = [];
+      for (let k = 0; k < points.length; k += 2) {
+        const [x, y, toX, toY] = [points[k], points[k + 1], points[(k + 2) % points.length], points[(k + 3) % points.length]];
+        if (y <= row + 0.5 !== toY <= row + 0.5) {
+          crossings.push(x + (row + 0.5 - y) / (toY - y) * (toX - x));
+        }
+      }
+      crossings.sort((a, b) => a - b);
+      for (let k = 0; k < crossings.length; k += 2) {
+        const [from, to] = [crossings[k], crossings[k + 1]].map(x => Math.max(this.left, Math.min(Math.ceil(x - 0.5), this.right)));
+        this.pixels.fill(own, row * width + from, row * width + to);
+      }
+    }
+  }
+
   /** Draws a disc about (x, y) in a colour of the shades. Lengths are in pixels, and y points down. */
   draw(x, y, radius, shades, colour) {
     const { pixels } = this;

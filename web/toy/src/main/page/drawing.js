@@ -13,6 +13,8 @@ const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
 const PIECE_STRIDE = 13; // numbers a piece: form, shade, ends and thickness of lines, then centre, radius, angles and side of arcs
 const [SEGMENT, ARC] = [1, 3]; // forms
 const JOINT_STRIDE = 5; // numbers a joint: ends and shade
+const POINT_STRIDE = 3; // numbers a point of an outline: x, y and the number of the body
+const FILLING = 0.6; // the part of its colour in the inside of a soft body; the rest is ground
 const TENSION = ['#6f8aa3', '#b9c7d3', '#ffd166', '#ff7a45', '#e8505b'];
 const DOT = 2.5; // pixels: the radius of a joint without length
 const BAND = 4; // pixels of the solid side of a chain
@@ -42,15 +44,17 @@ function coloursOf(ramp) {
   return [rgb(STATIC), rgb(BELT), ...colours];
 }
 
-const onGround = colour => colour.map((part, channel) => ASLEEP * part + (1 - ASLEEP) * rgb(GROUND)[channel]);
+const onGround = (colour, part) => colour.map((own, channel) => part * own + (1 - part) * rgb(GROUND)[channel]);
+const asleep = colour => onGround(colour, ASLEEP);
 const marked = colour => colour.map(part => MARK * part);
 
 const palettes = RAMPS.map(coloursOf).map(colours => ({
   circles: shadesOf(colours),
   marks: shadesOf(colours.map(marked)),
-  sleepers: shadesOf(colours.map(onGround)),
-  marksOfSleepers: shadesOf(colours.map(onGround).map(marked)),
+  sleepers: shadesOf(colours.map(asleep)),
+  marksOfSleepers: shadesOf(colours.map(asleep).map(marked)),
 }));
+const fillings = RAMPS[0].map(colour => onGround(rgb(colour), FILLING));
 
 export class Drawing {
   constructor(canvas) {
@@ -102,6 +106,7 @@ export class Drawing {
     this.fit(picture.view, picture.open);
     const palette = palettes[mode];
     this.discs.pixels.set(this.sleepers.pixels(this, palette.sleepers, palette.marksOfSleepers));
+    this.fillBlobs(picture.blobs);
     for (let k = 0; k < picture.circles.length; k += STRIDE) {
       this.drawCircle(this.discs, picture.circles, k, palette.circles, palette.marks);
     }
@@ -125,6 +130,19 @@ export class Drawing {
     this.context.moveTo(this.x(x), this.y(y));
     this.context.lineTo(this.x(toX), this.y(toY));
     this.context.stroke();
+  }
+
+  /** Fills the outlines of soft bodies. Numbers of bodies that follow each other differ. */
+  fillBlobs(blobs) {
+    let points = [];
+    for (let k = 0; k < blobs.length; k += POINT_STRIDE) {
+      const number = blobs[k + 2];
+      points.push(this.x(blobs[k]), this.y(blobs[k + 1]));
+      if (blobs[k + POINT_STRIDE + 2] !== number) { // the last point
+        this.discs.fill(points, fillings[(number * 5 + (number >>> 3)) % fillings.length]);
+        points = [];
+      }
+    }
   }
 
   /** Draws one of some circles. */

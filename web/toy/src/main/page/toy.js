@@ -269,6 +269,11 @@ for (const button of $('gallery').querySelectorAll('button')) {
   const name = button.dataset.picture ?? button.dataset.scene;
   button.prepend(Object.assign(new Image(), { src: `scenes/${name}.png`, alt: '', width: 208, height: 130 }));
 }
+for (const link of $('gallery').querySelectorAll('a')) {
+  const picture = { src: `samples/${link.dataset.sample}/picture.png`, alt: '', width: 208, height: 130 };
+  link.prepend(Object.assign(new Image(), picture));
+  link.hidden = !isBuilt(link);
+}
 function show(name) {
   scene = name;
   mark(name);
@@ -437,8 +442,12 @@ $('copy').addEventListener('click', async () => {
     getSelection().selectAllChildren($('dependency'));
   }
 });
-// A build without the address of the repository has no links to it.
-$('links').hidden = !$('links').querySelector('a').getAttribute('href').startsWith('http');
+$('links').hidden = !isBuilt($('links').querySelector('a'));
+
+/** Whether a link leads somewhere: a build without the address of the repository has no links to it. */
+function isBuilt(link) {
+  return !link.getAttribute('href').startsWith('$');
+}
 
 // ---- Start
 

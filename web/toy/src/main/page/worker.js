@@ -3,6 +3,7 @@ import { load } from './wasm-gc-module-runtime.min.js';
 
 let toy;
 let mode = 0;
+let matching = false; // whether two peers play
 let fresh = false; // whether the page is to forget all circles
 let last = { hashStep: 0 }; // what of the last frame is needed to see that nothing changes
 
@@ -78,7 +79,7 @@ function frame({ steps, actions }) {
   });
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
-  const changes = { circles, rested: toy.rested(), woken: toy.woken(), pieces: toy.terrain(), joints: toy.joints() };
+  const changes = { circles, rested: toy.rested(), woken: toy.woken(), pieces: toy.terrain(), blobs: toy.blobs(), joints: toy.joints() };
   const size = toy.size();
   const awake = toy.awake();
   const view = toy.view();
@@ -111,6 +112,21 @@ function isSame(one, other) {
     numbers.length === other.numbers[k].length && numbers.every((number, at) => Object.is(number, other.numbers[k][at])));
 }
 
+/** A frame of the page of two peers. */
+function match({ steps, hands, slowest }) {
+  if (!matching) {
+    toy.openMatch();
+    matching = true;
+  }
+  toy.setSlowest(slowest);
+  for (let k = 0; k < steps; k++) {
+    hands.forEach((at, side) => at && toy.steer(side, ...at));
+    toy.tickMatch();
+  }
+  const peers = [0, 1].map(side => toy.seen(side));
+  postMessage({ peers }, peers.map(numbers => numbers.buffer));
+}
+
 function sameBits({ scenes }) {
   for (const { name, steps } of scenes) {
     const begin = performance.now();
@@ -124,6 +140,8 @@ onmessage = ({ data }) => {
   try {
     if (data.scenes) {
       sameBits(data);
+    } else if (data.match) {
+      match(data.match);
     } else {
       frame(data);
     }

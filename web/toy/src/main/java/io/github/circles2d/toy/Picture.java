@@ -57,6 +57,8 @@ final class Picture {
 
     private float[] pieces = new float[0];
     private float[] ends = new float[0];
+    private float[] shades = new float[0];
+    private final BlobShapes blobs = new BlobShapes();
     private float meanPressure;
     private float meanTension;
 
@@ -77,29 +79,43 @@ final class Picture {
         return rows;
     }
 
-    /** The ends of the joints as they are, and a shade of the force of each. */
+    /** The outlines of soft bodies: x, y and the number of the body for each point. */
+    Float32Array blobsOf(World world) {
+        return blobs.of(world);
+    }
+
+    /** The ends of the joints as they are, and a shade of the force of each. Those within a soft body are left out: it is filled. */
     Float32Array jointsOf(World world) {
         Joints joints = world.joints();
         ends = atLeast(ends, 4 * joints.size());
+        shades = atLeast(shades, joints.size());
         int count = joints.readEnds(ends);
-        Float32Array rows = new Float32Array(JOINT_STRIDE * count);
         float sum = 0;
         int at = 0;
+        int drawn = 0;
         for (int id = 0; at < count; id++) {
             long joint = joints.handle(id);
             if (joint != 0) {
-                for (int k = 0; k < 4; k++) {
-                    rows.set(JOINT_STRIDE * at + k, ends[4 * at + k]);
-                }
                 float force = Math.abs(joints.force(joint));
-                rows.set(JOINT_STRIDE * at + 4, meanTension == 0 ? 0 : Math.min(force / (RANGE * meanTension), 1));
                 sum += force;
+                long other = joints.other(joint);
+                if (other == 0 || !blobs.join(World.id(joints.circle(joint)), World.id(other))) {
+                    shades[drawn] = meanTension == 0 ? 0 : Math.min(force / (RANGE * meanTension), 1);
+                    System.arraycopy(ends, 4 * at, ends, 4 * drawn++, 4);
+                }
                 at++;
             }
         }
         if (sum > 0) {
             float mean = sum / count;
             meanTension = meanTension == 0 ? mean : meanTension + 0.05f * (mean - meanTension);
+        }
+        Float32Array rows = new Float32Array(JOINT_STRIDE * drawn);
+        for (int k = 0; k < drawn; k++) {
+            for (int end = 0; end < 4; end++) {
+                rows.set(JOINT_STRIDE * k + end, ends[4 * k + end]);
+            }
+            rows.set(JOINT_STRIDE * k + 4, shades[k]);
         }
         return rows;
     }

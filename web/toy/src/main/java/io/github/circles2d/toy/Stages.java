@@ -131,6 +131,7 @@ final class Stages {
             for (int skin = 0; skin < count; skin++) { // nothing slips between its circles
                 world.joints().setLimits(blob.joints()[skin], side, side);
             }
+            BlobShapes.tag(world, blob, k);
         }
     }
 

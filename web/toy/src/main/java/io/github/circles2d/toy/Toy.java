@@ -1,5 +1,6 @@
 package io.github.circles2d.toy;
 
+import com.example.rollback.Duel;
 import io.github.circles2d.Backend;
 import io.github.circles2d.Edge;
 import io.github.circles2d.World;
@@ -13,6 +14,7 @@ import org.teavm.jso.typedarrays.Int8Array;
 public final class Toy {
     private static Sandbox sandbox;
     private static Picture picture;
+    private static Duel duel;
 
     private Toy() {}
 
@@ -267,6 +269,42 @@ public final class Toy {
     @JSExport
     public static Float32Array terrain() {
         return picture.terrainOf(sandbox.world());
+    }
+
+    /** Three numbers for each point of the outlines of soft bodies: x, y, and the number of the body. */
+    @JSExport
+    public static Float32Array blobs() {
+        return picture.blobsOf(sandbox.world());
+    }
+
+    /** Begins a match of two peers, with a slow network between them. */
+    @JSExport
+    public static void openMatch() {
+        duel = new Duel();
+    }
+
+    /** Makes a sixtieth of a second of the match pass. */
+    @JSExport
+    public static void tickMatch() {
+        duel.tick();
+    }
+
+    /** Sets how many ticks a packet takes at most. */
+    @JSExport
+    public static void setSlowest(int ticks) {
+        duel.setSlowest(ticks);
+    }
+
+    /** The player of a side, 0 or 1, wants to be there. */
+    @JSExport
+    public static void steer(int side, int x, int y) {
+        duel.steer(side, x, y);
+    }
+
+    /** What the peer of a side sees, as {@link Duel#seen} has it. */
+    @JSExport
+    public static Float32Array seen(int side) {
+        return duel.seen(side);
     }
 
     /** Five numbers a joint: x and y of both ends, and a shade of its force. */
