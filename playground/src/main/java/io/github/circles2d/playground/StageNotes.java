@@ -10,7 +10,7 @@ final class StageNotes {
             Map.entry("hourglass", "Sand runs through a neck. Grab the glass, and turn it with [ and ]."),
             Map.entry("pegs", "Balls fall through a board of nails into bins."),
             Map.entry("marbles", "A few large, lively marbles to throw."),
-            Map.entry("crowd", "About ten thousand circles come to rest, and sleep. Blow them up."),
+            Map.entry("crowd", "About ten thousand circles come to rest, and most fall asleep. Blow them up."),
             Map.entry("rest", "A hundred thousand grains sleep, and wake where a ball rolls. Grab it."),
             Map.entry("slopes-and-belts", "Balls roll down a slope, are carried up, and slide down ice."),
             Map.entry("drum", "A half-full drum with paddles turns."),

@@ -29,7 +29,7 @@ final class Stages {
             own("hourglass", Stages::hourglass),
             own("pegs", Stages::pegs),
             own("marbles", Stages::marbles),
-            own("crowd", Stages::crowd),
+            own("crowd", builder -> builder.friction(0.6f).rollingResistance(0.02f), Stages::crowd),
             own("rest", builder -> builder.gravity(0, 0), Stages::rest),
             own("slopes-and-belts", builder -> builder.friction(0.6f).rollingResistance(0.01f), Stages::slopesAndBelts),
             own("drum", builder -> builder.friction(0.5f), Stages::drum),

@@ -41,17 +41,22 @@ final class Picture {
     private float[] more = new float[0];
     private float[] angles = new float[0];
     private int[] kinds = new int[0];
-    private long[] awake = new long[0];
 
-    /** A bit for each circle that the page has as one that sleeps. */
-    private long[] shown = new long[0];
+    /** Whether a circle has turned. */
+    private boolean turns;
+
+    // A bit an id.
+    private long[] awake = new long[0];
+    private long[] living = new long[0];
+    private long[] resting = new long[0]; // falls asleep by this picture
+    private long[] waking = new long[0];
+    private long[] shown = new long[0]; // sleeps, and the page has it
 
     private Float32Array rested = new Float32Array(0);
     private Int32Array woken = new Int32Array(0);
     private int modeOfShown = PLAIN;
 
     // Of the last picture.
-    private int shownIds; // their limit
     private int awakeOfShown;
     private int sleepers;
 
@@ -122,7 +127,7 @@ final class Picture {
 
     /** Draws the circles that do not sleep, as they are, and finds those that have fallen asleep or woken since the last picture. */
     Float32Array of(World world, int mode) {
-        int ids = Math.max(world.idLimit(), shownIds);
+        int ids = world.idLimit();
         if (mode != modeOfShown) {
             Arrays.fill(shown, 0);
             sleepers = 0;
@@ -130,51 +135,40 @@ final class Picture {
         }
         ensure(ids);
         world.readAwakeById(awake);
-        if (awakeOfShown == 0 && sleepers == world.size() && isEmpty(awake)) {
+        if (awakeOfShown == 0 && sleepers == world.size() && count(awake) == 0) {
             rested = new Float32Array(0); // all slept, and do
             woken = new Int32Array(0);
             return rested;
         }
         read(world, mode);
-        for (int id = world.idLimit(); id < ids; id++) {
-            circles[4 * id] = Float.NaN; // gone, with its id
+        for (int word = 0; word < shown.length; word++) {
+            long asleep = living[word] & ~awake[word];
+            resting[word] = asleep & ~shown[word];
+            waking[word] = shown[word] & ~asleep;
+            shown[word] = asleep;
         }
-        shownIds = world.idLimit();
-        boolean turns = turns(ids);
-        int moving = 0;
-        int statics = 0;
-        int resting = 0;
-        int waking = 0;
-        for (int id = 0; id < ids; id++) {
-            boolean sleeps = sleeps(id);
-            moving += exists(id) && !sleeps ? 1 : 0;
-            statics += circles[4 * id + 3] == Float.POSITIVE_INFINITY && exists(id) ? 1 : 0;
-            resting += sleeps && !isShown(id) ? 1 : 0;
-            waking += !sleeps && isShown(id) ? 1 : 0;
+        turns = turns(ids);
+        int moving = count(awake);
+        sleepers = world.size() - moving;
+        rested = new Float32Array((STRIDE + 1) * count(resting));
+        int at = 0;
+        for (int id = next(resting, 0); id >= 0; id = next(resting, id + 1)) {
+            rested.set(at, id);
+            draw(rested, at + 1, world, id, mode);
+            at += STRIDE + 1;
+        }
+        woken = new Int32Array(count(waking));
+        at = 0;
+        for (int id = next(waking, 0); id >= 0; id = next(waking, id + 1)) {
+            woken.set(at++, id);
         }
         Float32Array picture = new Float32Array(STRIDE * moving);
-        awakeOfShown = moving - statics;
-        sleepers = world.size() - moving;
-        rested = new Float32Array((STRIDE + 1) * resting);
-        woken = new Int32Array(waking);
-        int at = 0;
-        int restedAt = 0;
-        int wokenAt = 0;
-        for (int id = 0; id < ids; id++) {
-            boolean sleeps = sleeps(id);
-            if (sleeps && !isShown(id)) {
-                rested.set(restedAt, id);
-                draw(rested, restedAt + 1, world, id, turns, mode);
-                restedAt += STRIDE + 1;
-                shown[id >> 6] |= 1L << id;
-            } else if (exists(id) && !sleeps) {
-                draw(picture, at, world, id, turns, mode);
-                at += STRIDE;
-            }
-            if (!sleeps && isShown(id)) {
-                woken.set(wokenAt++, id);
-                shown[id >> 6] &= ~(1L << id);
-            }
+        at = 0;
+        awakeOfShown = 0;
+        for (int id = next(awake, 0); id >= 0; id = next(awake, id + 1)) {
+            draw(picture, at, world, id, mode);
+            at += STRIDE;
+            awakeOfShown += isStatic(id) ? 0 : 1;
         }
         if (mode == PRESSURE) {
             follow(ids);
@@ -206,13 +200,18 @@ final class Picture {
         }
         int words = (ids + 63) / 64;
         if (awake.length < words) {
-            awake = new long[words + words / 2];
-            shown = Arrays.copyOf(shown, awake.length);
+            int room = words + words / 2;
+            awake = new long[room];
+            living = new long[room];
+            resting = new long[room];
+            waking = new long[room];
+            shown = Arrays.copyOf(shown, room);
         }
     }
 
     private void read(World world, int mode) {
-        world.readById(circles, null);
+        Arrays.fill(living, 0);
+        world.readById(circles, living);
         world.readAnglesById(angles, null);
         world.readKindsById(kinds, null);
         if (mode == SPEED) {
@@ -222,20 +221,31 @@ final class Picture {
         }
     }
 
-    private boolean exists(int id) {
-        return !Float.isNaN(circles[4 * id]);
+    private static int count(long[] bits) {
+        int sum = 0;
+        for (long word : bits) {
+            sum += Long.bitCount(word);
+        }
+        return sum;
     }
 
-    private boolean sleeps(int id) {
-        return exists(id) && (awake[id >> 6] & 1L << id) == 0;
+    /** The first id from one on whose bit is set; -1 if there is none. */
+    private static int next(long[] bits, int from) {
+        for (int word = from >> 6; word < bits.length; word++) {
+            long left = word == from >> 6 ? bits[word] & -1L << from : bits[word];
+            if (left != 0) {
+                return 64 * word + Long.numberOfTrailingZeros(left);
+            }
+        }
+        return -1;
     }
 
-    private boolean isShown(int id) {
-        return (shown[id >> 6] & 1L << id) != 0;
+    private boolean isStatic(int id) {
+        return circles[4 * id + 3] == Float.POSITIVE_INFINITY;
     }
 
-    private void draw(Float32Array picture, int at, World world, int id, boolean turns, int mode) {
-        boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
+    private void draw(Float32Array picture, int at, World world, int id, int mode) {
+        boolean isStatic = isStatic(id);
         boolean isBelt = isStatic && world.kind(kinds[id]).beltSpeed() != 0;
         for (int k = 0; k < 3; k++) {
             picture.set(at + k, circles[4 * id + k]);
@@ -253,15 +263,6 @@ final class Picture {
             }
         }
         return false;
-    }
-
-    private static boolean isEmpty(long[] bits) {
-        for (long word : bits) {
-            if (word != 0) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private static float[] atLeast(float[] array, int length) {
