@@ -17,6 +17,7 @@ const figure = async (page, k) =>
   Number((await page.$$eval('#figures b', all => all.map(e => e.textContent)))[k].replaceAll(',', ''));
 const circles = page => figure(page, 0);
 const steps = page => figure(page, 1);
+const awake = async page => Number((await text(page, '#awake')).replaceAll(',', ''));
 const hash = page => text(page, '#hash');
 
 async function at(page, x, y) {
@@ -112,6 +113,7 @@ async function play(name, program) {
   assert.ok(await circles(page) > loose + 5, 'a rope is drawn');
   await page.click('#gallery [data-scene=blobs]');
   await sleep(2000);
+  assert.ok((await filled(page)).length >= 3, 'soft bodies are filled');
   await picture('blobs');
   await page.click('#gallery [data-scene=wrecking]');
   await sleep(1500);
@@ -166,6 +168,23 @@ async function play(name, program) {
   console.log(`${name}: with friction ${marked.toFixed(0)} frames a second; ${await text(page, '#figures')}`);
   await picture('crowd-turns');
 
+  await page.click('#gallery [data-scene=rest]');
+  const opened = Date.now();
+  await page.waitForFunction(() => document.querySelector('#figures b').textContent === '100,001', { timeout: 60_000 });
+  console.log(`${name}: 100,000 circles at rest are there after ${Date.now() - opened} ms`);
+  await sleep(2000);
+  assert.ok(await awake(page) < 20_000, 'most circles sleep');
+  const dim = await brightness(page);
+  await picture('rest');
+  await page.click('#pause');
+  await page.click('#sleep');
+  await page.waitForFunction(() => document.getElementById('awake').textContent === '100,001');
+  await sleep(200);
+  assert.ok(await brightness(page) > 1.4 * dim, 'circles that sleep are dim');
+  assert.equal(await page.$eval('#sleep', button => button.getAttribute('aria-pressed')), 'false');
+  await page.click('#gallery [data-scene=marbles]');
+  await page.click('#pause');
+
   await page.click('#bits');
   await page.waitForFunction(
     () => document.querySelectorAll('#scenes tr').length > 0 && !document.getElementById('bits').disabled,
@@ -207,6 +226,8 @@ async function play(name, program) {
 
   await playWorlds(browser, address, worlds, (of, what) => of.screenshot({ path: join(pictures, `${name}-${what}.png`) }));
 
+  await playRollback(browser, name);
+
   const old = await browser.newPage();
   await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
   await old.goto(address);
@@ -235,6 +256,53 @@ async function marksOfRoller(page) {
       }
     }
     return marked;
+  });
+}
+
+/** The colours of which the arena has many pixels, but those of ground and terrain. */
+async function filled(page) {
+  return page.$eval('#arena', canvas => {
+    const pixels = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    const counts = new Map();
+    for (const pixel of pixels) {
+      counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+    }
+    return [...counts].filter(([pixel, count]) => count > 800 && pixel !== 0xff221913 && pixel !== 0xff78685a);
+  });
+}
+
+/** The page of two peers: both play by themselves, and a slow network makes them guess more. */
+async function playRollback(browser, name) {
+  const page = await browser.newPage();
+  const errors = [];
+  page.on('pageerror', e => errors.push(e.message));
+  await page.setViewport({ width: 1100, height: 700 });
+  await page.goto(`${address}rollback.html`);
+  await page.waitForFunction(() => /, [1-9]\d* times wrong/.test(document.querySelector('figure.blue span').textContent), { timeout: 60_000 });
+  assert.equal(await text(page, '#delay-value'), '9 frames, 150 ms');
+  await page.$eval('#delay', slider => { slider.value = 30; slider.dispatchEvent(new Event('input')); });
+  await page.waitForFunction(() => Number(document.querySelector('figure.orange span').textContent.match(/\d+/)[0]) >= 9);
+  const box = await (await page.$('figure.orange canvas')).boundingBox();
+  await page.mouse.move(box.x + box.width / 4, box.y + box.height / 4);
+  await page.waitForFunction(() => { // the player has come
+    const canvas = document.querySelector('figure.orange canvas');
+    const [red, green, blue] = canvas.getContext('2d').getImageData(canvas.width / 4, canvas.height / 4, 1, 1).data;
+    return red === 255 && green === 180 && blue === 84;
+  });
+  await page.screenshot({ path: join(pictures, `${name}-rollback.png`) });
+  assert.deepEqual(errors, []);
+  await page.close();
+}
+
+/** Of all pixels above the ball of the scene of circles at rest. */
+async function brightness(page) {
+  return page.$eval('#arena', canvas => {
+    const { data } = canvas.getContext('2d').getImageData(0, 10, canvas.width, Math.floor(canvas.height / 4));
+    let sum = 0;
+    for (let k = 0; k < data.length; k += 4) {
+      sum += data[k] + data[k + 1] + data[k + 2] - 0x13 - 0x19 - 0x22; // the ground
+    }
+    return sum;
   });
 }
 

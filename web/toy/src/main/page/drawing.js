@@ -1,5 +1,6 @@
 // The picture on the canvas: what the worker has sent, and how places of the world and of the canvas belong together.
 import { Discs, shadesOf } from './discs.js';
+import { Sleepers } from './sleepers.js';
 
 const SHADES = 24;
 const GROUND = '#131922';
@@ -12,10 +13,13 @@ const STRIDE = 5; // numbers a circle: x, y, radius, shade and angle
 const PIECE_STRIDE = 13; // numbers a piece: form, shade, ends and thickness of lines, then centre, radius, angles and side of arcs
 const [SEGMENT, ARC] = [1, 3]; // forms
 const JOINT_STRIDE = 5; // numbers a joint: ends and shade
+const POINT_STRIDE = 3; // numbers a point of an outline: x, y and the number of the body
+const FILLING = 0.6; // the part of its colour in the inside of a soft body; the rest is ground
 const TENSION = ['#6f8aa3', '#b9c7d3', '#ffd166', '#ff7a45', '#e8505b'];
 const DOT = 2.5; // pixels: the radius of a joint without length
 const BAND = 4; // pixels of the solid side of a chain
 const MARK = 0.3; // of the colour's light
+const ASLEEP = 0.5; // the part of its colour in a circle that sleeps; the rest is ground
 const MARK_AT = 0.52; // in radii of the circle, from its centre
 const MARK_RADIUS = 0.26; // likewise
 const MARK_FROM = 2.5; // pixels: the mark on a smaller circle would be a speck
@@ -40,13 +44,23 @@ function coloursOf(ramp) {
   return [rgb(STATIC), rgb(BELT), ...colours];
 }
 
-const palettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp)));
-const markPalettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp).map(colour => colour.map(part => MARK * part))));
+const onGround = (colour, part) => colour.map((own, channel) => part * own + (1 - part) * rgb(GROUND)[channel]);
+const asleep = colour => onGround(colour, ASLEEP);
+const marked = colour => colour.map(part => MARK * part);
+
+const palettes = RAMPS.map(coloursOf).map(colours => ({
+  circles: shadesOf(colours),
+  marks: shadesOf(colours.map(marked)),
+  sleepers: shadesOf(colours.map(asleep)),
+  marksOfSleepers: shadesOf(colours.map(asleep).map(marked)),
+}));
+const fillings = RAMPS[0].map(colour => onGround(rgb(colour), FILLING));
 
 export class Drawing {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext('2d', { alpha: false });
+    this.sleepers = new Sleepers(rgb(GROUND), rgb(OUTSIDE));
     this.fit([0, 0, 1, 1], [false, false]);
   }
 
@@ -90,8 +104,12 @@ export class Drawing {
       this.discs = new Discs(width, height, rgb(GROUND), rgb(OUTSIDE));
     }
     this.fit(picture.view, picture.open);
-    this.discs.clear(...this.arena.map(Math.round));
-    this.drawCircles(picture.circles, palettes[mode], markPalettes[mode]);
+    const palette = palettes[mode];
+    this.discs.pixels.set(this.sleepers.pixels(this, palette.sleepers, palette.marksOfSleepers));
+    this.fillBlobs(picture.blobs);
+    for (let k = 0; k < picture.circles.length; k += STRIDE) {
+      this.drawCircle(this.discs, picture.circles, k, palette.circles, palette.marks);
+    }
     context.putImageData(this.discs.image, 0, 0);
     const [left, top, right, bottom] = this.arena;
     context.strokeStyle = EDGE;
@@ -114,20 +132,31 @@ export class Drawing {
     this.context.stroke();
   }
 
-  drawCircles(circles, palette, marks) {
-    const { discs, scale } = this;
-    for (let k = 0; k < circles.length; k += STRIDE) {
-      const shade = circles[k + 3];
-      const colour = shade < 0 ? -1 - shade : 2 + Math.round(shade * (SHADES - 1));
-      const x = this.x(circles[k]);
-      const y = this.y(circles[k + 1]);
-      const radius = circles[k + 2] * scale;
-      discs.draw(x, y, radius, palette, colour);
-      const angle = circles[k + 4]; // NaN if the circle has no mark
-      if (angle === angle && radius >= MARK_FROM) {
-        const reach = MARK_AT * radius;
-        discs.draw(x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, marks, colour);
+  /** Fills the outlines of soft bodies. Numbers of bodies that follow each other differ. */
+  fillBlobs(blobs) {
+    let points = [];
+    for (let k = 0; k < blobs.length; k += POINT_STRIDE) {
+      const number = blobs[k + 2];
+      points.push(this.x(blobs[k]), this.y(blobs[k + 1]));
+      if (blobs[k + POINT_STRIDE + 2] !== number) { // the last point
+        this.discs.fill(points, fillings[(number * 5 + (number >>> 3)) % fillings.length]);
+        points = [];
       }
+    }
+  }
+
+  /** Draws one of some circles. */
+  drawCircle(discs, circles, k, palette, marks) {
+    const shade = circles[k + 3];
+    const colour = shade < 0 ? -1 - shade : 2 + Math.round(shade * (SHADES - 1));
+    const x = this.x(circles[k]);
+    const y = this.y(circles[k + 1]);
+    const radius = circles[k + 2] * this.scale;
+    discs.draw(x, y, radius, palette, colour);
+    const angle = circles[k + 4]; // NaN if the circle has no mark
+    if (angle === angle && radius >= MARK_FROM) {
+      const reach = MARK_AT * radius;
+      discs.draw(x + reach * Math.cos(angle), y - reach * Math.sin(angle), MARK_RADIUS * radius, marks, colour);
     }
   }
 
@@ -190,6 +219,3 @@ export class Drawing {
     return goesOn;
   }
 }
-
-/** How many circles a picture has. */
-export const countOf = picture => picture.circles.length / STRIDE;

@@ -1,11 +1,13 @@
 // The page: it draws what the worker sends, and tells it what the pointer does.
-import { Drawing, countOf } from './drawing.js';
+import { Drawing } from './drawing.js';
 import { fragmentOf, isLink, snapshotOf } from './links.js';
 
 const STEP_MILLIS = 1000 / 60;
 const MOST_STEPS = 3; // a frame; a slow machine falls behind instead of choking
+const FRAME_MILLIS = 20; // for the steps of a frame, if it has more than one
 const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300], ['balls2', 100], ['no-collide', 300],
   ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
+const TOLD_MILLIS = 250; // figures of a world that rests are written so often
 const SLIDING_MILLIS = 400; // for so long after an input, a slider is the hand's
 const GREATEST_FILE = 32; // megabytes
 const THE_LINK = 'The link'; // as the name of a world that came by one
@@ -26,6 +28,8 @@ let owed = 0;
 let last;
 let actions = [];
 let picture; // none before the world has come
+let told = 0; // when the figures were written
+let arrived = false;
 let dirty = false;
 let blasts = [];
 let pointer = null;
@@ -44,10 +48,10 @@ function draw() {
 }
 
 function tell() {
-  const n = countOf(picture);
+  told = performance.now();
   const fps = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0;
-  $('figures').innerHTML = `<b>${n.toLocaleString('en')}</b> circles  step <b>${picture.steps}</b>  `
-    + `<b>${stepMillis.toFixed(1)}</b> ms a step  <b>${fps.toFixed(0)}</b> fps  hash <b id="hash">${picture.hash}</b>`;
+  $('figures').innerHTML = `<b>${picture.size.toLocaleString('en')}</b> circles  <em id="awake">${picture.awake.toLocaleString('en')}</em> awake  step <b>${picture.steps}</b>  `
+    + `<b>${stepMillis.toFixed(1)}</b> ms a step  <b>${fps.toFixed(0)}</b> fps  <span id="state">hash <b id="hash">${picture.hash}</b></span>`;
 }
 
 // ---- Time
@@ -59,7 +63,8 @@ function tick(now) {
   if (!worker || testing) {
     return;
   }
-  owed = Math.min(owed + passed, MOST_STEPS * STEP_MILLIS);
+  const most = Math.max(1, Math.min(MOST_STEPS, Math.floor(FRAME_MILLIS / stepMillis)));
+  owed = Math.min(owed + passed, most * STEP_MILLIS);
   if (!waiting) {
     let steps = 0;
     if (rewinding) {
@@ -79,10 +84,13 @@ function tick(now) {
       actions = [];
     }
   }
-  if (dirty) {
-    draw();
+  if (dirty || arrived) { // a frame in which nothing has changed is one, too
     frames.push(now);
     frames = frames.filter(at => now - at < 1000);
+    arrived = false;
+  }
+  if (dirty) {
+    draw();
   }
 }
 
@@ -104,13 +112,20 @@ function received({ data }) {
     reported(data);
   } else {
     waiting = false;
-    picture = data;
-    dirty = true;
+    arrived = true;
+    picture = { ...picture, ...data };
+    if (data.circles) {
+      drawing.sleepers.take(data);
+      dirty = true;
+    }
     if (data.made > 0) {
       stepMillis += 0.1 * (data.millis / data.made - stepMillis);
     }
-    tell();
+    if (data.circles || paused || performance.now() - told > TOLD_MILLIS) {
+      tell();
+    }
     showSliders();
+    showSleep();
   }
 }
 
@@ -217,13 +232,32 @@ for (const slider of ['gravity', 'friction', 'rolling']) {
 }
 let slid = -SLIDING_MILLIS;
 
+/** Puts a text in place of another: a page that is written to is laid out anew. */
+function write(id, text) {
+  if ($(id).textContent !== text) {
+    $(id).textContent = text;
+  }
+}
+
 /** The sliders show the numbers of the world, which a scene or a rewind changes, too. */
 function showSliders() {
   for (const [slider, value] of Object.entries(picture.sliders)) {
-    $(`${slider}-value`).textContent = value.toFixed(2);
-    if (performance.now() - slid > SLIDING_MILLIS) {
+    write(`${slider}-value`, value.toFixed(2));
+    if (performance.now() - slid > SLIDING_MILLIS && Number($(slider).value).toFixed(2) !== value.toFixed(2)) {
       $(slider).value = value;
     }
+  }
+}
+
+$('sleep').addEventListener('click', () => act({ what: 'sleep', sleeps: !picture.sleeps }));
+
+/** Shows whether circles of the world fall asleep. */
+function showSleep() {
+  const { sleeps, canSleep } = picture;
+  if ($('sleep').disabled !== !canSleep || $('sleep').getAttribute('aria-pressed') !== String(sleeps)) {
+    $('sleep').setAttribute('aria-pressed', String(sleeps));
+    $('sleep').disabled = !canSleep;
+    $('sleep').title = canSleep ? 'circles that lie still fall asleep, and are dim' : 'this world was made without sleep';
   }
 }
 
@@ -234,6 +268,11 @@ let scene = 'ramps';
 for (const button of $('gallery').querySelectorAll('button')) {
   const name = button.dataset.picture ?? button.dataset.scene;
   button.prepend(Object.assign(new Image(), { src: `scenes/${name}.png`, alt: '', width: 208, height: 130 }));
+}
+for (const link of $('gallery').querySelectorAll('a')) {
+  const picture = { src: `samples/${link.dataset.sample}/picture.png`, alt: '', width: 208, height: 130 };
+  link.prepend(Object.assign(new Image(), picture));
+  link.hidden = !isBuilt(link);
 }
 function show(name) {
   scene = name;
@@ -403,8 +442,12 @@ $('copy').addEventListener('click', async () => {
     getSelection().selectAllChildren($('dependency'));
   }
 });
-// A build without the address of the repository has no links to it.
-$('links').hidden = !$('links').querySelector('a').getAttribute('href').startsWith('http');
+$('links').hidden = !isBuilt($('links').querySelector('a'));
+
+/** Whether a link leads somewhere: a build without the address of the repository has no links to it. */
+function isBuilt(link) {
+  return !link.getAttribute('href').startsWith('$');
+}
 
 // ---- Start
 

@@ -3,10 +3,22 @@ import { load } from './wasm-gc-module-runtime.min.js';
 
 let toy;
 let mode = 0;
+let matching = false; // whether two peers play
+let fresh = false; // whether the page is to forget all circles
+let last = { hashStep: 0 }; // what of the last frame is needed to see that nothing changes
+
+const OFTEN_HASHED = 20_000; // circles: the hash of more is taken more seldom, for that is a look at the whole state
+const HASH_STEPS = 30;
 
 const commands = {
-  open: ({ scene }) => toy.open(scene),
-  mode: message => { mode = message.mode; },
+  open: ({ scene }) => {
+    toy.open(scene);
+    fresh = true;
+  },
+  mode: message => {
+    fresh ||= mode !== message.mode;
+    mode = message.mode;
+  },
   move: ({ x, y }) => toy.moveTo(x, y),
   grab: () => toy.grab(),
   pour: () => toy.pour(),
@@ -23,12 +35,14 @@ const commands = {
     if (reason !== '') {
       postMessage({ notice: `${name} is not opened: ${reason}.` });
     } else {
+      fresh = true;
       postMessage({ restored: true, name, undrawn: toy.undrawn() });
     }
   },
   save: ({ as }) => postMessage({ saved: new Uint8Array(toy.snapshot().buffer), as }),
   surface: ({ friction, rolling }) => toy.setSurface(friction, rolling),
   gravity: ({ gravity }) => toy.setGravity(gravity),
+  sleep: ({ sleeps }) => toy.setSleeps(sleeps),
 };
 
 /** Opens a snapshot, or says why it cannot be opened. */
@@ -65,13 +79,52 @@ function frame({ steps, actions }) {
   });
   const millis = performance.now() - begin;
   const circles = toy.picture(mode);
-  const pieces = toy.terrain();
-  const joints = toy.joints();
+  const changes = { circles, rested: toy.rested(), woken: toy.woken(), pieces: toy.terrain(), blobs: toy.blobs(), joints: toy.joints() };
+  const size = toy.size();
+  const awake = toy.awake();
   const view = toy.view();
+  const now = { awake, numbers: [circles, changes.pieces, changes.joints, view] };
+  const isStill = awake === 0 && !fresh && changes.rested.length === 0 && changes.woken.length === 0 && isSame(now, last);
+  const isLate = size < OFTEN_HASHED || steps <= 0 || fresh || toy.steps() >= last.hashStep + HASH_STEPS;
+  const isDue = actions.length > 0 || !isStill && isLate;
+  now.hash = isDue ? toy.hash() : last.hash;
+  now.hashStep = isDue ? toy.steps() : last.hashStep;
   const open = [toy.isOpenX(), toy.isOpenY()];
   const sliders = { gravity: toy.gravity(), friction: toy.friction(), rolling: toy.rollingResistance() };
-  const figures = { steps: toy.steps(), hash: toy.hash(), millis, made: steps };
-  postMessage({ circles, pieces, joints, view, open, sliders, ...figures }, [circles.buffer, pieces.buffer, joints.buffer]);
+  const figures = { size, awake, steps: toy.steps(), hash: now.hash, millis, made: steps };
+  const more = { ...figures, sliders, canSleep: toy.canSleep(), sleeps: toy.sleeps() };
+  if (isStill) {
+    postMessage(more);
+  } else {
+    if (awake === 0) { // else they are never compared
+      now.numbers = now.numbers.map(numbers => numbers.slice());
+    }
+    const buffers = Object.values(changes).map(numbers => numbers.buffer);
+    postMessage({ ...changes, ...more, fresh, view, open }, buffers);
+  }
+  last = now;
+  fresh = false;
+}
+
+/** Whether two frames look the same but for the circles that sleep. */
+function isSame(one, other) {
+  return other.awake === 0 && one.numbers.every((numbers, k) =>
+    numbers.length === other.numbers[k].length && numbers.every((number, at) => Object.is(number, other.numbers[k][at])));
+}
+
+/** A frame of the page of two peers. */
+function match({ steps, hands, slowest }) {
+  if (!matching) {
+    toy.openMatch();
+    matching = true;
+  }
+  toy.setSlowest(slowest);
+  for (let k = 0; k < steps; k++) {
+    hands.forEach((at, side) => at && toy.steer(side, ...at));
+    toy.tickMatch();
+  }
+  const peers = [0, 1].map(side => toy.seen(side));
+  postMessage({ peers }, peers.map(numbers => numbers.buffer));
 }
 
 function sameBits({ scenes }) {
@@ -87,6 +140,8 @@ onmessage = ({ data }) => {
   try {
     if (data.scenes) {
       sameBits(data);
+    } else if (data.match) {
+      match(data.match);
     } else {
       frame(data);
     }

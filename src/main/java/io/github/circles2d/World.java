@@ -984,6 +984,15 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Whether circles that lie still fall asleep, as {@link Builder#sleep} has set it, or a restored snapshot.
+     *
+     * @return false if all are always awake
+     */
+    public boolean sleeps() {
+        return simulation.settings().sleeps();
+    }
+
+    /**
      * Gives a wall a surface, from the next step on. Walls that are not there, since an axis is open or wraps, have surfaces too, which do
      * nothing.
      *

@@ -331,6 +331,7 @@ class RecordedCallsTest {
             "shortestX",
             "shortestY",
             "size",
+            "sleeps",
             "snapshot",
             "snapshotBytes",
             "stats",

@@ -143,6 +143,8 @@ class WorldSleepTest {
             never.step(DT, 100);
             goOnAlike(never, taker);
             goOnAlike(sleeps, other);
+            assertThat(taker.sleeps()).isFalse();
+            assertThat(other.sleeps()).isTrue();
             assertThat(other.stats().awake())
                     .isGreaterThan(0)
                     .isEqualTo(sleeps.stats().awake());

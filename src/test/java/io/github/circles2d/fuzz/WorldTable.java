@@ -147,6 +147,7 @@ final class WorldTable extends Table {
             "defaultFriction",
             "defaultRollingResistance",
             "subSteps",
+            "sleeps",
             "restitutionThreshold",
             "contactFrequency",
             "contactDamping",

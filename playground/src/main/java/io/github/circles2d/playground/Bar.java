@@ -17,6 +17,9 @@ final class Bar extends JPanel {
     private static final int GAP_X = 5;
     private static final int GAP_Y = 7;
 
+    /** Between groups. */
+    private static final int SPACE = 9;
+
     /** Before a frame has said it: of a scene of the playground's own. */
     private static final float GRAVITY_ROOM = 120;
 
@@ -24,6 +27,7 @@ final class Bar extends JPanel {
     private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
     private final FlatButton pause;
     private final FlatButton slow;
+    private final FlatButton sleep;
     private final FlatSlider size;
     private final FlatSlider gravity;
     private final FlatSlider restitution;
@@ -38,23 +42,24 @@ final class Bar extends JPanel {
         this.width = width;
         setBackground(Theme.BAR);
         button("Scenes", "all scenes with pictures (M)", gallery);
-        add(Box.createHorizontalStrut(14));
+        add(Box.createHorizontalStrut(SPACE));
         for (ToolKind kind : ToolKind.values()) {
             String tip = kind.purpose() + " (" + kind.key() + ")";
             tools.put(kind, button(kind.label(), tip, () -> loop.ask(session -> session.setTool(kind))));
         }
-        add(Box.createHorizontalStrut(14));
+        add(Box.createHorizontalStrut(SPACE));
         button("Back", "one step back (,); hold B to run backwards", () -> loop.ask(Session::stepBack));
         pause = button("Pause", "stop and go on (space)", () -> loop.ask(Session::togglePause));
         button("Step", "one step (.)", () -> loop.ask(Session::stepOnce));
         slow = button("Slow", "slow motion: 1/2, 1/4, 1/8, 1/16 (S)", () -> loop.ask(Session::slower));
-        add(Box.createHorizontalStrut(14));
+        sleep = button("Sleep", "what lies still falls asleep, and is dim (Z)", () -> loop.ask(Session::toggleSleep));
+        add(Box.createHorizontalStrut(SPACE));
         for (PaintMode mode : PaintMode.values()) {
             String label = mode.label().substring(0, 1).toUpperCase(Locale.ROOT)
                     + mode.label().substring(1);
             paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
         }
-        add(Box.createHorizontalStrut(14));
+        add(Box.createHorizontalStrut(SPACE));
         size = slider("Size", "of circles that are poured, in usual ones", 4, Session::setSize, loop);
         gravity = slider("Gravity", "up to twice that of the scene", GRAVITY_ROOM, Session::setGravity, loop);
         restitution = slider(
@@ -119,6 +124,7 @@ final class Bar extends JPanel {
         paints.forEach((mode, button) -> button.setSelected(mode == frame.paint));
         pause.setSelected(frame.paused);
         slow.setSelected(frame.speed < 1);
+        sleep.setSelected(frame.sleeps);
         subSteps.setText("Sub-steps " + frame.subSteps);
         slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
         size.show(frame.size);

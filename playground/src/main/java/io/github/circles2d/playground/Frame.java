@@ -14,6 +14,13 @@ final class Frame {
 
     Arena arena = new Arena(0, 0, 1, 1);
     int circles;
+
+    /** Those that neither sleep nor are static; whether the world may let circles sleep, and whether it does. */
+    int awake;
+
+    boolean canSleep;
+    boolean sleeps;
+
     float[] x = new float[0];
     float[] y = new float[0];
     float[] radius = new float[0];

@@ -31,7 +31,7 @@ final class Gallery {
     /** Steps until a scene shows what it is. */
     private static final int STEPS = 150;
 
-    /** The same of more circles than this many. */
+    /** The same if more circles than this many are awake. */
     private static final int MANY = 20_000;
 
     private static final int STEPS_OF_MANY = 40;
@@ -44,7 +44,7 @@ final class Gallery {
         Frame frame = new Frame();
         for (Stage stage : Stages.all()) {
             try (Session session = new Session(stage, Backend.JVM)) {
-                int steps = session.world().size() > MANY ? STEPS_OF_MANY : STEPS;
+                int steps = session.world().stats().awake() > MANY ? STEPS_OF_MANY : STEPS;
                 for (int k = 0; k < steps; k++) {
                     session.sandbox().stepOnce(() -> {});
                 }

@@ -23,6 +23,7 @@ record Grain(float radius, float density, float highSpeed) {
         double squares = 0;
         double speeds = 0;
         int count = 0;
+        int moving = 0;
         for (int k = 0; k < world.size(); k++) {
             float r = circles[4 * k + 2];
             float m = circles[4 * k + 3];
@@ -30,7 +31,9 @@ record Grain(float radius, float density, float highSpeed) {
                 radii += r;
                 masses += m;
                 squares += (double) r * r;
-                speeds += Math.hypot(velocities[2 * k], velocities[2 * k + 1]);
+                double speed = Math.hypot(velocities[2 * k], velocities[2 * k + 1]);
+                speeds += speed;
+                moving += speed > 0 ? 1 : 0;
                 count++;
             }
         }
@@ -38,7 +41,7 @@ record Grain(float radius, float density, float highSpeed) {
         double extent = Math.min(arena.width(), arena.height());
         double gravity = Math.hypot(world.gravityX(), world.gravityY());
         double fall = Math.sqrt(2 * gravity * extent);
-        double high = Math.max(fall, count == 0 ? 0 : 2 * speeds / count);
+        double high = Math.max(fall, moving == 0 ? 0 : 2 * speeds / moving);
         return new Grain(
                 (float) (count == 0 ? extent * PART : radii / count),
                 (float) (count == 0 ? 1 : masses / squares),

@@ -26,6 +26,7 @@ final class Help {
         {"B (held)", "back in time"},
         {"S", "slow motion: 1/2 to 1/16"},
         {"R", "start again"},
+        {"Z", "sleep of what lies still, or none"},
         {"C", "paint by speed, pressure, contacts"},
         {"V", "contacts, normals, impulses"},
         {"N", "next back end, same hash"},

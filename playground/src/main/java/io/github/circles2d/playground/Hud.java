@@ -100,9 +100,10 @@ final class Hud {
     /** The lines of the panel. */
     List<String> lines(Frame frame) {
         String speed = frame.speed == 1 ? "" : Figures.format(", speed 1/%.0f", 1 / frame.speed);
+        String awake = frame.canSleep ? Figures.format(", %,d awake", frame.awake) : "";
         String state = frame.rewinding
                 ? Figures.format(", rewinding (%,d left)", frame.stepsToRewind)
-                : frame.paused ? ", paused" : speed;
+                : awake + (frame.paused ? ", paused" : speed);
         return List.of(
                 Figures.format("%s, %,d circles", StageNotes.title(frame.stage), frame.circles),
                 Figures.format("step %,d%s", frame.step, state),

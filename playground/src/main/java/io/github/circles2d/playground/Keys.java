@@ -32,6 +32,7 @@ final class Keys {
         keys.on(() -> loop.ask(Session::stepBack), "COMMA", "LEFT");
         keys.on(() -> loop.ask(Session::slower), "S");
         keys.on(() -> loop.ask(Session::restart), "R");
+        keys.on(() -> loop.ask(Session::toggleSleep), "Z");
         keys.on(() -> loop.ask(Session::nextPaint), "C");
         keys.on(() -> loop.ask(Session::toggleContacts), "V");
         keys.on(() -> loop.ask(Session::toggleProfile), "T");

@@ -55,6 +55,7 @@ final class Menus {
         shownItem(run, "Slower", "S", () -> loop.ask(Session::slower));
         item(run, "Normal speed", null, () -> loop.ask(Session::normalSpeed));
         shownItem(run, "Start again", "R", () -> loop.ask(Session::restart));
+        shownItem(run, "Sleep", "Z", () -> loop.ask(Session::toggleSleep));
         addBackends(switcher);
         JMenu view = menu("View");
         shownItem(view, "Back to all", "HOME", canvas::goHome);

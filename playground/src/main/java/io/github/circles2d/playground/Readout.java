@@ -15,6 +15,9 @@ final class Readout {
 
     private static final long[] NONE = new long[0];
 
+    /** The share of its colour in a circle that sleeps. */
+    private static final double ASLEEP = 0.5;
+
     private final Shades shades = new Shades();
     private final BlobShapes blobs = new BlobShapes();
     private Grain grain;
@@ -24,6 +27,7 @@ final class Readout {
     private float[] angles = new float[0];
     private float[] angularVelocities = new float[0];
     private int[] kinds = new int[0];
+    private long[] awake = new long[0];
 
     /** Of joints. */
     private long[] handles = new long[0];
@@ -44,6 +48,7 @@ final class Readout {
         world.readVelocitiesById(velocities, null);
         world.readAnglesById(angles, null);
         world.readAngularVelocitiesById(angularVelocities, null);
+        world.readAwakeById(awake);
         boolean turns = turns(ids);
         if (turns) {
             world.readKindsById(kinds, null);
@@ -77,6 +82,7 @@ final class Readout {
         int shown = positions.limit() / 2;
         int count = 0;
         int movable = 0;
+        int sleepers = 0;
         for (int id = 0; id < ids; id++) {
             float x = circles[4 * id];
             if (x != x) {
@@ -84,17 +90,21 @@ final class Readout {
             }
             boolean between = id < shown && positions.get(2 * id) == positions.get(2 * id);
             boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
-            int colour = isStatic ? Theme.STATIC : colour(id, paint);
+            boolean sleeps = (awake[id >> 6] & 1L << id) == 0;
+            int own = isStatic ? Theme.STATIC : colour(id, paint);
+            int colour = sleeps ? Ramp.mix(Theme.ARENA, own, ASLEEP) : own;
             frame.x[count] = between ? positions.get(2 * id) : x;
             frame.y[count] = between ? positions.get(2 * id + 1) : circles[4 * id + 1];
             frame.radius[count] = circles[4 * id + 2];
             frame.colour[count] = colour;
             frame.rim[count] = Ramp.rim(colour);
             movable += isStatic ? 0 : 1;
+            sleepers += sleeps ? 1 : 0;
             count++;
         }
         frame.circles = count;
         frame.movable = movable;
+        frame.awake = movable - sleepers;
     }
 
     private static void readPieces(Frame frame, Sandbox sandbox) {
@@ -207,6 +217,7 @@ final class Readout {
             angles = new float[room];
             angularVelocities = new float[room];
             kinds = new int[room];
+            awake = new long[(room >> 6) + 1];
         }
     }
 }

@@ -36,6 +36,9 @@ final class Sandbox implements AutoCloseable {
     /** What a person has set for this stage; 0 for its own. */
     private int subSteps;
 
+    /** Whether a person has asked that circles of this stage may sleep, where its own do not. */
+    private boolean withSleep;
+
     /** Whether worlds measure the times of their stages. */
     private boolean profiling;
 
@@ -51,13 +54,16 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes a stage in place of what is. If it cannot be opened, all stays as it is. */
     void load(Stage next, Backend backend) {
-        load(next, backend, 0);
+        load(next, backend, 0, false);
     }
 
-    /** The same with another number of sub-steps than the stage has. A saved world keeps its own. */
-    private void load(Stage next, Backend backend, int wishedSubSteps) {
+    /** The same with another number of sub-steps than the stage has, or with sleep. A saved world keeps its own. */
+    private void load(Stage next, Backend backend, int wishedSubSteps, boolean wishedSleep) {
         World.Builder builder =
                 next.builder().get().backend(backend).threads(THREADS).profiling(profiling);
+        if (wishedSleep) {
+            builder.sleep(true);
+        }
         World opened = (wishedSubSteps == 0 ? builder : builder.subSteps(wishedSubSteps)).build();
         try {
             next.circles().accept(opened);
@@ -67,6 +73,7 @@ final class Sandbox implements AutoCloseable {
             grain = usual;
             stage = next;
             subSteps = wishedSubSteps;
+            withSleep = wishedSleep;
             stageGravityX = opened.gravityX();
             stageGravityY = opened.gravityY();
         } catch (RuntimeException | Error e) {
@@ -77,12 +84,17 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes the stage from its start, with the sub-steps that a person has set. */
     void restart() {
-        load(stage, stats.backend(), subSteps);
+        restart(subSteps);
     }
 
     /** The same with so many sub-steps, 1 to 16. */
     void restart(int wishedSubSteps) {
-        load(stage, stats.backend(), wishedSubSteps);
+        load(stage, stats.backend(), wishedSubSteps, withSleep);
+    }
+
+    /** The same as a world whose circles sleep. */
+    void restartWithSleep() {
+        load(stage, stats.backend(), subSteps, true);
     }
 
     /** Goes on with the same state on another back end. If there is no such, all stays as it is. */
@@ -219,6 +231,16 @@ final class Sandbox implements AutoCloseable {
         for (Wall wall : Wall.values()) {
             world.setWallSurface(wall, friction, rollingResistance, world.wallBeltSpeed(wall));
         }
+    }
+
+    /** Whether circles that lie still fall asleep: those of kind 0. */
+    boolean sleeps() {
+        return world.sleeps() && world.kind(0).sleeps();
+    }
+
+    /** Lets circles of kind 0 fall asleep, or keeps them awake, in a world that sleeps. */
+    void setSleeps(boolean sleeps) {
+        world.kind(0).setSleeps(sleeps);
     }
 
     float gravity() {

@@ -54,7 +54,7 @@ final class Selection {
         int id = World.id(one);
         boolean isStatic = world.mass(one) == Float.POSITIVE_INFINITY;
         List<String> lines = new ArrayList<>();
-        lines.add(Figures.format("circle %,d, kind %d", id, world.kindOf(one)));
+        lines.add(Figures.format("circle %,d, kind %d%s", id, world.kindOf(one), world.isAwake(one) ? "" : ", asleep"));
         lines.add(Figures.format("position  %.2f, %.2f", world.x(one), world.y(one)));
         lines.add(Figures.format("velocity  %.2f, %.2f", world.vx(one), world.vy(one)));
         lines.add(Figures.format("angle  %.2f, turns %.2f a second", world.angle(one), world.angularVelocity(one)));

@@ -125,6 +125,8 @@ final class Session implements AutoCloseable {
         frame.greatestGravity = sandbox.greatestGravity();
         frame.restitution = sandbox.restitution();
         frame.friction = sandbox.friction();
+        frame.canSleep = world().sleeps();
+        frame.sleeps = sandbox.sleeps();
         frame.subSteps = world().subSteps();
         frame.rollingResistance = sandbox.rollingResistance();
         frame.marks = hand.marks(sandbox);
@@ -205,6 +207,20 @@ final class Session implements AutoCloseable {
         sandbox.setProfiling(!sandbox.isProfiling());
         rebuilt();
         say(sandbox.isProfiling() ? "the stages of each step are measured" : "stages are not measured");
+    }
+
+    /** Lets circles fall asleep, or keeps them awake. A scene that was made without sleep starts again with it. */
+    void toggleSleep() {
+        if (world().sleeps()) {
+            boolean sleeps = !sandbox.sleeps();
+            use(() -> sandbox.setSleeps(sleeps));
+            say(sleeps ? "circles that lie still fall asleep, and are dim" : "all circles are awake");
+            return;
+        }
+        hand.letGo(sandbox);
+        sandbox.restartWithSleep();
+        restarted();
+        say(world().sleeps() ? "circles may fall asleep, from the start" : "a saved world keeps its circles awake");
     }
 
     /** How large circles are that are poured, in those that are usual in the world. */

@@ -10,7 +10,8 @@ final class StageNotes {
             Map.entry("hourglass", "Sand runs through a neck. Grab the glass, and turn it with [ and ]."),
             Map.entry("pegs", "Balls fall through a board of nails into bins."),
             Map.entry("marbles", "A few large, lively marbles to throw."),
-            Map.entry("crowd", "About ten thousand circles. Blow them up."),
+            Map.entry("crowd", "About ten thousand circles come to rest, and most fall asleep. Blow them up."),
+            Map.entry("rest", "A hundred thousand grains sleep, and wake where a ball rolls. Grab it."),
             Map.entry("slopes-and-belts", "Balls roll down a slope, are carried up, and slide down ice."),
             Map.entry("drum", "A half-full drum with paddles turns."),
             Map.entry("bridge", "A bridge of circles and joints carries what rolls onto it."),
@@ -40,7 +41,8 @@ final class StageNotes {
             "nexus-balls2", "Nexus's balls",
             "no-collide", "No collision",
             "one-cell", "All in one place",
-            "crowd", "Ten thousand");
+            "crowd", "Ten thousand",
+            "rest", "A hundred thousand");
 
     private StageNotes() {}
 

@@ -21,12 +21,16 @@ final class Stages {
     private static final int ROLLER = 2;
     private static final int ICE = 3;
 
+    /** The kind of a circle that goes on where others come to rest. */
+    private static final int BALL = 4;
+
     private static final List<Stage> ALL = List.of(
             own("sandbox", Stages::sandbox),
             own("hourglass", Stages::hourglass),
             own("pegs", Stages::pegs),
             own("marbles", Stages::marbles),
-            own("crowd", Stages::crowd),
+            own("crowd", builder -> builder.friction(0.6f).rollingResistance(0.02f), Stages::crowd),
+            own("rest", builder -> builder.gravity(0, 0), Stages::rest),
             own("slopes-and-belts", builder -> builder.friction(0.6f).rollingResistance(0.01f), Stages::slopesAndBelts),
             own("drum", builder -> builder.friction(0.5f), Stages::drum),
             own("bridge", JointStages::bridge),
@@ -74,7 +78,8 @@ final class Stages {
                 () -> more.apply(World.builder()
                         .bounds(0, 0, 160, 100)
                         .gravity(0, -GRAVITY)
-                        .restitution(0.3f)),
+                        .restitution(0.3f)
+                        .sleep(true)),
                 circles);
     }
 
@@ -169,6 +174,30 @@ final class Stages {
     /** Ten thousand. */
     private static void crowd(World world) {
         heap(world, 1, 1, 159, 99, 0.44f, 0.58f, 9);
+    }
+
+    /** A hundred thousand grains lie still on a table that is seen from above, and a ball rolls through. */
+    private static void rest(World world) {
+        world.kind(0).setDamping(20).setRestitution(0);
+        world.kind(BALL).setDamping(0.4f);
+        Random random = new Random(12);
+        float[] grains = new float[4 * 100_000];
+        int at = 0;
+        for (int row = 0; at < grains.length; row++) {
+            float y = 0.2f + 0.368f * row;
+            for (float x = 0.2f + 0.2f * random.nextFloat(); x < 159.8f && at < grains.length; x += 0.427f) {
+                float r = 0.12f + 0.04f * random.nextFloat();
+                if (Math.hypot(x - 12, y - 24) > 2.2) { // the ball's place
+                    grains[at++] = x;
+                    grains[at++] = y;
+                    grains[at++] = r;
+                    grains[at++] = r * r;
+                }
+            }
+        }
+        world.addAll(grains, null);
+        world.step(1, 2); // all sleep after a second in which nothing moves
+        world.add(12, 24, 2, 400, 18, 8, BALL);
     }
 
     /** Circles in rows, a little apart and a little out of line. */

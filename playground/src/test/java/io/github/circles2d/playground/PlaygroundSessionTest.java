@@ -107,6 +107,42 @@ class PlaygroundSessionTest {
     }
 
     @Test
+    void grainsAtRestSleepAndAreDimUntilSleepIsSwitchedOff() {
+        session.load(Stages.named("rest"));
+        session.frame(0, frame);
+        assertThat(frame.circles).isEqualTo(100_001);
+        assertThat(frame.awake).isBetween(1, 100);
+        assertThat(frame.sleeps).isTrue();
+        int asleep = frame.colour[0];
+        session.toggleSleep();
+        session.frame(0, frame);
+        assertThat(frame.sleeps).isFalse();
+        assertThat(frame.awake).isEqualTo(100_001);
+        assertThat(asleep).isEqualTo(Ramp.mix(Theme.ARENA, frame.colour[0], 0.5));
+    }
+
+    @Test
+    void aSceneWithoutSleepStartsAgainWithItAndASavedWorldKeepsWhatItIs(@TempDir Path folder) {
+        session.load(Stages.named("pyramid"));
+        frames(30);
+        assertThat(frame.canSleep).isFalse();
+        Path file = folder.resolve("pyramid.circles2d");
+        session.save(file);
+        session.toggleSleep();
+        frames(1);
+        assertThat(frame.sleeps).isTrue();
+        assertThat(step()).isLessThan(2);
+        session.restart();
+        frames(1);
+        assertThat(frame.sleeps).isTrue();
+        session.open(file);
+        session.toggleSleep();
+        frames(1);
+        assertThat(frame.canSleep).isFalse();
+        assertThat(frame.message).contains("keeps its circles awake");
+    }
+
+    @Test
     void whatIsDoneInAPauseIsSeenAtOnce() {
         frames(5);
         session.togglePause();

@@ -41,6 +41,10 @@ class SelectionTest {
         assertThat(frame.card.get(1)).as("it follows").isNotEqualTo(place);
         assertThat(frame.card.get(5)).as("it lies on the floor").startsWith("contacts  1, force");
         assertThat(frame.card.get(6)).isEqualTo("joints  0");
+        for (int k = 0; k < 200; k++) {
+            session.frame(FRAME, frame);
+        }
+        assertThat(frame.card.get(0)).endsWith(", asleep");
         session.setTool(ToolKind.EXPLODE);
         click(10, 60);
         assertThat(frame.card).as("another tool selects nothing").isNotEmpty();

@@ -10,8 +10,6 @@ import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.util.ArrayList;
-import java.util.List;
 import javax.swing.JComponent;
 
 /** What one peer sees. Where a late input shows that a prediction was wrong, a line leads from what was shown to what is. */
@@ -20,21 +18,15 @@ final class Rink extends JComponent {
     private static final Color[] SIDES = {new Color(0xffb454), new Color(0x4cc2ff)};
     private static final Color ICE = new Color(0x151c26), LINE = new Color(0x2b3745), PUCK = new Color(0xc9d4df);
     private static final Color WRONG = new Color(0xff5f6d);
-    private static final float SEEN = 2, JUMP = 150; // a correction is so far at least; what is farther is a new puck
-    private static final int FADE = 30; // frames
     private static final int TOP = 64;
-
-    private record Correction(float x, float y, float toX, float toY, int ends) {}
 
     private final Hockey peer;
     private final int side;
-    private final List<Correction> corrections = new ArrayList<>();
-    private float[] shown = new float[0];
-    private float[] circles = new float[0];
-    private int frame;
+    private final Corrections corrections;
 
-    Rink(Hockey peer, int side) {
+    Rink(Hockey peer, Corrections corrections, int side) {
         this.peer = peer;
+        this.corrections = corrections;
         this.side = side;
         setPreferredSize(new Dimension(Hockey.WIDTH, Hockey.HEIGHT + TOP));
     }
@@ -43,29 +35,6 @@ final class Rink extends JComponent {
     Point mouse() {
         Point at = getMousePosition();
         return at == null ? null : new Point(at.x, Math.max(at.y - TOP, 0));
-    }
-
-    void beforeCorrection() {
-        shown = read(shown);
-    }
-
-    void afterCorrection() {
-        circles = read(circles);
-        frame++;
-        corrections.removeIf(one -> one.ends < frame);
-        for (int k = 0; k < Math.min(circles.length, shown.length); k += 4) {
-            float dx = circles[k] - shown[k], dy = peer.world.shortestY(shown[k + 1], circles[k + 1]);
-            float way = (float) Math.sqrt(dx * dx + dy * dy);
-            if (way > SEEN && way < JUMP) {
-                corrections.add(new Correction(shown[k], shown[k + 1], circles[k], shown[k + 1] + dy, frame + FADE));
-            }
-        }
-    }
-
-    private float[] read(float[] to) {
-        float[] room = to.length < 4 * peer.world.idLimit() ? new float[4 * peer.world.idLimit()] : to;
-        peer.world.readById(room, null);
-        return room;
     }
 
     @Override
@@ -97,7 +66,8 @@ final class Rink extends JComponent {
             g.setColor(SIDES[k]);
             g.fillRect(k == 0 ? 0 : Hockey.WIDTH - 5, 0, 5, Hockey.HEIGHT);
         }
-        circles = read(circles);
+        corrections.look();
+        float[] circles = corrections.circles;
         for (int k = 0; k + 3 < circles.length; k += 4) {
             if (circles[k] == circles[k]) { // else there is no circle
                 g.setColor(k < 8 ? SIDES[k / 4] : PUCK);
@@ -106,12 +76,12 @@ final class Rink extends JComponent {
                 }
             }
         }
-        for (Correction one : corrections) {
-            int opacity = 255 * (one.ends - frame) / FADE;
+        for (Corrections.Correction one : corrections.all) {
+            int opacity = 255 * (one.ends() - corrections.frame) / Corrections.FADE;
             g.setColor(new Color(WRONG.getRed(), WRONG.getGreen(), WRONG.getBlue(), Math.max(opacity, 0)));
             g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            g.draw(new Line2D.Float(one.x, one.y, one.toX, one.toY));
-            g.draw(new Ellipse2D.Float(one.x - 5, one.y - 5, 10, 10));
+            g.draw(new Line2D.Float(one.x(), one.y(), one.toX(), one.toY()));
+            g.draw(new Ellipse2D.Float(one.x() - 5, one.y() - 5, 10, 10));
         }
         g.dispose();
     }

@@ -28,6 +28,7 @@ record Grain(float radius, float density, float highSpeed) {
         double squares = 0;
         double speeds = 0;
         int count = 0;
+        int moving = 0;
         for (int k = 0; k < world.size(); k++) {
             float radius = circles[4 * k + 2];
             float mass = circles[4 * k + 3];
@@ -35,13 +36,15 @@ record Grain(float radius, float density, float highSpeed) {
                 radii += radius;
                 masses += mass;
                 squares += (double) radius * radius;
-                speeds += Math.hypot(velocities[2 * k], velocities[2 * k + 1]);
+                double speed = Math.hypot(velocities[2 * k], velocities[2 * k + 1]);
+                speeds += speed;
+                moving += speed > 0 ? 1 : 0;
                 count++;
             }
         }
         double extent = Math.max((double) view.maxX() - view.minX(), (double) view.maxY() - view.minY());
         double fall = Math.sqrt(2 * extent * Math.hypot(world.gravityX(), world.gravityY()));
-        double high = count == 0 ? fall : Math.max(fall, 2 * speeds / count);
+        double high = moving == 0 ? fall : Math.max(fall, 2 * speeds / moving);
         return new Grain(
                 allowed(world, (float) (count == 0 ? extent * PART : radii / count)),
                 (float) (count == 0 ? 1 : masses / squares),

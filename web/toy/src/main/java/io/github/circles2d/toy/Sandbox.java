@@ -15,11 +15,14 @@ import java.util.Set;
 final class Sandbox {
     static final float DT = 1 / 60f;
 
-    /** Steps to go back by: ten seconds, or fewer of a large world. */
+    /** States to go back to: of ten seconds, or fewer of a large world. */
     private static final int MOST_PAST = 600;
 
     private static final int LEAST_PAST = 4;
     private static final int BYTES_OF_PAST = 64 << 20;
+
+    /** A world of more circles than this is saved the more seldom, for that takes as long as a step. */
+    private static final int OFTEN_SAVED = 3_000;
 
     /** How many circles there are at most when tools have added theirs. */
     private static final int MOST_CIRCLES = 8_000;
@@ -77,6 +80,12 @@ final class Sandbox {
     private float x;
     private float y;
     private int steps;
+
+    /** The last step before which the state was saved, if there was something to save. */
+    private int looked;
+
+    /** Whether a circle was awake then; true at first, so that the first state is saved. */
+    private boolean wasAwake = true;
 
     Sandbox(World world) {
         this.world = world;
@@ -257,8 +266,18 @@ final class Sandbox {
         return Float.isNaN(own) ? world.defaultRollingResistance() : own;
     }
 
+    /** Whether circles that come to rest fall asleep. */
+    boolean sleeps() {
+        return world.sleeps() && world.kind(0).sleeps();
+    }
+
+    /** Lets circles of kind 0 fall asleep, or wakes them, if the world is one in which circles sleep. */
+    void setSleeps(boolean sleeps) {
+        world.kind(0).setSleeps(sleeps);
+    }
+
     void step() {
-        past.save(steps);
+        save();
         if (pouring) {
             addSome();
         }
@@ -296,12 +315,29 @@ final class Sandbox {
         }
     }
 
-    /** Goes back by a step; does nothing if there is none. */
+    /** Keeps the state for {@link #back}. While all circles sleep, that of the first such step will do. */
+    private void save() {
+        if (steps >= looked + Math.max(1, world.size() / OFTEN_SAVED) || steps <= looked) {
+            boolean isAwake = world.stats().awake() > 0;
+            if (isAwake || wasAwake) {
+                past.save(steps);
+            }
+            wasAwake = isAwake;
+            looked = steps;
+        }
+    }
+
+    /** Goes back to the last state that was saved before; does nothing if there is none. */
     void back() {
-        if (past.has(steps - 1)) {
-            steps--;
-            past.restore(steps);
-            letGo();
+        for (int step = steps - 1; past.size() > 0 && step >= past.oldest(); step--) {
+            if (past.has(step)) {
+                past.restore(step);
+                steps = step;
+                looked = step;
+                wasAwake = true;
+                letGo();
+                return;
+            }
         }
     }
 

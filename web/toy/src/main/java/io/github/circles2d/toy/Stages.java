@@ -22,6 +22,9 @@ final class Stages {
     private static final int ROLLER = 2;
     private static final int ICE = 3; // has the friction of the world, 0
 
+    /** The kind of a circle that goes on where others come to rest. */
+    private static final int BALL = 4;
+
     private Stages() {}
 
     /** Opens a stage by its name on the page. */
@@ -31,6 +34,7 @@ final class Stages {
                 .bounds(0, 0, 160, 100)
                 .gravity(0, -60)
                 .restitution(0.3f)
+                .sleep(true)
                 .build();
         switch (name) {
             case "hourglass" -> hourglass(world);
@@ -43,6 +47,7 @@ final class Stages {
             case "blobs" -> blobs(world);
             case "wrecking" -> wreckingBall(world);
             case "slopes" -> slopesAndBelts(world);
+            case "rest" -> rest(world);
             default -> throw new IllegalArgumentException("there is no stage " + name);
         }
         return world;
@@ -126,6 +131,7 @@ final class Stages {
             for (int skin = 0; skin < count; skin++) { // nothing slips between its circles
                 world.joints().setLimits(blob.joints()[skin], side, side);
             }
+            BlobShapes.tag(world, blob, k);
         }
     }
 
@@ -166,6 +172,31 @@ final class Stages {
             long marble = world.add(x, y, r, r * r, 30 * random.nextFloat() - 15, 0);
             world.setRestitution(marble, 0.85f);
         }
+    }
+
+    /** A hundred thousand grains lie still on a table that is seen from above, and a ball rolls through. */
+    private static void rest(World world) {
+        world.setGravity(0, 0);
+        world.kind(0).setDamping(20).setRestitution(0);
+        world.kind(BALL).setDamping(0.4f);
+        Random random = new Random(12);
+        float[] grains = new float[4 * 100_000];
+        int at = 0;
+        for (int row = 0; at < grains.length; row++) {
+            float y = 0.2f + 0.368f * row;
+            for (float x = 0.2f + 0.2f * random.nextFloat(); x < 159.8f && at < grains.length; x += 0.427f) {
+                float r = 0.12f + 0.04f * random.nextFloat();
+                if (Math.hypot(x - 12, y - 24) > 2.2) { // the ball's place
+                    grains[at++] = x;
+                    grains[at++] = y;
+                    grains[at++] = r;
+                    grains[at++] = r * r;
+                }
+            }
+        }
+        world.addAll(grains, null);
+        world.step(1, 2); // all sleep after a second in which nothing moves
+        world.add(12, 24, 2, 400, 18, 8, BALL);
     }
 
     /** Circles in rows, a little out of line, from below to above. */

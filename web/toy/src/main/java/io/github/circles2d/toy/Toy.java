@@ -1,17 +1,20 @@
 package io.github.circles2d.toy;
 
+import com.example.rollback.Duel;
 import io.github.circles2d.Backend;
 import io.github.circles2d.Edge;
 import io.github.circles2d.World;
 import java.nio.ByteBuffer;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Float32Array;
+import org.teavm.jso.typedarrays.Int32Array;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /** The calls of the page. */
 public final class Toy {
     private static Sandbox sandbox;
     private static Picture picture;
+    private static Duel duel;
 
     private Toy() {}
 
@@ -214,16 +217,94 @@ public final class Toy {
         return sandbox.rollingResistance();
     }
 
-    /** Five numbers a circle: x, y, radius, shade, and the angle by which it has turned, or NaN. */
+    /** Five numbers for each circle that does not sleep: x, y, radius, shade, and the angle by which it has turned, or NaN. */
     @JSExport
     public static Float32Array picture(int mode) {
         return picture.of(sandbox.world(), mode);
+    }
+
+    /** The same of those that have fallen asleep since the picture before, each behind its id. After another mode, all that sleep. */
+    @JSExport
+    public static Float32Array rested() {
+        return picture.rested();
+    }
+
+    /** The ids of those that have slept in the picture before, and do not any more. */
+    @JSExport
+    public static Int32Array woken() {
+        return picture.woken();
+    }
+
+    /** All circles. */
+    @JSExport
+    public static int size() {
+        return sandbox.world().size();
+    }
+
+    /** Those that neither slept nor were static in the last picture. */
+    @JSExport
+    public static int awake() {
+        return picture.awake();
+    }
+
+    /** Whether the world is one in which circles may fall asleep. */
+    @JSExport
+    public static boolean canSleep() {
+        return sandbox.world().sleeps();
+    }
+
+    /** Whether they do. */
+    @JSExport
+    public static boolean sleeps() {
+        return sandbox.sleeps();
+    }
+
+    /** Lets them, or keeps them awake. */
+    @JSExport
+    public static void setSleeps(boolean sleeps) {
+        sandbox.setSleeps(sleeps);
     }
 
     /** The pieces of terrain, as {@link io.github.circles2d.Terrain#readPieces} gives them, with a shade in place of the kind. */
     @JSExport
     public static Float32Array terrain() {
         return picture.terrainOf(sandbox.world());
+    }
+
+    /** Three numbers for each point of the outlines of soft bodies: x, y, and the number of the body. */
+    @JSExport
+    public static Float32Array blobs() {
+        return picture.blobsOf(sandbox.world());
+    }
+
+    /** Begins a match of two peers, with a slow network between them. */
+    @JSExport
+    public static void openMatch() {
+        duel = new Duel();
+    }
+
+    /** Makes a sixtieth of a second of the match pass. */
+    @JSExport
+    public static void tickMatch() {
+        duel.tick();
+    }
+
+    /** Sets how many ticks a packet takes at most. */
+    @JSExport
+    public static void setSlowest(int ticks) {
+        duel.setSlowest(ticks);
+    }
+
+    /** The player of a side, 0 or 1, wants to be there. */
+    @JSExport
+    public static void steer(int side, int x, int y) {
+        duel.steer(side, x, y);
+    }
+
+    /** What the peer of a side sees, as {@link Duel#seen} has it. */
+    @JSExport
+    public static Float32Array seen(int side) {
+        return duel.seen(side);
     }
 
     /** Five numbers a joint: x and y of both ends, and a shade of its force. */
