@@ -127,6 +127,11 @@ public final class MovingFigures {
         }
 
         @Override
+        public boolean isHome(Pipeline pipeline) {
+            return pipeline == home;
+        }
+
+        @Override
         public void moved(Pipeline from, Pipeline to, long nanos, Throwable cause) {
             int way = to == device ? 0 : 1;
             first[way] = first[way] == 0 ? nanos * 1e-6 : first[way];
@@ -135,6 +140,11 @@ public final class MovingFigures {
 
         @Override
         public void refused(Pipeline chosen, Throwable why) {
+            throw new IllegalStateException(why);
+        }
+
+        @Override
+        public void lost(Pipeline failed, Throwable why) {
             throw new IllegalStateException(why);
         }
 
