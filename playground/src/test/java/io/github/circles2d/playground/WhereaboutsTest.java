@@ -10,7 +10,8 @@ import org.junit.jupiter.api.Test;
 /** Where a world is can be seen, and a move is told once. */
 class WhereaboutsTest {
     private static WorldStats world(Backend backend, int moves, double millis) {
-        return new WorldStats(1, 0, 0, 0, 1, 0, Map.of(), backend, "a device", "frames are shorter here", moves, millis);
+        return new WorldStats(
+                1, 0, 0, 0, 1, 0, Map.of(), backend, "a device", "frames are shorter here", moves, millis);
     }
 
     @Test
