@@ -130,12 +130,21 @@ final class RunningChoice implements Mover {
     }
 
     @Override
+    public boolean isHome(Pipeline pipeline) {
+        return pipeline == home;
+    }
+
+    @Override
     public void moved(Pipeline from, Pipeline to, long nanos, Throwable cause) {
         away = to != home;
         rule.moved(away, to == chosen);
         moves++;
         nanosOfMoves += nanos;
         frames = 0;
+        if (hasFailed) {
+            beside.close();
+            return;
+        }
         reason = null;
         if (cause != null) {
             lack(from, cause);
@@ -151,6 +160,16 @@ final class RunningChoice implements Mover {
             lack(device, why);
             beside.free();
         }
+    }
+
+    @Override
+    public void lost(Pipeline device, Throwable why) {
+        hasFailed = true;
+        reason = device.device() + " has failed: " + why.getMessage();
+        Notice.once(
+                reason,
+                "World has lost all since its last save: " + reason + "; with a snapshot or a frame it goes on on "
+                        + Backend.JVM);
     }
 
     private void lack(Pipeline device, Throwable why) {

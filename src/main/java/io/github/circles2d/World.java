@@ -62,7 +62,8 @@ import java.util.Arrays;
  * <p><b>Threads and failures:</b> a call while another thread is inside throws a ConcurrentModificationException; after {@link #close} all
  * calls but close throw an IllegalStateException. A call that throws an IllegalArgumentException has changed nothing, nor has a call but a
  * step that finds too little memory. If a step or device fails, or an error ends a change half-way, the state may be lost. Then all calls
- * but close throw an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
+ * but close throw an IllegalStateException that names the failure. A device may tell of a step's failure in a later call. If a GPU fails
+ * to which a world of {@link Backend#AUTO} has moved, {@link #restore} and {@link Rewind#restore} work, and the world goes on on the JVM.
  *
  * <p><b>Ranges</b>, within which all states are finite: coordinates, velocities and gravity up to 1e9; radii from 2^-20 of the greatest
  * extent or coordinate of the bounds to half of the lesser extent, or an eleventh of it if it wraps; masses 1e-9 to 1e9; friction and

@@ -1,20 +1,27 @@
 package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.shared.Pipeline;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -86,20 +93,68 @@ class MovesTest {
         }
     }
 
-    /** A pipeline in Java that lacks memory now and then, as a device may. */
-    private static Pipeline lackingMemory(Random random) {
-        Pipeline inner = new JvmPipeline(1, 1, 0, false);
-        return (Pipeline) Proxy.newProxyInstance(
-                Pipeline.class.getClassLoader(), new Class<?>[] {Pipeline.class}, (proxy, method, arguments) -> {
-                    if (REFUSED.contains(method.getName()) && random.nextInt(8) == 0) {
-                        throw new DeviceMemoryException("none left", 2, 1);
-                    }
-                    try {
-                        return method.invoke(inner, arguments);
-                    } catch (InvocationTargetException e) {
-                        throw e.getCause();
-                    }
-                });
+    /** A pipeline in Java that lacks memory now and then, and fails for good at one of its calls, as a device may. */
+    private static final class Unreliable implements InvocationHandler {
+        /** What a device that has failed still does. */
+        private static final Set<String> HARMLESS =
+                Set.of("close", "device", "watch", "isReady", "bytesHeld", "toString", "equals", "hashCode");
+
+        /** Calls that make steps, and may lack memory in the midst of one. */
+        private static final Set<String> STEPS = Set.of("step", "finish");
+
+        private final Pipeline inner = new JvmPipeline(1, 1, 0, false);
+        private final Random random;
+        private Consumer<Throwable> watcher = failure -> {};
+
+        /** Calls that it still makes. */
+        private int left;
+
+        /** Whether it fails for want of memory in the midst of a step. */
+        private final boolean lacksRoom;
+
+        private Unreliable(Random random, int calls, boolean lacksRoom) {
+            this.random = random;
+            left = calls;
+            this.lacksRoom = lacksRoom;
+        }
+
+        static Pipeline lackingMemory(Random random) {
+            return of(new Unreliable(random, Integer.MAX_VALUE, false));
+        }
+
+        static Pipeline failing(Random random) {
+            return of(new Unreliable(random, random.nextInt(200), random.nextInt(4) == 0));
+        }
+
+        private static Pipeline of(Unreliable device) {
+            return (Pipeline)
+                    Proxy.newProxyInstance(Pipeline.class.getClassLoader(), new Class<?>[] {Pipeline.class}, device);
+        }
+
+        @Override
+        @SuppressWarnings("unchecked")
+        public Object invoke(Object proxy, Method method, Object[] arguments) throws Throwable {
+            String name = method.getName();
+            if (name.equals("watch")) {
+                watcher = (Consumer<Throwable>) arguments[0];
+            }
+            if (lacksRoom ? STEPS.contains(name) && --left < 0 : !HARMLESS.contains(name) && --left < 0) {
+                if (lacksRoom) {
+                    throw new DeviceMemoryException("no room for contacts", 2, 1);
+                }
+                OpenClException failure = new OpenClException("could not " + name + " on a lost device");
+                watcher.accept(failure);
+                throw failure;
+            }
+            if (REFUSED.contains(name) && random.nextInt(8) == 0) {
+                throw new DeviceMemoryException("none left", 2, 1);
+            }
+            try {
+                return method.invoke(inner, arguments);
+            } catch (InvocationTargetException e) {
+                throw e.getCause();
+            }
+        }
     }
 
     @Test
@@ -109,7 +164,7 @@ class MovesTest {
         for (int seed = 0; seed < TestScale.of(30, 1000); seed++) {
             try (World world = game();
                     World stays = game()) {
-                RandomMoves moves = RandomMoves.of(world, seed, lackingMemory(new Random(seed)));
+                RandomMoves moves = RandomMoves.of(world, seed, Unreliable.lackingMemory(new Random(seed)));
                 Random random = new Random(seed);
                 Random same = new Random(seed);
                 for (int frame = 0; frame < 60; frame++) {
@@ -128,6 +183,79 @@ class MovesTest {
         }
         assertThat(refusals).isPositive();
         assertThat(movesOfNeed).isPositive();
+    }
+
+    @Test
+    void aWorldWhoseDeviceFailsGoesOnAtHomeWithAFrameOrASnapshot() throws IOException {
+        int losses = 0;
+        for (int seed = 0; seed < TestScale.of(20, 60, 1000); seed++) {
+            ByteArrayOutputStream log = new ByteArrayOutputStream();
+            try (World world = game();
+                    World stays = game();
+                    World player = WorldScenes.jvm().build()) {
+                RandomMoves moves = RandomMoves.of(world, seed, Unreliable.failing(new Random(seed)));
+                Recording recording = new Recording(world, log, 1);
+                losses += frames(seed, world, stays, moves);
+                try {
+                    recording.close();
+                } catch (OpenClException lost) {
+                    continue; // in the last hash
+                }
+                Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
+                assertThat(replay.differs()).as(replay.difference()).isFalse();
+                assertThat(player.hash()).isEqualTo(stays.hash());
+            }
+        }
+        assertThat(losses).isGreaterThan(5);
+    }
+
+    /** Makes frames in both, and goes back to the last save when the device fails. Returns how often it did. */
+    private static int frames(int seed, World world, World stays, RandomMoves moves) {
+        Rewind rewind = new Rewind(stays, 1);
+        ByteBuffer saved = save(world);
+        rewind.save(0);
+        int losses = 0;
+        for (int frame = 0; frame < 60; frame++) {
+            long next = 1000L * seed + frame;
+            long hash;
+            String events;
+            try {
+                change(world, new Random(next));
+                world.step(STEP);
+                hash = world.hash();
+                events = text(world.events());
+                if (frame % 7 == 0) {
+                    saved = save(world);
+                }
+            } catch (OpenClException lost) {
+                losses++;
+                assertThat(moves.losses()).isEqualTo(losses);
+                assertThatThrownBy(world::hash)
+                        .isInstanceOf(IllegalStateException.class)
+                        .hasMessageContaining("restore")
+                        .hasCause(lost);
+                world.restore(saved.duplicate());
+                rewind.restore(rewind.newest());
+                world.report(0); // what is reported is no state, and the call may have failed
+                stays.report(0);
+                assertThat(world.hash()).as("seed %d, frame %d", seed, frame).isEqualTo(stays.hash());
+                continue;
+            }
+            change(stays, new Random(next));
+            stays.step(STEP);
+            if (frame % 7 == 0) {
+                rewind.save(frame + 1);
+            }
+            assertThat(hash).as("seed %d, frame %d", seed, frame).isEqualTo(stays.hash());
+            assertThat(events).isEqualTo(text(stays.events()));
+        }
+        return losses;
+    }
+
+    private static ByteBuffer save(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
     }
 
     private static String text(Events events) {

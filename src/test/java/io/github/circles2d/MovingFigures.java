@@ -1,6 +1,5 @@
 package io.github.circles2d;
 
-import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
@@ -11,7 +10,6 @@ import io.github.circles2d.world.shared.Mover;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.SplittableRandom;
 
 /**
  * Measures worlds that move, on the best OpenCL device. A frame is a step and a read of all circles.
@@ -19,7 +17,6 @@ import java.util.SplittableRandom;
  * <pre>
  * MovingFigures start 50000 30       the first frames of a world by AUTO, for so many seconds, and those of a world on the JVM beside it
  * MovingFigures moves 10000 100000 1000000   what a move to the device and back takes
- * MovingFigures crowd 500 200000 10  a crowd that grows and shrinks, by so many frames a percent: by AUTO, on the JVM, on the device
  * </pre>
  */
 public final class MovingFigures {
@@ -32,9 +29,7 @@ public final class MovingFigures {
             case "start" -> start(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
             case "moves" ->
                 Arrays.stream(arguments).skip(1).mapToInt(Integer::parseInt).forEach(MovingFigures::moves);
-            case "crowd" ->
-                crowd(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]), Integer.parseInt(arguments[3]));
-            default -> throw new IllegalArgumentException("start, moves or crowd, not " + arguments[0]);
+            default -> throw new IllegalArgumentException("start or moves, not " + arguments[0]);
         }
     }
 
@@ -127,6 +122,11 @@ public final class MovingFigures {
         }
 
         @Override
+        public boolean isHome(Pipeline pipeline) {
+            return pipeline == home;
+        }
+
+        @Override
         public void moved(Pipeline from, Pipeline to, long nanos, Throwable cause) {
             int way = to == device ? 0 : 1;
             first[way] = first[way] == 0 ? nanos * 1e-6 : first[way];
@@ -135,6 +135,11 @@ public final class MovingFigures {
 
         @Override
         public void refused(Pipeline chosen, Throwable why) {
+            throw new IllegalStateException(why);
+        }
+
+        @Override
+        public void lost(Pipeline failed, Throwable why) {
             throw new IllegalStateException(why);
         }
 
@@ -164,78 +169,6 @@ public final class MovingFigures {
             say(
                     "%,d circles: to the device %.2f ms (first %.2f, least frame with it %.2f), back %.2f ms (first %.2f, least frame %.2f)",
                     circles, moves.least[0], moves.first[0], behind[0], moves.least[1], moves.first[1], behind[1]);
-        }
-    }
-
-    // ---- a crowd that grows and shrinks
-    // ------------------------------------------------------------------------------
-
-    private static void crowd(int least, int most, int framesOfPercent) {
-        Device device = OpenCl.bestDevice();
-        World[] worlds = {
-            crowdWorld(most).backend(Backend.AUTO).build(),
-            crowdWorld(most).backend(Backend.JVM).build(),
-            crowdWorld(most).device(device).build()
-        };
-        long[][] handles = new long[3][most];
-        int[] cells = cells(most);
-        int[] living = {0, 0, 0};
-        float[] read = new float[4 * most];
-        say("frame,circles,auto,jvm,device,where,moves");
-        int target = least;
-        boolean grows = true;
-        for (int frame = 0; target >= least; frame++) {
-            double[] millis = new double[3];
-            for (int k = 0; k < 3; k++) {
-                long begin = System.nanoTime();
-                fill(worlds[k], handles[k], cells, living[k], target, most);
-                living[k] = target;
-                worlds[k].step(1 / 60f);
-                worlds[k].read(read);
-                millis[k] = (System.nanoTime() - begin) * 1e-6;
-            }
-            WorldStats stats = worlds[0].stats();
-            say(
-                    "%d,%d,%.3f,%.3f,%.3f,%s,%d",
-                    frame, target, millis[0], millis[1], millis[2], stats.backend(), stats.moves());
-            if (frame % framesOfPercent == framesOfPercent - 1) {
-                int change = Math.max(1, target / 100);
-                grows &= target < most;
-                target = grows ? Math.min(most, target + change) : target - change;
-            }
-        }
-        for (World world : worlds) {
-            say("%x", world.hash());
-            world.close();
-        }
-    }
-
-    private static World.Builder crowdWorld(int most) {
-        float side = 1.2f * (float) Math.ceil(Math.sqrt(most));
-        return World.builder().bounds(0, 0, side, side);
-    }
-
-    /** The cells of a square in which circles come, one after the other. */
-    private static int[] cells(int most) {
-        int[] cells = new int[most];
-        SplittableRandom random = new SplittableRandom(1);
-        for (int k = 0; k < most; k++) {
-            int other = random.nextInt(k + 1);
-            cells[k] = cells[other];
-            cells[other] = k;
-        }
-        return cells;
-    }
-
-    private static void fill(World world, long[] handles, int[] cells, int living, int target, int most) {
-        int row = (int) Math.ceil(Math.sqrt(most));
-        for (int k = living; k < target; k++) {
-            float x = 1.2f * (cells[k] % row) + 0.6f;
-            float y = 1.2f * (cells[k] / row) + 0.6f;
-            handles[k] = world.add(x, y, 0.45f, 1, k % 7 - 3, k % 5 - 2);
-        }
-        for (int k = living - 1; k >= target; k--) {
-            world.remove(handles[k]);
         }
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
@@ -25,8 +26,8 @@ public final class RandomMoves implements Mover {
     private final int threads;
     private final Pipeline home;
 
-    /** Null if the world stays on the JVM. */
-    private final Pipeline device;
+    /** Null if the world stays on the JVM, or the device has failed. */
+    private Pipeline device;
 
     /** How many variants of kernels the device may compile. */
     private int compilations;
@@ -38,6 +39,7 @@ public final class RandomMoves implements Mover {
     private int movesToDevice;
     private int movesOfNeed;
     private int refusals;
+    private int losses;
     private Pipeline chosen;
 
     private RandomMoves(long seed, int threads, Pipeline device, int compilations) {
@@ -137,6 +139,11 @@ public final class RandomMoves implements Mover {
     }
 
     @Override
+    public boolean isHome(Pipeline pipeline) {
+        return pipeline == home;
+    }
+
+    @Override
     public void moved(Pipeline from, Pipeline to, long nanos, Throwable cause) {
         moves++;
         movesToDevice += to == device ? 1 : 0;
@@ -146,10 +153,22 @@ public final class RandomMoves implements Mover {
 
     @Override
     public void refused(Pipeline chosen, Throwable why) {
-        if (chosen != device || !(why instanceof DeviceMemoryException)) {
+        if (chosen != device || !(why instanceof OpenClException)) {
             throw new AssertionError("a move has been refused", why);
         }
         refusals++;
+        device = why instanceof DeviceMemoryException ? device : null;
+    }
+
+    @Override
+    public void lost(Pipeline failed, Throwable why) {
+        losses++;
+        device = null;
+    }
+
+    /** How often a device has lost the state. */
+    int losses() {
+        return losses;
     }
 
     @Override

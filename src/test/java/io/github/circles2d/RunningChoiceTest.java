@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
 import io.github.circles2d.opencl.Device;
@@ -17,6 +18,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -234,6 +236,39 @@ class RunningChoiceTest {
             stepUntilMoved(2, world, stays);
             assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
             assertThat(world.stats().reason()).contains("cannot take").contains("none left");
+        }
+    }
+
+    @Test
+    void aWorldWhoseDeviceFailsGoesOnOnTheJvmWithASnapshot() {
+        Devices devices = new Devices(1);
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            stepUntilMoved(1, world, stays);
+            ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(saved);
+            world.requestPositions();
+            devices.refused = "step";
+            assertThatThrownBy(() -> world.step(SCENE.timeStep())).isInstanceOf(DeviceMemoryException.class);
+            assertThatThrownBy(() -> world.step(SCENE.timeStep()))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("this World failed earlier and lost its state:"
+                            + " restore a snapshot or a frame, and it goes on on the JVM");
+            assertThatThrownBy(() -> world.restore(ByteBuffer.allocate(100)))
+                    .isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(world::hash).isInstanceOf(IllegalStateException.class);
+            world.restore(saved.flip());
+            assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
+            assertThat(world.stats().reason()).contains("has failed: none left");
+            assertThat(devices.closed.get()).isOne();
+            assertThatThrownBy(world::takePositions).hasMessageContaining("no positions have been requested");
+            for (int frame = 0; frame < 50; frame++) {
+                world.step(SCENE.timeStep());
+                stays.step(SCENE.timeStep());
+                assertThat(world.hash()).isEqualTo(stays.hash());
+            }
+            assertThat(world.stats().moves()).isEqualTo(2);
+            assertThat(devices.opened.get()).isOne();
         }
     }
 

@@ -4,6 +4,7 @@ import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.BlobSwarm;
 import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.games.JointCosts;
+import io.github.circles2d.bench.games.MovingCrowd;
 import io.github.circles2d.bench.games.SleepCosts;
 import io.github.circles2d.bench.games.SurfaceCosts;
 import io.github.circles2d.bench.games.TerrainCosts;
@@ -95,6 +96,9 @@ public final class Bench {
                     break;
                 case "joints":
                     JointCosts.run(rest, System.out);
+                    break;
+                case "moves":
+                    MovingCrowd.run(rest, System.out);
                     break;
                 case "blobs":
                     BlobSwarm.run(rest, System.out);

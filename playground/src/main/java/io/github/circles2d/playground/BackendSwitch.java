@@ -18,6 +18,7 @@ final class BackendSwitch {
     BackendSwitch(SessionLoop loop) {
         this.loop = loop;
         find();
+        available.add(Backend.AUTO);
     }
 
     private void find() {
@@ -61,7 +62,7 @@ final class BackendSwitch {
     /** The next one in turn. */
     void next() {
         loop.askLater(session -> {
-            int now = available.indexOf(session.sandbox().stats().backend());
+            int now = available.indexOf(session.sandbox().asked());
             session.switchTo(available.get((now + 1) % available.size()));
         });
         loop.ask(session -> session.say("switching ..."));

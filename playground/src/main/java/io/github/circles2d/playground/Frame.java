@@ -68,6 +68,10 @@ final class Frame {
     List<String> card = List.of();
 
     String stage = "";
+
+    /** The back end that was asked for, and where the world is. */
+    Backend asked = Backend.JVM;
+
     Backend backend = Backend.JVM;
     String device = "";
     int step;
@@ -96,8 +100,10 @@ final class Frame {
     String message = "";
     List<Mark> marks = List.of();
 
-    /** Milliseconds a step and energies, the newest last. */
+    /** Milliseconds a step, 1 beside those in which the world moved, and energies; the newest last. */
     float[] stepTimes = new float[0];
+
+    float[] stepMoves = new float[0];
 
     float[] energies = new float[0];
 

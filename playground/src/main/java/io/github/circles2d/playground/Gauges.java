@@ -9,15 +9,17 @@ final class Gauges {
     private static final double NEWEST = 0.1;
 
     private final History stepTimes = new History();
+    private final History stepMoves = new History();
     private final History energies = new History();
     private double stepMillis;
     private long hash;
     private int hashStep = -1;
 
-    /** Steps have been made, each of which took so long. */
-    void noteStep(double millis) {
+    /** Steps have been made, each of which took so long; before one of them the world may have moved to another back end. */
+    void noteStep(double millis, boolean moved) {
         stepMillis = stepMillis == 0 ? millis : stepMillis + NEWEST * (millis - stepMillis);
         stepTimes.add(millis);
+        stepMoves.add(moved ? 1 : 0);
     }
 
     void noteEnergy(double energy) {
@@ -48,6 +50,7 @@ final class Gauges {
     /** Steps take another time from now on. */
     void forgetTimes() {
         stepTimes.clear();
+        stepMoves.clear();
         stepMillis = 0;
     }
 
@@ -63,6 +66,7 @@ final class Gauges {
         frame.hashStep = hashStep;
         frame.stepMillis = stepMillis;
         frame.stepTimes = stepTimes.values();
+        frame.stepMoves = stepMoves.values();
         frame.energies = energies.values();
     }
 }

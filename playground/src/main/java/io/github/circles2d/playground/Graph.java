@@ -15,6 +15,8 @@ final class Graph {
 
     private static final double MARGIN = 1.15;
 
+    private static final float[] NONE = {};
+
     private final String title;
     private final Color colour;
     private final double common;
@@ -28,6 +30,11 @@ final class Graph {
     }
 
     void paint(Graphics2D g, Rectangle at, float[] values, String now) {
+        paint(g, at, values, NONE, now);
+    }
+
+    /** Marks values beside which there is not 0, too. */
+    void paint(Graphics2D g, Rectangle at, float[] values, float[] marks, String now) {
         int left = at.x;
         int upper = at.y;
         int width = at.width;
@@ -41,7 +48,9 @@ final class Graph {
         g.drawString(now, left + width - 10 - metrics.stringWidth(now), upper + 17);
         scale(values);
         if (values.length > 1 && top > 0) {
-            draw(g, left + 10, upper + HEAD, width - 20, height - HEAD - 8, values);
+            Rectangle inner = new Rectangle(left + 10, upper + HEAD, width - 20, height - HEAD - 8);
+            draw(g, inner.x, inner.y, inner.width, inner.height, values);
+            mark(g, inner, marks);
         }
     }
 
@@ -51,6 +60,18 @@ final class Graph {
         double greatest = sorted.length == 0 ? 0 : MARGIN * sorted[(int) (common * (sorted.length - 1))];
         boolean far = greatest < top * 1e-3;
         top = greatest >= top || far ? greatest : top + FALL * (greatest - top);
+    }
+
+    private static void mark(Graphics2D g, Rectangle at, float[] marks) {
+        double pitch = (double) at.width / (History.LENGTH - 1);
+        g.setColor(Theme.WARM);
+        g.setStroke(new BasicStroke(1));
+        for (int k = 0; k < marks.length; k++) {
+            if (marks[k] != 0) {
+                int x = (int) Math.round(at.x + at.width - pitch * (marks.length - 1 - k));
+                g.drawLine(x, at.y, x, at.y + at.height);
+            }
+        }
     }
 
     private void draw(Graphics2D g, int left, int upper, int width, int height, float[] values) {

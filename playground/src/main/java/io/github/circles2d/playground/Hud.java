@@ -56,7 +56,7 @@ final class Hud {
             paintLegend(g, layout.legend(), frame);
         }
         if (isFree(layout.steps())) {
-            steps.paint(g, layout.steps(), frame.stepTimes, Figures.format("%.2f", frame.stepMillis));
+            steps.paint(g, layout.steps(), frame.stepTimes, frame.stepMoves, Figures.format("%.2f", frame.stepMillis));
         }
         if (isFree(layout.energy())) {
             energy.paint(g, layout.energy(), frame.energies, Figures.format("%.3g", frame.energy));
@@ -107,7 +107,8 @@ final class Hud {
         return List.of(
                 Figures.format("%s, %,d circles", StageNotes.title(frame.stage), frame.circles),
                 Figures.format("step %,d%s", frame.step, state),
-                Figures.format("%s, %.0f frames a second", frame.backend, rate.perSecond()),
+                Figures.format(
+                        "%s, %.0f frames a second", Whereabouts.words(frame.asked, frame.backend), rate.perSecond()),
                 Figures.format("hash %016x at %,d", frame.hash, frame.hashStep));
     }
 

@@ -92,9 +92,9 @@ final class Menus {
         return bar;
     }
 
-    /** Shows what a frame says: the stage and the back end of the world. */
+    /** Shows what a frame says: the stage and the back end that was asked for. */
     void show(Frame frame) {
-        JRadioButtonMenuItem now = backends.get(frame.backend);
+        JRadioButtonMenuItem now = backends.get(frame.asked);
         if (now != null) {
             now.setSelected(true);
         }
@@ -131,10 +131,11 @@ final class Menus {
     private void addBackends(BackendSwitch switcher) {
         JMenu menu = menu("Back end");
         ButtonGroup group = new ButtonGroup();
-        for (Backend backend : new Backend[] {Backend.JVM, Backend.OPENCL_CPU, Backend.OPENCL_GPU}) {
+        for (Backend backend : new Backend[] {Backend.JVM, Backend.OPENCL_CPU, Backend.OPENCL_GPU, Backend.AUTO}) {
             String lack = switcher.lack(backend);
+            String note = backend == Backend.AUTO ? "moves to where frames are shorter" : lack;
             JRadioButtonMenuItem item =
-                    choice(menu, group, lack.isEmpty() ? backend.toString() : backend + " (" + lack + ")");
+                    choice(menu, group, note.isEmpty() ? backend.toString() : backend + " (" + note + ")");
             item.setEnabled(lack.isEmpty());
             if (!lack.isEmpty() && !switcher.failure().isEmpty()) {
                 item.setToolTipText(switcher.failure());

@@ -23,6 +23,10 @@ final class Sandbox implements AutoCloseable {
     private static final int THREADS = Math.min(Math.max(Runtime.getRuntime().availableProcessors() - 1, 1), 16);
 
     private World world;
+
+    /** The back end that was asked for: AUTO even if the world is on the JVM. */
+    private Backend asked;
+
     private WorldStats stats;
     private FixedStep loop;
     private Timeline timeline;
@@ -69,7 +73,7 @@ final class Sandbox implements AutoCloseable {
             next.circles().accept(opened);
             WorldStats figures = opened.stats();
             Grain usual = Grain.of(opened);
-            replace(opened, figures, 0);
+            replace(opened, backend, figures, 0);
             grain = usual;
             stage = next;
             subSteps = wishedSubSteps;
@@ -89,12 +93,12 @@ final class Sandbox implements AutoCloseable {
 
     /** The same with so many sub-steps, 1 to 16. */
     void restart(int wishedSubSteps) {
-        load(stage, stats.backend(), wishedSubSteps, withSleep);
+        load(stage, asked, wishedSubSteps, withSleep);
     }
 
     /** The same as a world whose circles sleep. */
     void restartWithSleep() {
-        load(stage, stats.backend(), subSteps, true);
+        load(stage, asked, subSteps, true);
     }
 
     /** Goes on with the same state on another back end. If there is no such, all stays as it is. */
@@ -104,7 +108,7 @@ final class Sandbox implements AutoCloseable {
 
     /** Goes on with the same state in a world that measures the times of its stages, or in one that does not and so pays nothing for it. */
     void setProfiling(boolean wanted) {
-        rebuild(stats.backend(), wanted);
+        rebuild(asked, wanted);
     }
 
     private void rebuild(Backend backend, boolean measures) {
@@ -116,7 +120,7 @@ final class Sandbox implements AutoCloseable {
                 .build();
         try {
             next.restore(snapshot());
-            replace(next, next.stats(), step);
+            replace(next, backend, next.stats(), step);
             profiling = measures;
         } catch (RuntimeException | Error e) {
             next.close();
@@ -125,12 +129,13 @@ final class Sandbox implements AutoCloseable {
     }
 
     /** Takes another world, which has made so many steps. If that fails, all stays as it is. */
-    private void replace(World next, WorldStats figures, int at) {
+    private void replace(World next, Backend backend, WorldStats figures, int at) {
         FixedStep ofNext = new FixedStep(next, TIME_STEP);
         Timeline past = new Timeline(next);
         ownPulls = pulls(next);
         World old = world;
         world = next;
+        asked = backend;
         stats = figures;
         loop = ofNext;
         timeline = past;
@@ -174,7 +179,7 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes a saved world in place of what is; all stays as it is if the file has none. */
     void open(Path file) throws IOException {
-        load(Stage.saved(file.getFileName().toString(), Files.readAllBytes(file)), stats.backend());
+        load(Stage.saved(file.getFileName().toString(), Files.readAllBytes(file)), asked);
     }
 
     /** Makes the steps that are due, and tells how many. */
@@ -287,7 +292,19 @@ final class Sandbox implements AutoCloseable {
         return loop;
     }
 
+    /** The back end that was asked for. */
+    Backend asked() {
+        return asked;
+    }
+
+    /** As it was built, or at the last {@link #look}. */
     WorldStats stats() {
+        return stats;
+    }
+
+    /** Looks where the world is now, if it may move. */
+    WorldStats look() {
+        stats = asked == Backend.AUTO ? world.stats() : stats;
         return stats;
     }
 

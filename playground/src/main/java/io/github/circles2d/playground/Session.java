@@ -26,6 +26,7 @@ final class Session implements AutoCloseable {
     private final Contacts contacts = new Contacts();
     private final Selection selection = new Selection();
     private final StepProfile profile = new StepProfile();
+    private final Whereabouts where = new Whereabouts();
     private final Runnable beforeStep;
 
     private PaintMode paint = PaintMode.SPEED;
@@ -59,7 +60,12 @@ final class Session implements AutoCloseable {
         }
         sandbox.loop().positions(null); // waits for the steps
         if (steps > 0) {
-            gauges.noteStep((System.nanoTime() - start) / 1e6 / steps);
+            double millis = (System.nanoTime() - start) / 1e6 / steps;
+            String news = where.news(sandbox.look());
+            gauges.noteStep(millis, !news.isEmpty());
+            if (!news.isEmpty()) {
+                say(news);
+            }
         }
         readout.fill(frame, sandbox, paint);
         contacts.read(world(), steps);
@@ -110,6 +116,7 @@ final class Session implements AutoCloseable {
 
     private void describe(Frame frame) {
         frame.stage = sandbox.stage().name();
+        frame.asked = sandbox.asked();
         frame.backend = sandbox.stats().backend();
         frame.device = sandbox.stats().device();
         frame.step = sandbox.step();
@@ -153,7 +160,7 @@ final class Session implements AutoCloseable {
         world().finish();
         contacts.read(world(), 1);
         noteProfile(1, true);
-        gauges.noteStep((System.nanoTime() - start) / 1e6);
+        gauges.noteStep((System.nanoTime() - start) / 1e6, false);
         touched = true;
     }
 
@@ -288,7 +295,7 @@ final class Session implements AutoCloseable {
 
     void load(Stage stage) {
         hand.letGo(sandbox);
-        sandbox.load(stage, sandbox.stats().backend());
+        sandbox.load(stage, sandbox.asked());
         restarted();
         sayStage();
     }
@@ -325,7 +332,7 @@ final class Session implements AutoCloseable {
         say(String.format(
                 Locale.ROOT,
                 "%s goes on from step %,d: hash %016x, %s",
-                sandbox.stats().backend(),
+                Whereabouts.words(backend, sandbox.stats().backend()),
                 sandbox.step(),
                 hash,
                 hash == before ? "the same" : String.format("and not %016x", before)));
@@ -363,6 +370,7 @@ final class Session implements AutoCloseable {
         sandbox.loop().setSpeed(speed);
         contacts.start(world());
         profile.start(sandbox.stats().stageMillis());
+        where.start(sandbox.stats());
         gauges.forgetTimes();
         touched = true;
     }

@@ -9,6 +9,9 @@ import java.util.Arrays;
  * saves and loads. It has no slots, so every pipeline saves the same state in the same way. Arrays are reused, and may be longer than their contents.
  */
 public class SavedCircles {
+    /** Parts of the circles, each of which one thread may save. */
+    public static final int PARTS = 64;
+
     /** Ids in use so far: all circles have lower ones. */
     public int ids;
 
@@ -96,6 +99,25 @@ public class SavedCircles {
         circles = count;
     }
 
+    /** Where a part of the circles begins; it ends where the next begins. */
+    public int part(int number) {
+        return (int) ((long) circles * number / PARTS);
+    }
+
+    /** Makes room for the impulses of all parts: takes how many each has, and gives where its first one goes. */
+    public void placeImpulses(int[] ofParts) {
+        int sum = 0;
+        for (int count : ofParts) {
+            sum += count;
+        }
+        ensureImpulses(sum);
+        impulses = sum;
+        for (int part = PARTS - 1; part >= 0; part--) {
+            sum -= ofParts[part];
+            ofParts[part] = sum;
+        }
+    }
+
     /** Makes room for impulses without changing their number. */
     public void ensureImpulses(int count) {
         if (normalImpulse.length < count) {
@@ -144,8 +166,13 @@ public class SavedCircles {
      */
     public void addImpulse(int loId, int hiId, float impulse, float[] ofRows, int at) {
         ensureImpulses(impulses + 1);
-        int k = impulses++;
-        while (k > 0 && lo[k - 1] == loId && hi[k - 1] > hiId) {
+        setImpulse(impulses++, 0, loId, hiId, impulse, ofRows, at);
+    }
+
+    /** Likewise sets an impulse, for which there is room, behind the others of its lower id, none of which lies before a place. */
+    public void setImpulse(int last, int first, int loId, int hiId, float impulse, float[] ofRows, int at) {
+        int k = last;
+        while (k > first && lo[k - 1] == loId && hi[k - 1] > hiId) {
             hi[k] = hi[k - 1];
             normalImpulse[k] = normalImpulse[k - 1];
             if (turns) {
@@ -153,7 +180,7 @@ public class SavedCircles {
             }
             k--;
         }
-        lo[impulses - 1] = loId;
+        lo[last] = loId;
         hi[k] = hiId;
         normalImpulse[k] = impulse;
         if (turns) {

@@ -33,7 +33,6 @@ import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -43,11 +42,6 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
-    private static final System.Logger LOG = System.getLogger(DevicePipeline.class.getName());
-
-    /** The log tells of a compiler that was waited for so long. */
-    private static final double LONG_SECONDS = 1;
-
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
@@ -172,17 +166,10 @@ public final class DevicePipeline implements Pipeline {
 
     /** Before something uses the kernels: if a compiler refuses them, nothing has changed. */
     private void compile(StageKernels loading, boolean reporting) {
-        long start = System.nanoTime();
-        compileParts(loading, steps, reporting);
-        double seconds = (System.nanoTime() - start) * 1e-9;
-        if (seconds >= LONG_SECONDS) {
-            LOG.log(
-                    System.Logger.Level.INFO,
-                    String.format(
-                            Locale.ROOT,
-                            "World has waited %.1f s until kernels were compiled for %s; most drivers keep them",
-                            seconds,
-                            session.device().name()));
+        if (!has(loading, steps, reporting)) {
+            CompilerNotice.during(
+                    () -> compileParts(loading, steps, reporting),
+                    session.device().name());
         }
     }
 
@@ -225,13 +212,13 @@ public final class DevicePipeline implements Pipeline {
         StageKernels silent = variants.get(variant.silent());
         return all != null
                 && silent != null
-                && hasAll(silent, false)
-                && hasAll(all, wanted.reporting())
+                && has(silent, true, false)
+                && has(all, true, wanted.reporting())
                 && plans.stream().map(Plans::partOf).allMatch(part -> part == null || all.has(part));
     }
 
-    private static boolean hasAll(StageKernels of, boolean reporting) {
-        return of.has(Plans.CALLS) && of.has(Plans.STEPS) && (!reporting || of.has(Plans.REPORTS));
+    private static boolean has(StageKernels of, boolean ofSteps, boolean reporting) {
+        return of.has(Plans.CALLS) && (!ofSteps || of.has(Plans.STEPS)) && (!reporting || of.has(Plans.REPORTS));
     }
 
     /** The silent kernels too: features are made ready before it is told what steps report. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.device;
 
+import io.github.circles2d.world.circles.SavedCircles;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
@@ -12,6 +13,8 @@ import io.github.circles2d.world.snapshots.SavedState;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /** A copy of a device's state on the host, for the hash and for snapshots, which are seldom needed. */
 final class StateTransfer {
@@ -20,6 +23,9 @@ final class StateTransfer {
 
     /** Ints of a circle's turn: its angle, the bits of its angular velocity. */
     private static final int TURN_INTS = 2;
+
+    /** From so many circles on several threads save them. */
+    private static final int LEAST_SHARED = 4096;
 
     /** Where traits hold what does not follow from the circle. */
     private static final int AT_RESTITUTION = 1;
@@ -65,11 +71,9 @@ final class StateTransfer {
         }
     }
 
+    private final DeviceArrays arrays;
     private final int slots;
     private final int[] id;
-    private final float[] circle;
-    private final float[] motion;
-    private final float[] traits;
     private final int[] firstCached;
     private final int[] slotOf;
 
@@ -91,11 +95,9 @@ final class StateTransfer {
 
     /** With how circles have come to rest, if they may have. */
     StateTransfer(DeviceArrays arrays, int slots, int cachedContacts, boolean sleeps) {
+        this.arrays = arrays;
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
-        circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
-        motion = Readback.floats(arrays.get(DeviceArray.HOME_MOTION), FLOATS * slots);
-        traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
         firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedContacts);
@@ -111,11 +113,18 @@ final class StateTransfer {
         }
     }
 
+    private float[] rows(DeviceArray array) {
+        return Readback.floats(arrays.get(array), FLOATS * slots);
+    }
+
     long hash() {
+        float[] circle = rows(DeviceArray.HOME_CIRCLE);
+        float[] motion = rows(DeviceArray.HOME_MOTION);
+        float[] traits = rows(DeviceArray.HOME_TRAITS);
         long sum = 0;
         for (int slot = 0; slot < slots; slot++) {
             if (id[slot] >= 0) {
-                sum += hashOfCircle(slot) + hashOfMemory(slot);
+                sum += hashOfCircle(slot, circle, motion, traits) + hashOfMemory(slot);
                 sum += turning
                         ? StateHash.turn(
                                 id[slot], angle(slot), angularVelocity(slot), wallRows, ContactRows.ofWalls(slot))
@@ -142,7 +151,7 @@ final class StateTransfer {
         return sleep.length == 0 ? 0 : sleep[Readback.SLEEP_INTS * slot + place];
     }
 
-    private long hashOfCircle(int slot) {
+    private long hashOfCircle(int slot, float[] circle, float[] motion, float[] traits) {
         int s = FLOATS * slot;
         long h = StateHash.absorb(StateHash.circle(), id[slot]);
         for (int k = 0; k < FLOATS; k++) {
@@ -191,16 +200,45 @@ final class StateTransfer {
         return hi >= 0 && firstCached[hi] != CachedImpulse.FRESH;
     }
 
-    /** Saves the circles whose ids are given, and the impulses. */
+    /** Saves the circles whose ids are given, and the impulses; many circles by several threads. */
     void save(SavedState into) {
-        into.impulses = 0;
         into.setTurns(turning);
         into.setSleeps(sleeping);
-        for (int k = 0; k < into.circles; k++) {
+        saveRows(DeviceArray.HOME_CIRCLE, into, into.circle);
+        saveRows(DeviceArray.HOME_MOTION, into, into.motion);
+        saveRows(DeviceArray.HOME_TRAITS, into, into.traits);
+        int[] places = new int[SavedCircles.PARTS];
+        inParts(into, part -> places[part] = countImpulses(into, part));
+        into.placeImpulses(places);
+        inParts(into, part -> {
+            saveFeatures(into, part);
+            saveImpulses(into, part, places[part]);
+        });
+    }
+
+    private static void inParts(SavedState into, IntConsumer work) {
+        IntStream parts = IntStream.range(0, SavedCircles.PARTS);
+        (into.circles < LEAST_SHARED ? parts : parts.parallel()).forEach(work);
+    }
+
+    /** Circles that are asked for as they lie, as on the way to another pipeline, are read to where they go. */
+    private void saveRows(DeviceArray array, SavedState into, float[] to) {
+        if (Arrays.equals(id, 0, slots, into.id, 0, into.circles)) {
+            arrays.get(array).read(FloatBuffer.wrap(to, 0, FLOATS * slots));
+            return;
+        }
+        float[] rows = rows(array);
+        inParts(into, part -> {
+            for (int k = into.part(part); k < into.part(part + 1); k++) {
+                System.arraycopy(rows, FLOATS * slotOf[into.id[k]], to, FLOATS * k, FLOATS);
+            }
+        });
+    }
+
+    private void saveFeatures(SavedState into, int part) {
+        int to = into.part(part + 1);
+        for (int k = into.part(part); (turning || sleeping) && k < to; k++) {
             int slot = slotOf[into.id[k]];
-            System.arraycopy(circle, FLOATS * slot, into.circle, FLOATS * k, FLOATS);
-            System.arraycopy(motion, FLOATS * slot, into.motion, FLOATS * k, FLOATS);
-            System.arraycopy(traits, FLOATS * slot, into.traits, FLOATS * k, FLOATS);
             if (turning) {
                 into.angle[k] = angle(slot);
                 into.angularVelocity[k] = angularVelocity(slot);
@@ -217,10 +255,31 @@ final class StateTransfer {
                 into.drift[2 * k + 1] = drift(slot, 1);
                 into.turned[k] = turned(slot);
             }
-            for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
+        }
+    }
+
+    private int countImpulses(SavedState into, int part) {
+        int count = 0;
+        int to = into.part(part + 1);
+        for (int k = into.part(part); k < to; k++) {
+            for (int c = firstCached[slotOf[into.id[k]]]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
+                count += isFound(c) ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    private void saveImpulses(SavedState into, int part, int place) {
+        int end = place;
+        int to = into.part(part + 1);
+        for (int k = into.part(part); k < to; k++) {
+            int first = end;
+            for (int c = firstCached[slotOf[into.id[k]]]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
                 if (isFound(c)) {
-                    into.addImpulse(
-                            id[slot],
+                    into.setImpulse(
+                            end++,
+                            first,
+                            into.id[k],
                             entries[at(c, CachedImpulse.AT_HIGHER_ID)],
                             Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]),
                             cachedRows,

@@ -230,13 +230,25 @@ final class ImpulseCache {
         return hi >= 0 && !state.fresh[hi];
     }
 
-    /** Saves the impulses of a slot, as the circle of lower id, that the next step may start from. */
-    void save(int slot, SavedState into) {
+    /** How many impulses of a slot, as the circle of lower id, the next step may start from. */
+    int count(int slot) {
+        int count = 0;
+        for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
+            count += isFound(c) ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Saves them from a place on. Returns the place behind them. */
+    int save(int slot, SavedState into, int at) {
+        int end = at;
         for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
-                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c], rows, ContactRows.of(c));
+                into.ensureImpulses(end + 1);
+                into.setImpulse(end++, at, state.id[slot], (int) ids[c], normalImpulse[c], rows, ContactRows.of(c));
             }
         }
+        return end;
     }
 
     /** Takes over saved impulses, for which there is room; the circles have been taken over before. */

@@ -789,16 +789,16 @@ public final class State implements ContactEvents.Sleepers {
         return CircleMath.clamp(x, low, max - Walls.marginAtWall(fromMax, max, margin));
     }
 
-    /** Saves the circle of a slot as circle k. */
-    void save(int slot, SavedState into, int k) {
-        System.arraycopy(circle, CircleRow.of(slot), into.circle, CircleRow.of(k), CircleRow.STRIDE);
-        System.arraycopy(motion, CircleRow.of(slot), into.motion, CircleRow.of(k), CircleRow.STRIDE);
-        System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.STRIDE);
+    /** Saves circles from a slot on as those from k on. */
+    void save(int slot, SavedState into, int k, int count) {
+        System.arraycopy(circle, CircleRow.of(slot), into.circle, CircleRow.of(k), CircleRow.of(count));
+        System.arraycopy(motion, CircleRow.of(slot), into.motion, CircleRow.of(k), CircleRow.of(count));
+        System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.of(count));
         if (turning != null) {
-            turning.save(slot, into, k);
+            turning.save(slot, into, k, count);
         }
-        if (sleepers != null) {
-            sleepers.save(id[slot], into, k);
+        for (int c = 0; sleepers != null && c < count; c++) {
+            sleepers.save(id[slot + c], into, k + c);
         }
     }
 

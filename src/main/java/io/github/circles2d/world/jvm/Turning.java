@@ -185,11 +185,12 @@ final class Turning {
         }
     }
 
-    /** Saves the circle of a slot as circle k. */
-    void save(int slot, SavedState into, int k) {
-        into.angle[k] = angle[slot];
-        into.angularVelocity[k] = angularVelocity[slot];
-        copyWalls(wallRows, slot, into.wallRows, k);
+    /** Saves circles from a slot on as those from k on. */
+    void save(int slot, SavedState into, int k, int count) {
+        System.arraycopy(angle, slot, into.angle, k, count);
+        System.arraycopy(angularVelocity, slot, into.angularVelocity, k, count);
+        System.arraycopy(
+                wallRows, ContactRows.ofWalls(slot), into.wallRows, ContactRows.ofWalls(k), ContactRows.ofWalls(count));
     }
 
     /** Takes over saved circles, for which there is room; slots are in the order of the ids. */

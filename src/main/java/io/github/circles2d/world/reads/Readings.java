@@ -358,7 +358,7 @@ public final class Readings {
     }
 
     private void requireRequest() {
-        if (!positionsRequested) {
+        if (!positionsRequested || world.moves.hasFailed(asked)) {
             throw new IllegalStateException("no positions have been requested since the last were taken:"
                     + " call requestPositions before each takePositions");
         }

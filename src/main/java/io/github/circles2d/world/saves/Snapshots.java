@@ -50,7 +50,7 @@ public final class Snapshots {
 
     /** Takes over what a snapshot says, in place of all that is. */
     public void restore(ByteBuffer from) {
-        world.guard.enter();
+        world.guard.enterToReplace();
         try {
             Limits.notNull("from", from);
             SavedState saved = world.copies.other();
@@ -65,7 +65,7 @@ public final class Snapshots {
 
     /** Saves the state as a frame. */
     public void save(SnapshotRing ring, int frame) {
-        world.guard.enter();
+        world.guard.enterToReplace();
         try {
             ring.save(frame, world.copies.saved());
         } finally {
@@ -75,7 +75,7 @@ public final class Snapshots {
 
     /** Takes over a frame, in place of all that is. */
     public void restore(SnapshotRing ring, int frame) {
-        world.guard.enter();
+        world.guard.enterToReplace();
         try {
             int place = ring.find(frame);
             SavedState saved = world.copies.other();
@@ -89,7 +89,11 @@ public final class Snapshots {
 
     /** Makes room for a saved state. If that fails, nothing has changed. */
     private void makeRoom(SavedState saved) {
-        world.pending.finish();
+        if (world.guard.holds()) {
+            world.pending.finish();
+        } else {
+            world.moves.leaveFailed();
+        }
         world.state.makeRoom(saved);
         nextStep.makeRoom(saved);
         world.copies.forget();
@@ -106,6 +110,6 @@ public final class Snapshots {
         } catch (RuntimeException | Error e) {
             throw world.guard.failed(e);
         }
-        world.guard.changing = false;
+        world.guard.replaced();
     }
 }

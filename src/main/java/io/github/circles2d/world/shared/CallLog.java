@@ -119,9 +119,10 @@ public final class CallLog {
         }
     }
 
-    /** A saved state is to take the place of all that is. */
+    /** A saved state is to take the place of all that is, and of what a step that was not made would have led to. */
     public void restore(SavedState state) {
         if (log != null) {
+            stepping = false;
             write(state, log);
         }
     }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.shared;
 
 import java.util.ConcurrentModificationException;
 import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
+import java.util.function.Predicate;
 
 /**
  * Lets one thread at a time use a world, until it is closed or its state is lost. A call that needs the state, reads and changes alike, has
@@ -33,9 +34,21 @@ public final class Guard {
     /** Why the state is lost; null if it is not, or if nobody knows why a change has ended half-way. */
     private Throwable failure;
 
+    /** Says of a failure that has lost the state whether another one may take its place. */
+    private final Predicate<Throwable> asked;
+
+    private boolean replaceable;
+
+    Guard(Predicate<Throwable> asked) {
+        this.asked = asked;
+    }
+
     /** A device has failed, and with it the state. */
     void lose(Throwable cause) {
-        failure = cause;
+        if (failure != cause) {
+            failure = cause;
+            replaceable = asked.test(cause);
+        }
     }
 
     /** Does nothing, if a call can be made at all. */
@@ -47,11 +60,29 @@ public final class Guard {
     /** Begins a call that needs the state. */
     public void enter() {
         takeTurn();
-        if (!holds()) {
+        requireState(holds());
+    }
+
+    /** Begins a call that puts another state in the place of the one that is there, or was lost. {@link #replaced} ends the loss. */
+    public void enterToReplace() {
+        takeTurn();
+        requireState(holds() || !closed && replaceable);
+    }
+
+    private void requireState(boolean there) {
+        if (!there) {
             user = null;
-            throw new IllegalStateException(
-                    closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
+            String lost = "this World failed earlier and lost its state"
+                    + (replaceable ? ": restore a snapshot or a frame, and it goes on on the JVM" : "");
+            throw new IllegalStateException(closed ? "this World has been closed" : lost, failure);
         }
+    }
+
+    /** Another state has taken the place of all that was. */
+    public void replaced() {
+        changing = false;
+        failure = null;
+        replaceable = false;
     }
 
     /** Whether there is a state. */
@@ -80,7 +111,7 @@ public final class Guard {
     /** Takes note of what has ended a change half-way, if it has begun, and returns it. */
     public RuntimeException failed(Throwable cause) {
         if (changing) {
-            failure = cause;
+            lose(cause);
         }
         if (cause instanceof Error error) {
             throw error;

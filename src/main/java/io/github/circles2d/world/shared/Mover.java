@@ -22,11 +22,17 @@ public interface Mover extends AutoCloseable {
     /** The pipeline that takes any world without compiling anything. */
     Pipeline home();
 
+    /** Whether a pipeline is {@link #home}, without making one. */
+    boolean isHome(Pipeline pipeline);
+
     /** The world has moved. cause: why it had to; null if this object chose so. */
     void moved(Pipeline from, Pipeline to, long nanos, Throwable cause);
 
     /** A pipeline that was chosen could not take the world over, which stays where it is. */
     void refused(Pipeline chosen, Throwable why);
+
+    /** A pipeline away from home has failed, and with it the state. If another one takes its place, the world moves home. */
+    void lost(Pipeline failed, Throwable why);
 
     /** Closes all pipelines. */
     @Override

@@ -32,6 +32,9 @@ public final class Moves {
 
     private Readiness ready;
 
+    /** The pipeline that lost the state; null if none did. */
+    private Pipeline failed;
+
     Moves(WorldParts world) {
         this.world = world;
     }
@@ -105,10 +108,36 @@ public final class Moves {
      * state.
      */
     public void goHome(RuntimeException refusal) {
-        if (mover == null || !world.guard.holds() || world.pipeline == mover.home()) {
+        if (mover == null || !world.guard.holds() || mover.isHome(world.pipeline)) {
             throw refusal;
         }
         moveTo(mover.home(), refusal);
+    }
+
+    /** The state is lost. Returns whether another one may take its place: at home, if a device has failed. An error may have hit anything. */
+    boolean lost(Throwable failure) {
+        if (mover == null || failure instanceof Error || mover.isHome(world.pipeline)) {
+            return false;
+        }
+        failed = world.pipeline;
+        mover.lost(failed, failure);
+        return true;
+    }
+
+    /** Whether a pipeline is the one that lost the state. */
+    public boolean hasFailed(Pipeline pipeline) {
+        return pipeline == failed;
+    }
+
+    /** Goes home without a state, which the caller makes room for and loads then. */
+    public void leaveFailed() {
+        if (world.pipeline == failed) {
+            Pipeline next = mover.home();
+            next.prepare(world.settings.contacts(), world.needs.features());
+            report(next);
+            world.use(next);
+            mover.moved(failed, next, 0, null);
+        }
     }
 
     /** Moves to a pipeline that is ready. If that fails, the world is where it was. */
@@ -132,8 +161,18 @@ public final class Moves {
         }
         world.use(next);
         world.state.forgetFigures();
-        from.leave();
-        mover.moved(from, next, System.nanoTime() - start, cause);
+        Throwable failure = leave(from);
+        mover.moved(from, next, System.nanoTime() - start, cause == null ? failure : cause);
+    }
+
+    /** Returns what has failed, if anything: the state is not there any more. */
+    private static Throwable leave(Pipeline from) {
+        try {
+            from.leave();
+            return null;
+        } catch (RuntimeException e) {
+            return e;
+        }
     }
 
     /** Memory of the last move, if it is still there. */

@@ -18,7 +18,7 @@ public final class WorldParts {
     /** Who makes the steps. */
     public Pipeline pipeline;
 
-    public final Guard guard = new Guard();
+    public final Guard guard = new Guard(this::canReplace);
     public final HandleTable handles = new HandleTable();
     public final Commands commands = new Commands();
     public final KindTable kinds = new KindTable();
@@ -54,6 +54,10 @@ public final class WorldParts {
                 guard.lose(cause);
             }
         });
+    }
+
+    private boolean canReplace(Throwable failure) {
+        return moves.lost(failure);
     }
 
     /** The id of the circle that has a handle. */

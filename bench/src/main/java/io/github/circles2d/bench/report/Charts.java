@@ -85,6 +85,7 @@ public final class Charts {
                 () -> {
                     save(WorldCharts.steps(folders), results, WorldCharts.FILE);
                     SeriesCharts.draw(results, folders);
+                    Moves.draw(results.resolve("moves"));
                 },
                 results,
                 out);
@@ -233,27 +234,25 @@ public final class Charts {
         return first.isEmpty() ? second : first;
     }
 
+    /** Only whole powers of ten get labels on a logarithmic axis, which runs from one to another. */
     static void save(XYChart chart, Path folder, String name) throws IOException {
         if (chart.getSeriesMap().isEmpty()) {
             return;
         }
-        toWholeDecades(chart);
+        double[] x = exponents(chart, XYSeries::getXData);
+        chart.getStyler().setXAxisMin(Math.pow(10, Math.floor(x[0]))).setXAxisMax(Math.pow(10, Math.ceil(x[1])));
+        saveByTime(chart, folder, name);
+    }
+
+    /** Saves a chart of which only the vertical axis is logarithmic. */
+    static void saveByTime(XYChart chart, Path folder, String name) throws IOException {
+        double[] y = exponents(chart, XYSeries::getYData);
+        chart.getStyler().setYAxisMin(Math.pow(10, Math.floor(y[0]))).setYAxisMax(Math.pow(10, Math.ceil(y[1])));
         String file = folder.resolve(name).toString();
         BitmapEncoder.saveBitmap(chart, file, BitmapEncoder.BitmapFormat.PNG);
         VectorGraphicsEncoder.saveVectorGraphic(chart, file, VectorGraphicsEncoder.VectorGraphicsFormat.SVG);
         Path svg = folder.resolve(name + ".svg");
         Files.writeString(svg, slim(Files.readString(svg)));
-    }
-
-    /** Only whole powers of ten get labels: both axes run from one to another. */
-    private static void toWholeDecades(XYChart chart) {
-        double[] x = exponents(chart, XYSeries::getXData);
-        double[] y = exponents(chart, XYSeries::getYData);
-        chart.getStyler()
-                .setXAxisMin(Math.pow(10, Math.floor(x[0])))
-                .setXAxisMax(Math.pow(10, Math.ceil(x[1])))
-                .setYAxisMin(Math.pow(10, Math.floor(y[0])))
-                .setYAxisMax(Math.pow(10, Math.ceil(y[1])));
     }
 
     /** The decades of the least and the greatest value of all lines. */

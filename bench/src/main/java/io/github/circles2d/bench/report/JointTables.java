@@ -16,8 +16,7 @@ final class JointTables {
                         "| machine | case | circles | joints | contacts | of the other | ms | of the other |")
                 .append(" times as long | of the shortest steps | asked |\n")
                 .append("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows =
-                Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "case", "n"));
         for (Map<String, String> row : rows) {
             String asked = row.get("asked_ratio");
             text.append("| ").append(row.get("machine")).append(" | ").append(row.get("case"));

@@ -17,7 +17,10 @@ final class SleepTables {
         List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("machine", "scene", "n"));
         for (Map<String, String> row : rows) {
             text.append("| ").append(row.get("machine")).append(" | ").append(row.get("scene"));
-            text.append(" | ").append(Numbers.whole(row.get("n"))).append(" | ").append(Numbers.whole(row.get("awake")));
+            text.append(" | ")
+                    .append(Numbers.whole(row.get("n")))
+                    .append(" | ")
+                    .append(Numbers.whole(row.get("awake")));
             for (String column : List.of("without_us", "with_us", "box2d_without_us", "box2d_with_us")) {
                 text.append(" | ").append(row.get(column));
             }

@@ -42,7 +42,8 @@ public final class Table {
     public static List<Map<String, String>> rowsOf(Path file, List<String> keys) {
         try {
             return Files.exists(file)
-                    ? parse(Files.readString(file, StandardCharsets.UTF_8), keys).rows()
+                    ? parse(Files.readString(file, StandardCharsets.UTF_8), keys)
+                            .rows()
                     : List.of();
         } catch (IOException e) {
             throw new UncheckedIOException(e);

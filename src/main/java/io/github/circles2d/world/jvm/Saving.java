@@ -1,0 +1,121 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.SavedCircles;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.snapshots.SavedState;
+
+/** Saves circles and the impulses that the next step starts from; many circles by several threads. */
+final class Saving {
+    /** To count impulses first takes half as long again, so fewer threads gain little. */
+    private static final int LEAST_THREADS = 4;
+
+    private final State state;
+    private final ImpulseCache impulses;
+    private final Team team;
+    private final Runnable counts = this::countAll;
+    private final Runnable copies = this::copyAll;
+    private final Team.Work count = this::count;
+    private final Team.Work copy = this::copy;
+
+    /** By part of the circles: how many impulses it has, then where the first of them goes. */
+    private final int[] places = new int[SavedCircles.PARTS];
+
+    private SavedState into;
+
+    /** Whether {@link #places} have the numbers of impulses. */
+    private boolean counted;
+
+    Saving(State state, ImpulseCache impulses, Team team) {
+        this.state = state;
+        this.impulses = impulses;
+        this.team = team;
+    }
+
+    /** Saves the circles whose ids are given, by at most so many threads. */
+    void save(SavedState to, int workers) {
+        into = to;
+        if (workers < LEAST_THREADS || state.sleepers != null) {
+            saveAlone();
+        } else {
+            team.run(workers, counts);
+            if (counted) {
+                into.placeImpulses(places); // here, since a team is of no use after an error in a run
+                team.run(workers, copies);
+            }
+        }
+        into = null;
+    }
+
+    private void saveAlone() {
+        into.impulses = 0;
+        saveRows(0, into.circles);
+        int slot = -1;
+        for (int k = 0; k < into.circles; k++) {
+            slot = slot(slot, k);
+            into.impulses = impulses.save(slot, into, into.impulses);
+            if (state.sleepers != null) {
+                state.sleepers.saveImpulses(into.id[k], into);
+            }
+        }
+    }
+
+    /** The slot of circle k: mostly that behind the slot of the circle before, where a processor finds it at once. */
+    private int slot(int before, int k) {
+        int next = before + 1;
+        return next < state.n && state.id[next] == into.id[k] ? next : state.slotOf[into.id[k]];
+    }
+
+    /** Circles whose slots follow each other, as most do on the way to another pipeline, are copied at once. */
+    private void saveRows(int from, int to) {
+        for (int k = from; k < to; ) {
+            int slot = state.slotOf[into.id[k]];
+            int count = 1;
+            while (k + count < to && slot + count < state.n && state.id[slot + count] == into.id[k + count]) {
+                count++;
+            }
+            state.save(slot, into, k, count);
+            k += count;
+        }
+    }
+
+    /** Saves all at once if other programs keep the processors busy. */
+    private void countAll() {
+        counted = team.size() >= LEAST_THREADS;
+        if (counted) {
+            team.all(count);
+        } else {
+            saveAlone();
+        }
+    }
+
+    private void copyAll() {
+        team.all(copy);
+    }
+
+    private void count(int worker) {
+        for (int part = worker; part < SavedCircles.PARTS; part += team.size()) {
+            int sum = 0;
+            int slot = -1;
+            int to = into.part(part + 1);
+            for (int k = into.part(part); k < to; k++) {
+                slot = slot(slot, k);
+                sum += impulses.count(slot);
+            }
+            places[part] = sum;
+        }
+    }
+
+    private void copy(int worker) {
+        for (int part = worker; part < SavedCircles.PARTS; part += team.size()) {
+            int from = into.part(part);
+            int to = into.part(part + 1);
+            saveRows(from, to);
+            int at = places[part];
+            int slot = -1;
+            for (int k = from; k < to; k++) {
+                slot = slot(slot, k);
+                at = impulses.save(slot, into, at);
+            }
+        }
+    }
+}
