@@ -25,7 +25,7 @@ final class StateTransfer {
     private static final int TURN_INTS = 2;
 
     /** From so many circles on several threads save them. */
-    private static final int LEAST_SHARED = 4096;
+    private static final int LEAST_SHARED = 32_768;
 
     /** Where traits hold what does not follow from the circle. */
     private static final int AT_RESTITUTION = 1;

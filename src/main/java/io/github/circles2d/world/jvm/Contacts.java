@@ -451,7 +451,7 @@ public final class Contacts {
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
-        if (state.sleepers != null) {
+        if (state.sleepers != null && (invMassA == 0f || invMassB == 0f)) {
             contact[o + MASS] = 1f / (pushedMass(lower) + pushedMass(higher));
         }
         contact[o + FLIGHT_THRESHOLD] = Bounce.flightThreshold(

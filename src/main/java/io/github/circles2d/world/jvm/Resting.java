@@ -433,7 +433,7 @@ final class Resting {
             float far = stretch * (SLACK * top(ofClass)) + rounding;
             if (state.wraps) {
                 findImages(found, bounds, ofClass, left - far, right + far, below - far, above + far);
-            } else {
+            } else if (left - far <= highX && lowX <= right + far && below - far <= highY && lowY <= above + far) {
                 scan(found, ofClass, left - far, right + far, below - far, above + far, false);
             }
         }

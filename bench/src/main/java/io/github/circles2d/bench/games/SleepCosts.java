@@ -19,7 +19,7 @@ import java.util.Random;
 public final class SleepCosts {
     /**
      * The scenes. In all but {@code level} the second world is the first one without sleep: a settled heap ({@code pile}), on which a ball
-     * rolls ({@code ball}), or onto which one falls every 20 steps ({@code pour}); and a crowd that never rests ({@code moving}). {@code level}
+     * rolls ({@code ball}), or onto which one falls every 20 steps ({@code pour}); and a gas that never rests ({@code moving}). {@code level}
      * has static circles and 100 that move; the second world has these alone.
      */
     public static final List<String> CASES = List.of("pile", "ball", "pour", "level", "moving");
@@ -101,7 +101,7 @@ public final class SleepCosts {
             case "level":
                 return level(builder, n, first);
             case "moving":
-                return packed(builder.sleep(first), n);
+                return gas(builder.sleep(first), n);
             default:
                 return pile(builder.sleep(first), n);
         }
@@ -148,8 +148,8 @@ public final class SleepCosts {
         return world;
     }
 
-    private static World packed(World.Builder builder, int n) {
-        Scene scene = Scenes.packed(n, Scenes.SEED);
+    private static World gas(World.Builder builder, int n) {
+        Scene scene = Scenes.gas(n, Scenes.SEED);
         SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
         World world = builder.build();
         SceneLoader.circles(scene, world::add, world::setRestitution);
