@@ -138,9 +138,9 @@ enum ElementField {
     UNITS_TURNED(DeviceArray.SLEEP, 3, 1),
 
     // of one that sleeps
-    KNOWN_X(DeviceArray.SLEEP, 1, 1),
-    KNOWN_Y(DeviceArray.SLEEP, 2, 1),
-    OFFSET(DeviceArray.SLEEP, 3, 1),
+    KNOWN_X(DRIFT_X),
+    KNOWN_Y(DRIFT_Y),
+    OFFSET(UNITS_TURNED),
 
     WAKING_SPEED(DeviceArray.WAKING, 0, 1),
     PRESSING(DeviceArray.WAKING, 1, 1),
