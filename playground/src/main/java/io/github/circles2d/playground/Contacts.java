@@ -5,7 +5,8 @@ import io.github.circles2d.World;
 
 /**
  * The contacts of the last step, with their normals and impulses, if a person wants to see them: of circles, walls and terrain. They are
- * the hits of a world whose hit speed is 0, so each is a pair between which an impulse acted. A world reports nothing unless this is on.
+ * the hits of a world whose hit speed is 0, so each is a pair between which an impulse acted: pairs that sleep are not among them. A world
+ * reports nothing unless this is on.
  */
 final class Contacts {
     /** Elements of a contact: its place, its normal and its impulse. */

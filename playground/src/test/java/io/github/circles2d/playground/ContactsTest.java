@@ -26,10 +26,10 @@ class ContactsTest {
             float x = (session.world().minX() + session.world().maxX()) / 2;
             float radius = session.sandbox().grain().radius();
             long circle = session.world().add(x, session.world().minY() + radius, radius, 4);
-            frames(session, 60);
+            frames(session, 20);
             assertThat(frame.contacts).as("nobody wants to see them").isZero();
             session.toggleContacts();
-            frames(session, 60);
+            frames(session, 20); // before it sleeps
             assertThat(frame.showsContacts).isTrue();
             assertThat(frame.contacts).isEqualTo(1);
             assertThat(frame.contact[0]).isCloseTo(x, within(radius));
