@@ -186,8 +186,15 @@ class RecipesTest {
         float highest = 0;
         for (int step = 0; step < 240 && world.x(ball) < 80; step++) {
             // in each step
-            if (world.y(ball) > 8 && world.x(ball) < 50) { // over the top
-                world.setKind(ball, leaving);
+            float dx = world.x(ball) - 50, dy = world.y(ball) - 8; // from the middle of the loop
+            int kind = world.kindOf(ball);
+            if (dy > 0 && dx * dx + dy * dy < 8 * 8) {
+                kind = dx < 0 ? leaving : entering; // over the top, to either side
+            } else if (Math.abs(dx) > 8) {
+                kind = dx < 0 ? entering : leaving; // beside the loop: it may come again, from either side
+            }
+            if (kind != world.kindOf(ball)) {
+                world.setKind(ball, kind);
             }
             world.step(STEP);
             highest = Math.max(highest, world.y(ball));
@@ -196,6 +203,41 @@ class RecipesTest {
         assertThat(world.kindOf(ball)).isEqualTo(leaving);
         assertThat(world.x(ball)).isGreaterThanOrEqualTo(80);
         assertThat(world.vx(ball)).as("as fast as before").isCloseTo(40, within(1f));
+    }
+
+    @Test
+    void soItDoesOnItsWayBackAndAfterAHill() {
+        open(builder(), 90, 90);
+        float pi = (float) Math.PI;
+        int entering = 11, leaving = 12, right = 13, left = 14;
+        world.setResponse(entering, left, Response.IGNORE);
+        world.setResponse(leaving, right, Response.IGNORE);
+        Terrain terrain = world.terrain();
+        terrain.addChain(Chain.of(70, 0, 30, 0));
+        terrain.addArc(30, 30, 30, pi, 1.5f * pi, ArcSide.INNER, 0); // a hill at each side
+        terrain.addArc(70, 30, 30, -pi / 2, 0, ArcSide.INNER, 0);
+        terrain.addArc(50, 8, 8, -pi / 2, 0.7f * pi, ArcSide.INNER, right);
+        terrain.addArc(50, 8, 8, 0.3f * pi, 1.5f * pi, ArcSide.INNER, left);
+        long ball = world.add(1.1f, 29, 1, 1, 0, 0, entering);
+        int rounds = 0;
+        boolean above = false;
+        for (int step = 0; step < 900; step++) {
+            float dx = world.x(ball) - 50, dy = world.y(ball) - 8;
+            int kind = world.kindOf(ball);
+            if (dy > 0 && dx * dx + dy * dy < 8 * 8) {
+                kind = dx < 0 ? leaving : entering;
+            } else if (Math.abs(dx) > 8) {
+                kind = dx < 0 ? entering : leaving;
+            }
+            if (kind != world.kindOf(ball)) {
+                world.setKind(ball, kind);
+            }
+            world.step(STEP);
+            boolean isAbove = world.y(ball) > 14 && Math.abs(world.x(ball) - 50) < 4;
+            rounds += isAbove && !above ? 1 : 0;
+            above = isAbove;
+        }
+        assertThat(rounds).isGreaterThanOrEqualTo(2);
     }
 
     // ---- soft ground
@@ -265,34 +307,49 @@ class RecipesTest {
         long inside = world.add(53, 50, 1, 1);
         long touching = world.add(55.5f, 50, 1, 1);
         long large = world.add(48, 50, 4.8f, 1);
-        int swallowed = swallow();
+        int swallowed = swallow(10);
         assertThat(swallowed).isEqualTo(1);
         assertThat(world.contains(inside)).isFalse();
         assertThat(world.contains(touching)).isTrue();
         assertThat(world.contains(large)).isTrue();
         assertThat(world.mass(player)).isEqualTo(3);
-        world.step(STEP, 10);
         assertThat(world.radius(player)).isCloseTo((float) Math.sqrt(26), within(1e-4f));
     }
 
-    private int swallow() {
+    @Test
+    void mealsAddUpAlsoWhileItGrows() {
+        open(builder().gravity(0, 0), 50, 50);
+        world.setRadius(player, 4);
+        world.setResponse(0, 0, Response.IGNORE);
+        for (int k = 0; k < 4; k++) {
+            world.add(56 + 2.5f * k, 50, 2, 1, -20, 0);
+        }
+        assertThat(swallow(60)).isEqualTo(4);
+        assertThat(world.radius(player)).isCloseTo((float) Math.sqrt(32), within(1e-4f));
+    }
+
+    private int swallow(int steps) {
         int before = world.size();
         Queries others = world.queries().without(player); // keep it
         long[] near = new long[64];
+        float size = world.radius(player); // to which it grows: keep it, too
 
-        // in each step
-        float reach = world.radius(player);
-        int count = Math.min(near.length, others.overlapCircle(world.x(player), world.y(player), reach, near));
-        for (int k = 0; k < count; k++) {
-            float dx = world.x(near[k]) - world.x(player);
-            float dy = world.y(near[k]) - world.y(player);
-            float r = world.radius(near[k]);
-            if (dx * dx + dy * dy < reach * reach && r < 0.9f * reach) { // its centre is inside, and it is smaller
-                world.setMass(player, world.mass(player) + world.mass(near[k]));
-                world.remove(near[k]);
-                reach = (float) Math.sqrt(reach * reach + r * r); // areas add up
-                world.grow(player, reach, 10);
+        for (int step = 0; step < steps; step++) {
+            // in each step
+            float reach = world.radius(player);
+            int count = Math.min(near.length, others.overlapCircle(world.x(player), world.y(player), reach, near));
+            for (int k = 0; k < count; k++) {
+                float dx = world.x(near[k]) - world.x(player);
+                float dy = world.y(near[k]) - world.y(player);
+                float r = world.radius(near[k]);
+                if (dx * dx + dy * dy < reach * reach && r < 0.9f * reach) { // its centre is inside, and it is smaller
+                    world.setMass(player, world.mass(player) + world.mass(near[k]));
+                    world.remove(near[k]);
+                    size = (float) Math.sqrt(size * size + r * r); // areas add up
+                    world.grow(player, size, 10);
+                }
             }
+            world.step(STEP);
         }
         return before - world.size();
     }
