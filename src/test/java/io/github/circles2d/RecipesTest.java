@@ -185,17 +185,7 @@ class RecipesTest {
         long ball = world.add(20, 1, 1, 1, 40, 0, entering);
         float highest = 0;
         for (int step = 0; step < 240 && world.x(ball) < 80; step++) {
-            // in each step
-            float dx = world.x(ball) - 50, dy = world.y(ball) - 8; // from the middle of the loop
-            int kind = world.kindOf(ball);
-            if (dy > 0 && dx * dx + dy * dy < 8 * 8) {
-                kind = dx < 0 ? leaving : entering; // over the top, to either side
-            } else if (Math.abs(dx) > 8) {
-                kind = dx < 0 ? entering : leaving; // beside the loop: it may come again, from either side
-            }
-            if (kind != world.kindOf(ball)) {
-                world.setKind(ball, kind);
-            }
+            chooseHalf(ball, entering, leaving);
             world.step(STEP);
             highest = Math.max(highest, world.y(ball));
         }
@@ -222,22 +212,27 @@ class RecipesTest {
         int rounds = 0;
         boolean above = false;
         for (int step = 0; step < 900; step++) {
-            float dx = world.x(ball) - 50, dy = world.y(ball) - 8;
-            int kind = world.kindOf(ball);
-            if (dy > 0 && dx * dx + dy * dy < 8 * 8) {
-                kind = dx < 0 ? leaving : entering;
-            } else if (Math.abs(dx) > 8) {
-                kind = dx < 0 ? entering : leaving;
-            }
-            if (kind != world.kindOf(ball)) {
-                world.setKind(ball, kind);
-            }
+            chooseHalf(ball, entering, leaving);
             world.step(STEP);
             boolean isAbove = world.y(ball) > 14 && Math.abs(world.x(ball) - 50) < 4;
             rounds += isAbove && !above ? 1 : 0;
             above = isAbove;
         }
         assertThat(rounds).isGreaterThanOrEqualTo(2);
+    }
+
+    private void chooseHalf(long ball, int entering, int leaving) {
+        // in each step
+        float dx = world.x(ball) - 50, dy = world.y(ball) - 8; // from the middle of the loop
+        int kind = world.kindOf(ball);
+        if (dy > 0 && dx * dx + dy * dy < 8 * 8) {
+            kind = dx < 0 ? leaving : entering; // over the top, to either side
+        } else if (Math.abs(dx) > 8) {
+            kind = dx < 0 ? entering : leaving; // beside the loop: it may come again, from either side
+        }
+        if (kind != world.kindOf(ball)) {
+            world.setKind(ball, kind);
+        }
     }
 
     // ---- soft ground
