@@ -1,0 +1,245 @@
+package io.github.circles2d.world.bodies;
+
+import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.terrain.ChainPath;
+import java.util.Arrays;
+
+/**
+ * What a body's outline is to a step: lines, and corners that are outer arcs. It lies around its centroid, goes anticlockwise, and never
+ * changes. A line is thick: its core lies inside by the rounding. A corner has a radius and a cone of normals, half a turn at most; a reflex one is
+ * no corner.
+ */
+public final class OutlineShape {
+    public static final int PIECES = 256;
+
+    /** The most that {@link #words} gives. */
+    public static final int MOST_WORDS = 4 + 4 * PIECES;
+
+    /** Floats a corner: place, radius, and the normals where its cone begins and ends. */
+    public static final int CORNER_STRIDE = 7;
+
+    public static final int RADIUS = 2;
+    public static final int FROM_X = 3;
+    public static final int FROM_Y = 4;
+    public static final int TO_X = 5;
+    public static final int TO_Y = 6;
+
+    /** Floats a line: where its core begins, its normal, its length and how thick it is. */
+    public static final int LINE_STRIDE = 6;
+
+    public static final int NX = 2;
+    public static final int NY = 3;
+    public static final int LENGTH = 4;
+    public static final int THICKNESS = 5;
+
+    /** Of the least width. */
+    private static final double ROUNDING = 0.05;
+
+    private static final double LEAST_ROUNDING = 0.01;
+
+    /** Of the greatest extent: the least width. */
+    private static final double LEAST_WIDTH = 0.001;
+
+    /** Share of the rounding at which an edge would be gone. */
+    private static final double OF_EDGE = 0.25;
+
+    private final ChainPath path;
+    private final float rounding;
+    private final OutlineMass mass;
+    private final float[] corners;
+    private final float[] lines;
+
+    /** x and y of a polygon near the core: what lies in it is inside. */
+    private final float[] core;
+
+    private final float reach;
+    private final float halfThickness;
+
+    private OutlineShape(ChainPath path, float rounding, OutlineBuilder built) {
+        this.path = path;
+        this.rounding = rounding;
+        mass = built.mass();
+        corners = built.corners(mass.centroidX, mass.centroidY);
+        lines = built.lines(mass.centroidX, mass.centroidY);
+        core = built.core(mass.centroidX, mass.centroidY);
+        float far = 0f;
+        for (int c = 0; c < corners.length; c += CORNER_STRIDE) {
+            far = Math.max(
+                    far,
+                    (float) Math.sqrt(corners[c] * corners[c] + corners[c + 1] * corners[c + 1]) + corners[c + RADIUS]);
+        }
+        reach = far;
+        halfThickness = (float) Math.min(Math.sqrt(mass.area) / 2, mass.area / (2 * (double) reach));
+    }
+
+    /** Of a path that is closed; rounding: NaN for the usual one. */
+    public static OutlineShape of(ChainPath drawn, float rounding) {
+        OutlineChecks.closed(drawn);
+        ChainPath path = OutlineChecks.area(drawn) < 0 ? drawn.reversed() : drawn;
+        double extent = OutlineChecks.extent(path);
+        double width = OutlineChecks.leastWidth(path);
+        if (!(width >= LEAST_WIDTH * extent)) {
+            throw new IllegalArgumentException("the outline is " + (float) width + " wide and " + (float) extent
+                    + " long, but must be at least a thousandth as wide as long");
+        }
+        OutlineChecks.simple(path);
+        double most = OutlineBuilder.mostRounding(path);
+        if (!Float.isNaN(rounding)) {
+            double least = Math.min(LEAST_ROUNDING * width, OF_EDGE * most);
+            if (!(rounding >= (float) least && rounding <= width / 2)) {
+                throw new IllegalArgumentException("the rounding is " + rounding + ", but must be from " + (float) least
+                        + " to " + (float) (width / 2) + ": a hundredth to a half of the least width");
+            }
+        }
+        float r = Float.isNaN(rounding) ? (float) Math.min(ROUNDING * width, OF_EDGE * most) : rounding;
+        return new OutlineShape(path, r, new OutlineBuilder(path, r));
+    }
+
+    /** From what {@link #words} has given, or anybody has forged. */
+    public static OutlineShape of(int[] words) {
+        if (words.length < 4 || words.length != 4 + 4L * words[1] || Float.isNaN(Float.intBitsToFloat(words[0]))) {
+            throw new IllegalArgumentException("the words of an outline are no outline");
+        }
+        ChainPath path = new ChainPath(Float.intBitsToFloat(words[2]), Float.intBitsToFloat(words[3]));
+        for (int at = 4; at < words.length; at += 4) {
+            float x = Float.intBitsToFloat(words[at]);
+            float y = Float.intBitsToFloat(words[at + 1]);
+            long turn = words[at + 2] & 0xffffffffL | (long) words[at + 3] << 32;
+            if (turn == 0) {
+                path.lineTo(x, y);
+            } else {
+                path.arcBy(x, y, turn);
+            }
+        }
+        path.close();
+        return of(path, Float.intBitsToFloat(words[0]));
+    }
+
+    /** The rounding, the number of pieces, the first point, and of each piece the end of a line or the centre of an arc, and how far that turns. */
+    public int[] words() {
+        int[] words = new int[4 + 4 * path.pieces()];
+        words[0] = Float.floatToRawIntBits(rounding);
+        words[1] = path.pieces();
+        words[2] = Float.floatToRawIntBits(path.x(0));
+        words[3] = Float.floatToRawIntBits(path.y(0));
+        for (int k = 0; k < path.pieces(); k++) {
+            boolean line = path.turn(k) == 0;
+            words[4 + 4 * k] = Float.floatToRawIntBits(line ? path.x(k + 1) : path.centreX(k));
+            words[5 + 4 * k] = Float.floatToRawIntBits(line ? path.y(k + 1) : path.centreY(k));
+            words[6 + 4 * k] = (int) path.turn(k);
+            words[7 + 4 * k] = (int) (path.turn(k) >> 32);
+        }
+        return words;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other == this || other instanceof OutlineShape && Arrays.equals(words(), ((OutlineShape) other).words());
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(words());
+    }
+
+    /** As it was drawn, but anticlockwise. */
+    public ChainPath path() {
+        return path;
+    }
+
+    public float rounding() {
+        return rounding;
+    }
+
+    public double area() {
+        return mass.area;
+    }
+
+    /** Of the path. */
+    public double centroidX() {
+        return mass.centroidX;
+    }
+
+    public double centroidY() {
+        return mass.centroidY;
+    }
+
+    /** About the centroid, of a mass of 1. */
+    public float inertia() {
+        return (float) (mass.secondMoment / mass.area);
+    }
+
+    /** Of the farthest point from the centroid, at most. */
+    public float reach() {
+        return reach;
+    }
+
+    /** What lengths of contacts are measured by, as those of circles by their radii. */
+    public float halfThickness() {
+        return halfThickness;
+    }
+
+    /** By {@link #CORNER_STRIDE}. Nobody may change it. */
+    public float[] corners() {
+        return corners;
+    }
+
+    /** By {@link #LINE_STRIDE}. Nobody may change it. */
+    public float[] lines() {
+        return lines;
+    }
+
+    public float[] core() {
+        return core;
+    }
+
+    /** x and y of points on the outline around its centroid, between which lines are at most so far from it; the last is not the first again. */
+    public float[] points(float tolerance) {
+        float[] to = new float[64];
+        int n = 0;
+        double[] element = new double[OutlineBuilder.STRIDE];
+        OutlineBuilder built = new OutlineBuilder(path, rounding);
+        for (int e = 0; e < built.count(); e++) {
+            built.copy(e, element);
+            double r = element[OutlineBuilder.R];
+            double span = OutlineMass.span(element);
+            int parts = element[OutlineBuilder.IS_LINE] != 0 || r == 0
+                    ? 1
+                    : (int) Math.max(1, Math.min(1024, Math.ceil(span * Math.sqrt(r / (8.0 * tolerance)))));
+            for (int k = 0; k <= parts; k++) {
+                double x = OutlineBuilder.pointX(element, span * k / parts);
+                double y = OutlineBuilder.pointY(element, span * k / parts);
+                float px = (float) (x - mass.centroidX);
+                float py = (float) (y - mass.centroidY);
+                boolean again = n > 0 && near(to[n - 2], to[n - 1], px, py) || n > 2 && near(to[0], to[1], px, py);
+                if (!again) {
+                    to = n + 2 > to.length ? Arrays.copyOf(to, 2 * n) : to;
+                    to[n] = px;
+                    to[n + 1] = py;
+                    n += 2;
+                }
+            }
+        }
+        return Arrays.copyOf(to, n);
+    }
+
+    private boolean near(float x, float y, float px, float py) {
+        float close = 1e-6f * reach;
+        return Math.abs(x - px) <= close && Math.abs(y - py) <= close;
+    }
+
+    /** Angle in radians of a unit vector's way to another, from 0 to pi, from its cosine and sine. */
+    static double angle(double cos, double sin) {
+        int low = 0;
+        for (int bit = 1 << 30; bit > 0; bit >>= 1) {
+            // the angle is at least that of low + bit if it lies anticlockwise of it
+            int next = low + bit;
+            if (next > 0 && sin * Rotation.cos(next) - cos * Rotation.sin(next) >= 0) {
+                low = next;
+            }
+        }
+        double c = Rotation.cos(low);
+        double s = Rotation.sin(low);
+        return low * Rotation.RADIANS_PER_UNIT + (sin * c - cos * s);
+    }
+}
