@@ -103,6 +103,7 @@ public final class World implements AutoCloseable {
     private final Queries queries;
     private final Terrain terrain;
     private final Joints joints;
+    private final Bodies bodies;
     private final Backend backend;
     private final String reason;
 
@@ -127,6 +128,7 @@ public final class World implements AutoCloseable {
         queries = new Queries(simulation.searches, simulation.terrainSearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
+        bodies = new Bodies(simulation);
     }
 
     /**
@@ -267,7 +269,7 @@ public final class World implements AutoCloseable {
      * are free, and pairs that touched end. It takes about as long as a read. Changes of circles that still wait for a step are dropped.
      *
      * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, {@link
-     * #terrain}, which {@link Terrain#clear} removes, kinds and the responses of {@link #setResponse}, the reported types and events that have not been taken, {@link #idLimit}, and the length of
+     * #terrain}, which {@link Terrain#clear} removes, {@link #bodies}, which {@link Bodies#clear} removes, kinds and the responses of {@link #setResponse}, the reported types and events that have not been taken, {@link #idLimit}, and the length of
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
@@ -1661,6 +1663,16 @@ public final class World implements AutoCloseable {
     public Joints joints() {
         simulation.check();
         return joints;
+    }
+
+    /**
+     * The bodies that are pushed: boxes, capsules, any outline. There are none at first.
+     *
+     * @return always the same object
+     */
+    public Bodies bodies() {
+        simulation.check();
+        return bodies;
     }
 
     /**

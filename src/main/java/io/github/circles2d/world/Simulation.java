@@ -13,6 +13,7 @@ import io.github.circles2d.world.changes.NewCircles;
 import io.github.circles2d.world.changes.NextStep;
 import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.changes.PreparedChanges;
+import io.github.circles2d.world.changes.RigidCalls;
 import io.github.circles2d.world.changes.Surroundings;
 import io.github.circles2d.world.changes.Travels;
 import io.github.circles2d.world.circles.CircleField;
@@ -25,6 +26,7 @@ import io.github.circles2d.world.reads.CircleContacts;
 import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
+import io.github.circles2d.world.reads.RigidReads;
 import io.github.circles2d.world.reports.Reports;
 import io.github.circles2d.world.saves.Journal;
 import io.github.circles2d.world.saves.Snapshots;
@@ -59,6 +61,8 @@ public final class Simulation implements AutoCloseable {
     public final Pieces pieces;
     public final Bodies bodies;
     public final JointCalls joints;
+    public final RigidCalls rigids;
+    public final RigidReads rigidReads;
     public final Readings readings;
     public final Loads loads;
     public final CircleContacts contacts;
@@ -98,6 +102,8 @@ public final class Simulation implements AutoCloseable {
         pieces = new Pieces(world);
         bodies = new Bodies(world);
         joints = new JointCalls(world);
+        rigids = new RigidCalls(world, kinds);
+        rigidReads = new RigidReads(world);
         readings = new Readings(world);
         loads = new Loads(world);
         contacts = new CircleContacts(world);
@@ -154,7 +160,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
-        return !nextStep.isEmpty() || world.settings.wallsMove() || world.terrain.moves();
+        return !nextStep.isEmpty() || world.settings.wallsMove() || world.terrain.moves() || world.rigids.pushes();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
@@ -174,6 +180,7 @@ public final class Simulation implements AutoCloseable {
         world.guard.changing = true;
         world.settings.stopWalls();
         nextStep.end();
+        world.rigids.releaseAll();
         world.guard.changing = false;
     }
 
@@ -184,18 +191,19 @@ public final class Simulation implements AutoCloseable {
         world.pending.prepareNeeds();
         world.terrain.makeRoom(world.settings.subSteps());
         world.joints.makeRoom(world.settings.subSteps());
+        world.rigids.makeRoom(world.handles.end(), world.terrain.pieces.ids.end());
         world.pending
                 .apply(); // last: a step that lacks memory before it takes its changes back, which the pipeline must
         // not have
-        boolean hasCircles = world.handles.size() > 0;
-        if (hasCircles) {
+        boolean acts = world.handles.size() > 0 || world.rigids.isThere();
+        if (acts) {
             world.events.prepare(world.kinds, world.input.reports);
             world.moves.beforeSteps(steps);
             prepareSteps();
         }
         world.guard.changing = true;
-        world.state.stepped(hasCircles);
-        if (hasCircles) {
+        world.state.stepped(acts);
+        if (acts) {
             world.copies.forget();
             prepareInput(timeStep);
             levels.layOut(
@@ -253,6 +261,7 @@ public final class Simulation implements AutoCloseable {
         if (constants.joints) {
             world.joints.begin(constants);
         }
+        constants.rigid = world.rigids.isThere();
     }
 
     /** Checks that calls can be made: that nobody has closed the simulation, and that it has its state. */
@@ -290,7 +299,11 @@ public final class Simulation implements AutoCloseable {
                     hold ? world.pipeline.contacts() : 0,
                     hold ? world.pipeline.greatestContacts() : 0,
                     readings.awake(),
-                    world.pipeline.bytesHeld() + world.events.bytes() + world.terrain.bytes() + world.joints.bytes(),
+                    world.pipeline.bytesHeld()
+                            + world.events.bytes()
+                            + world.terrain.bytes()
+                            + world.joints.bytes()
+                            + world.rigids.bytes(),
                     Collections.unmodifiableMap(world.pipeline.stageMillis()),
                     world.pipeline.device());
         } finally {

@@ -45,6 +45,7 @@ public final class OutlineShape {
 
     private final ChainPath path;
     private final float rounding;
+    private final int[] words;
     private final OutlineMass mass;
     private final float[] corners;
     private final float[] lines;
@@ -58,6 +59,7 @@ public final class OutlineShape {
     private OutlineShape(ChainPath path, float rounding, OutlineBuilder built) {
         this.path = path;
         this.rounding = rounding;
+        words = words(path, rounding);
         mass = built.mass();
         corners = built.corners(mass.centroidX, mass.centroidY);
         lines = built.lines(mass.centroidX, mass.centroidY);
@@ -115,8 +117,7 @@ public final class OutlineShape {
         return of(path, Float.intBitsToFloat(words[0]));
     }
 
-    /** The rounding, the number of pieces, the first point, and of each piece the end of a line or the centre of an arc, and how far that turns. */
-    public int[] words() {
+    private static int[] words(ChainPath path, float rounding) {
         int[] words = new int[4 + 4 * path.pieces()];
         words[0] = Float.floatToRawIntBits(rounding);
         words[1] = path.pieces();
@@ -132,14 +133,22 @@ public final class OutlineShape {
         return words;
     }
 
+    /**
+     * The rounding, the number of pieces, the first point, and of each piece the end of a line or the centre of an arc, and how far that turns. Nobody may
+     * change them.
+     */
+    public int[] words() {
+        return words;
+    }
+
     @Override
     public boolean equals(Object other) {
-        return other == this || other instanceof OutlineShape && Arrays.equals(words(), ((OutlineShape) other).words());
+        return other == this || other instanceof OutlineShape && Arrays.equals(words, ((OutlineShape) other).words);
     }
 
     @Override
     public int hashCode() {
-        return Arrays.hashCode(words());
+        return Arrays.hashCode(words);
     }
 
     /** As it was drawn, but anticlockwise. */

@@ -111,6 +111,7 @@ public final class Circles implements Calls.Effects {
         world.copies.forget();
         world.calls.begin(Call.CLEAR, 0, 0, 0, 0);
         world.joints.departures().removeOfCircles();
+        world.rigids.circlesGo();
         if (world.events.isOn()) {
             world.pending.recordRemovals();
             world.handles.removeAll();

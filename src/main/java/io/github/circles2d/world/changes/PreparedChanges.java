@@ -186,6 +186,7 @@ public final class PreparedChanges {
             }
             case Commands.REMOVE -> {
                 world.joints.departures().removeOfCircle(id);
+                world.rigids.circleGoes(id);
                 handles.remove(id);
             }
             case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));

@@ -68,6 +68,7 @@ public final class Surroundings implements Calls.Effects {
             Limits.room("the least radius of a circle", world.handles.leastRadius(), next);
             nextStep.requireRoom(next);
         }
+        world.rigids.requireRoom(next);
         world.pending.apply();
         world.copies.forget();
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
@@ -78,6 +79,7 @@ public final class Surroundings implements Calls.Effects {
         }
         world.pipeline.confine(start.walls(), next.walls());
         nextStep.confine(next.walls());
+        world.rigids.confine(next);
         world.settings.setBounds(start, next);
     }
 }

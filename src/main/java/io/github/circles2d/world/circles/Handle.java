@@ -1,13 +1,18 @@
 package io.github.circles2d.world.circles;
 
 /**
- * The numbers that callers name circles, pieces and bodies of terrain, and joints by: ((generation + 1) &lt;&lt; 32 | mark | id), which is never
- * 0. A mark is a bit that is in no id, so no handle of one thing is taken for one of another.
+ * The numbers that callers name circles, bodies, pieces and bodies of terrain, and joints by: ((generation + 1) &lt;&lt; 32 | mark | id), which is
+ * never 0. A mark is one or two bits that are in no id, so no handle of one thing is taken for one of another.
  */
 public final class Handle {
     public static final int JOINT = 1 << 30;
     public static final int PIECE = 1 << 29;
     public static final int BODY = 1 << 28;
+
+    /** Of a body that is pushed. */
+    public static final int RIGID = PIECE | BODY;
+
+    private static final int MARKS = JOINT | PIECE | BODY;
 
     private static final int GENERATION_SHIFT = 32;
     private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
@@ -28,22 +33,23 @@ public final class Handle {
 
     /** Whether a handle is of the form that handles of something have. */
     public static boolean has(long handle, int mark) {
-        return (handle & mark) != 0;
+        return ((int) handle & MARKS) == mark;
     }
 
     /** Whether a handle is of no piece, body or joint. */
     public static boolean mayBeOfCircle(long handle) {
-        return ((int) handle & (JOINT | PIECE | BODY)) == 0;
+        return ((int) handle & MARKS) == 0;
     }
 
     /** Why a handle names none of what a caller asks for: it is of something else, or of nothing. Ends a sentence. */
     public static String reason(long handle, int mark) {
-        int found = (int) handle & (JOINT | PIECE | BODY);
+        int found = (int) handle & MARKS;
         return switch (found == mark ? -1 : found) {
             case 0 -> ": it is of a circle, or of nothing";
             case JOINT -> ": it is of a joint";
             case PIECE -> ": it is of a piece of terrain";
             case BODY -> ": it is of a body of terrain";
+            case RIGID -> ": it is of a body that is no terrain";
             default -> ": it was removed, or is none of this world's";
         };
     }

@@ -20,7 +20,8 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
  * impulses of its walls by {@link ContactRows}; an impulse whose contact has other rows with the lower id, the higher id and theirs; a joint with its id,
- * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}. All floats enter as their
+ * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}; a rigid body with its id, kind, saved values and
+ * the words of its outline; a contact of one with its key and its impulses. All floats enter as their
  * bits.
  */
 public final class StateHash {
@@ -40,6 +41,8 @@ public final class StateHash {
     private static final long PIECE_CONTACT = 0x6F6E7069656365L;
     private static final long SLEEP = 0x736C656570696E67L;
     private static final long JOINT = 0x6A6F696E74733264L;
+    private static final long RIGID = 0x7269676964733264L;
+    private static final long RIGID_CONTACT = 0x7269676964746F75L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -146,6 +149,16 @@ public final class StateHash {
     /** What the number of a joint begins with. */
     public static long joint() {
         return JOINT;
+    }
+
+    /** What the number of a rigid body begins with. */
+    public static long rigid() {
+        return RIGID;
+    }
+
+    /** What the number of a contact of a rigid body begins with. */
+    public static long rigidContact() {
+        return RIGID_CONTACT;
     }
 
     public static long absorb(long hash, int word) {

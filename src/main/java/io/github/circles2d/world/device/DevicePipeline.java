@@ -3,6 +3,7 @@ package io.github.circles2d.world.device;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
@@ -252,6 +253,13 @@ public final class DevicePipeline implements Pipeline {
     }
 
     /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
+    @Override
+    public void prepare(RigidStep bodies) {
+        throw new UnsupportedOperationException(
+                "bodies that are pushed are only on the JVM yet, and this World runs on " + device()
+                        + ": build it with Backend.JVM or Backend.AUTO");
+    }
+
     @Override
     public void prepare(ContactSettings contacts, Features features) {
         boolean tunes = tuned || contacts.areTuned();

@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -61,6 +62,9 @@ public final class JvmPipeline implements Pipeline {
     private JointPasses joints;
 
     private JointStep jointStep;
+
+    /** Null as long as there has been no rigid body. */
+    private RigidStep rigids;
 
     /** Null if circles never sleep. */
     private Waking waking;
@@ -130,6 +134,11 @@ public final class JvmPipeline implements Pipeline {
             state.startSleep(contacts.impulseCache());
             waking = new Waking(state, grid, contacts);
         }
+    }
+
+    @Override
+    public void prepare(RigidStep bodies) {
+        rigids = bodies;
     }
 
     private void startTerrain() {

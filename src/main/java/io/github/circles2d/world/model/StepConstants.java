@@ -78,6 +78,9 @@ public final class StepConstants {
     /** Whether the step reads {@link JointStep}: there are joints. */
     public boolean joints;
 
+    /** Whether there are rigid bodies. */
+    public boolean rigid;
+
     /** Whether circles fall asleep and wake. */
     public boolean sleeping;
 

@@ -136,6 +136,7 @@ public final class LogPlayer {
         simulation.snapshots.restore(log.snapshot());
         simulation.pieces.forgetParts();
         simulation.joints.forgetForm();
+        simulation.rigids.forgetOutlines();
     }
 
     private void make(Call call) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.bodies.RigidRules;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
@@ -193,7 +194,72 @@ public enum Call {
     WAKE(Commands.WAKE, 1, Named.CIRCLE),
 
     /** All circles wake. */
-    WAKE_ALL(99, 0);
+    WAKE_ALL(99, 0),
+
+    /** An outline that bodies behind it have: how many words it has, and the first of them. */
+    OUTLINE(120, 16),
+
+    /** Further words of the outline; those behind its last one are 0. */
+    OUTLINE_WORDS(121, 16),
+
+    /** A rigid body: the number of its outline among those of the log, the kind, x, y, angle in radians, mass. */
+    RIGID(122, 6, (w, settings) -> {
+        KindTable.check(w[1]);
+        pose(w, 2, settings);
+        RigidRules.mass(real(w[5]));
+    }),
+
+    /** A rigid body goes. */
+    REMOVE_RIGID(123, 1, Named.RIGID),
+
+    /** All rigid bodies go. */
+    CLEAR_RIGIDS(124, 0),
+
+    /** The velocity of a rigid body: the body, x, y. */
+    RIGID_VELOCITY(125, 3, Named.RIGID, (w, settings) -> Limits.velocity(real(w[1]), real(w[2]))),
+
+    /** The angular velocity of a rigid body: the body, the velocity. */
+    RIGID_ANGULAR_VELOCITY(
+            126,
+            2,
+            Named.RIGID,
+            (w, settings) -> Limits.within(
+                    "the angular velocity", real(w[1]), -Limits.ANGULAR_VELOCITY, Limits.ANGULAR_VELOCITY)),
+
+    /** An impulse on a rigid body: the body, x and y of the impulse, those of the point. */
+    RIGID_IMPULSE(127, 5, Named.RIGID, (w, settings) -> {
+        Limits.impulse(real(w[1]), real(w[2]));
+        TerrainLimits.coordinate("x", real(w[3]));
+        TerrainLimits.coordinate("y", real(w[4]));
+    }),
+
+    /** An angular impulse on a rigid body: the body, the impulse. */
+    RIGID_ANGULAR_IMPULSE(
+            128,
+            2,
+            Named.RIGID,
+            (w, settings) -> Limits.within("impulse", real(w[1]), -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE)),
+
+    /** A force and a torque act on a rigid body in the next step: the body, x, y, the torque. */
+    RIGID_FORCE(129, 4, Named.RIGID, (w, settings) -> {
+        Limits.force(real(w[1]), real(w[2]));
+        Limits.within("torque", real(w[3]), -Limits.TORQUE, Limits.TORQUE);
+    }),
+
+    /** A rigid body gets a kind: the body, the kind. */
+    RIGID_KIND(130, 2, Named.RIGID, (w, settings) -> KindTable.check(w[1])),
+
+    /** The tag of a rigid body: the body, the tag as two halves. */
+    RIGID_TAG(131, 3, Named.RIGID),
+
+    /** The restitution of a rigid body: the body, the restitution. */
+    RIGID_RESTITUTION(132, 2, Named.RIGID, (w, settings) -> Limits.restitution(real(w[1]))),
+
+    /** The moment of inertia of a rigid body: the body, the moment. */
+    RIGID_INERTIA(133, 2, Named.RIGID),
+
+    /** A rigid body is put somewhere: the body, x, y, angle in radians. */
+    TELEPORT_RIGID(134, 4, Named.RIGID, (w, settings) -> pose(w, 1, settings));
 
     /** What the first word of a call may be the id of. */
     public enum Named {
@@ -201,7 +267,8 @@ public enum Call {
         CIRCLE,
         PIECE,
         BODY,
-        JOINT
+        JOINT,
+        RIGID
     }
 
     /** Throws {@link IllegalArgumentException} if a word is out of range. */
@@ -311,6 +378,12 @@ public enum Call {
     private static void place(int[] w, int first) {
         TerrainLimits.coordinate("x", real(w[first]));
         TerrainLimits.coordinate("y", real(w[first + 1]));
+        angle("angle", w[first + 2]);
+    }
+
+    /** x, y and angle of a rigid body, which is within walls. */
+    private static void pose(int[] w, int first, WorldSettings settings) {
+        Limits.position(real(w[first]), real(w[first + 1]), settings.bounds());
         angle("angle", w[first + 2]);
     }
 

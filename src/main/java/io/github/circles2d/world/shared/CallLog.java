@@ -1,5 +1,6 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.log.LogWriter;
@@ -8,6 +9,8 @@ import io.github.circles2d.world.snapshots.SnapshotCodec;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.HashMap;
+import java.util.Map;
 
 /** Tells a log of the calls that change the world, while there is one. Without a log, a call costs a comparison. */
 public final class CallLog {
@@ -24,6 +27,9 @@ public final class CallLog {
 
     /** Room for a snapshot on its way. */
     private ByteBuffer snapshot = ByteBuffer.allocate(0);
+
+    /** The outlines that the log has told of since its last snapshot, and their numbers. */
+    private final Map<OutlineShape, Integer> outlines = new HashMap<>();
 
     CallLog(WorldParts world) {
         this.world = world;
@@ -50,6 +56,7 @@ public final class CallLog {
 
     public void end() {
         log = null;
+        outlines.clear();
     }
 
     /** A call is to change the world. */
@@ -119,6 +126,37 @@ public final class CallLog {
         }
     }
 
+    /** A body of an outline is to come: tells of the outline once, and returns its number in the log; 0 without a log. */
+    public int outline(OutlineShape shape) {
+        if (log == null) {
+            return 0;
+        }
+        Integer known = outlines.get(shape);
+        if (known != null) {
+            return known;
+        }
+        int number = outlines.size();
+        outlines.put(shape, number);
+        int[] words = shape.words();
+        int at = Call.OUTLINE.words - 1;
+        begin(Call.OUTLINE);
+        log.word(words.length);
+        writeWords(words, 0, at);
+        for (; at < words.length; at += Call.OUTLINE_WORDS.words) {
+            begin(Call.OUTLINE_WORDS);
+            writeWords(words, at, Call.OUTLINE_WORDS.words);
+        }
+        return number;
+    }
+
+    /** So many words from a place on, with zeros behind the last one; ends the call. */
+    private void writeWords(int[] words, int from, int count) {
+        for (int k = from; k < from + count; k++) {
+            log.word(k < words.length ? words[k] : 0);
+        }
+        log.end();
+    }
+
     /** A saved state is to take the place of all that is, and of what a step that was not made would have led to. */
     public void restore(SavedState state) {
         if (log != null) {
@@ -135,6 +173,7 @@ public final class CallLog {
         ((Buffer) snapshot).clear();
         SnapshotCodec.writeAtStart(state, snapshot);
         to.snapshot(snapshot.array(), length);
+        outlines.clear();
     }
 
     /** Steps are to be made. If they cannot be made, the log ends. */

@@ -136,6 +136,9 @@ public final class Calls {
             case BODY -> {
                 return world.body(handle);
             }
+            case RIGID -> {
+                return world.rigid(handle);
+            }
             default -> {
                 world.pending.settleJoints();
                 return world.joint(handle);
@@ -149,6 +152,7 @@ public final class Calls {
             case CIRCLE -> require(id >= 0 && id < world.handles.end() && world.handles.lives(id), "circle", id);
             case PIECE -> require(world.terrain.pieces.ids.has(id), "piece of terrain", id);
             case BODY -> require(world.terrain.bodies.ids.has(id), "body of terrain", id);
+            case RIGID -> require(world.rigids.ids.has(id), "body", id);
             case JOINT -> {
                 world.pending.settleJoints();
                 require(world.joints.table.ids.has(id), "joint", id);

@@ -52,8 +52,8 @@ public final class Moves {
 
     /** Before so many steps, once all changes have been applied and it is known what the steps report. */
     public void beforeSteps(int steps) {
-        if (mover == null) {
-            return;
+        if (mover == null || world.rigids.isThere()) {
+            return; // bodies are only where the world is at home
         }
         Readiness now = wanted(world.settings.contacts(), world.needs.features());
         if (mover.settles()) {

@@ -46,7 +46,11 @@ public final class Needs {
     /** Whether the world has begun to turn, and the pipeline is not ready for that. */
     boolean beginsToTurn() {
         return !turns
-                && (asked || world.kinds.grips() || world.settings.surfaces().any() || world.joints.table.turns());
+                && (asked
+                        || world.kinds.grips()
+                        || world.settings.surfaces().any()
+                        || world.joints.table.turns()
+                        || world.rigids.isThere());
     }
 
     /** Whether the pipeline is not ready for what the world has begun to need. */
@@ -88,6 +92,17 @@ public final class Needs {
         hasJoints = withJoints;
     }
 
+    /** Makes the pipeline ready for rigid bodies, which a device refuses; then the world goes home, or the refusal is thrown. */
+    public void prepareRigids() {
+        world.pending.finish();
+        try {
+            world.pipeline.prepare(world.rigids.step);
+        } catch (RuntimeException e) {
+            world.moves.goHome(e);
+            world.pipeline.prepare(world.rigids.step);
+        }
+    }
+
     private static boolean turns(SavedState s) {
         return s.turns
                 || s.kinds.grips()
@@ -97,7 +112,8 @@ public final class Needs {
                 || s.fields.used(CircleField.TORQUE) > 0
                 || s.fields.used(CircleField.APPLIED_TORQUE) > 0
                 || s.pieceContacts.hold()
-                || s.joints.turn();
+                || s.joints.turn()
+                || s.rigids.hasBodies();
     }
 
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */

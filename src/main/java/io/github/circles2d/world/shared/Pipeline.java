@@ -1,5 +1,6 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -37,6 +38,12 @@ public interface Pipeline extends AutoCloseable {
      * pipeline is ready for once, it stays ready for.
      */
     default void prepare(ContactSettings contacts, Features features) {}
+
+    /**
+     * Makes ready for rigid bodies, which steps change from now on. Throws {@link UnsupportedOperationException} if there can be none here; nothing
+     * has changed then.
+     */
+    void prepare(RigidStep bodies);
 
     /** Whether nothing is compiled for such worlds any more, nor beside their steps. */
     default boolean isReady(Readiness wanted) {

@@ -1,5 +1,7 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.HandleTable;
@@ -24,6 +26,7 @@ public final class WorldParts {
     public final KindTable kinds = new KindTable();
     public final ContactEvents events = new ContactEvents();
     public final StepInput input = new StepInput();
+    public final RigidTable rigids = new RigidTable(new RigidStep());
     public final WorldSettings settings;
     public final TerrainTables terrain;
     public final JointTables joints;
@@ -43,6 +46,7 @@ public final class WorldParts {
         settings = new WorldSettings(events, start);
         terrain = new TerrainTables(input.terrain, settings.bounds());
         events.setPieces(terrain.pieces);
+        terrain.pieces.watch(rigids::pieceGoes);
         joints = new JointTables(input.joints, handles, terrain);
     }
 
@@ -90,6 +94,16 @@ public final class WorldParts {
         if (body < 0) {
             throw new IllegalArgumentException(
                     "no body of terrain has the handle " + handle + Handle.reason(handle, Handle.BODY));
+        }
+        return body;
+    }
+
+    /** The id of the rigid body that has a handle. */
+    public int rigid(long handle) {
+        int body = rigids.ids.find(handle);
+        if (body < 0) {
+            throw new IllegalArgumentException(
+                    "no body has the handle " + handle + Handle.reason(handle, Handle.RIGID));
         }
         return body;
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.shared;
 
+import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.snapshots.SavedState;
@@ -16,6 +17,7 @@ public final class WorldState {
     private final SavedPieceContacts contacts = new SavedPieceContacts();
     private final SavedJoints savedJoints = new SavedJoints();
     private final SavedJointStates jointStates = new SavedJointStates();
+    private final SavedRigids savedRigids = new SavedRigids();
 
     /** Whether the pipeline's figures are those of the last step. */
     private boolean figuresHold;
@@ -49,6 +51,7 @@ public final class WorldState {
         world.terrain.save(into.terrain);
         savePieceContacts(into.pieceContacts);
         saveJoints(into.joints, into.jointStates);
+        world.rigids.save(into.rigids);
         world.events.save(into.touches);
         into.setParameters(world.settings.parameters());
         into.kinds.copy(world.kinds);
@@ -92,13 +95,15 @@ public final class WorldState {
     long hash() {
         savePieceContacts(contacts);
         saveJoints(savedJoints, jointStates);
+        world.rigids.save(savedRigids);
         return world.pipeline.hash()
                 + world.handles.fields().hash()
                 + world.kinds.hash()
                 + world.settings.hash()
                 + world.terrain.hash()
                 + contacts.hash()
-                + savedJoints.hash(jointStates);
+                + savedJoints.hash(jointStates)
+                + savedRigids.hash();
     }
 
     /** Makes room for {@link #load}. If that fails, nothing has changed. */
@@ -106,6 +111,10 @@ public final class WorldState {
         world.handles.makeRoom(saved);
         world.terrain.makeRoom(saved.terrain);
         world.joints.makeRoom(saved.joints, saved.ids);
+        world.rigids.makeRoom(saved.rigids);
+        if (saved.rigids.hasBodies()) {
+            world.needs.prepareRigids();
+        }
         world.needs.prepare(saved); // first, since the room depends on it
         makePipelineRoom(saved);
         world.events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);
@@ -117,6 +126,7 @@ public final class WorldState {
         world.kinds.copy(saved.kinds);
         world.terrain.load(saved.terrain, saved.parameters().bounds(), saved.pieceContacts);
         world.joints.load(saved.joints, saved.jointStates);
+        world.rigids.load(saved.rigids);
         world.pipeline.load(saved);
         world.settings.set(saved.parameters());
         world.needs.restored(saved);

@@ -86,6 +86,7 @@ final class FieldSections {
         s.pieceContacts.clear();
         s.joints.clear();
         s.jointStates.begin(0);
+        s.rigids.clear();
         if (sections < 0) {
             throw SnapshotCodec.refused("it cannot have " + sections + " sections");
         }

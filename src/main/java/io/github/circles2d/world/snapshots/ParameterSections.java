@@ -25,6 +25,7 @@ import java.nio.ByteBuffer;
  *            1,006, 1,007: terrain, and contacts with it, as {@link TerrainSection} has them
  *            1,008: joints, as {@link JointSection} has them
  *            1,009: how circles sleep, as {@link SleepSection} has it
+ *            1,020: rigid bodies, as {@link RigidSection} has them
  * </pre>
  */
 final class ParameterSections {
@@ -41,6 +42,7 @@ final class ParameterSections {
     private static final int TERRAIN_CONTACTS = FIRST + 7;
     private static final int JOINTS = FIRST + 8;
     private static final int SLEEP = FIRST + 9;
+    private static final int RIGIDS = FIRST + 20;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
@@ -57,7 +59,8 @@ final class ParameterSections {
                 + (s.terrain.isAsAtFirst() ? 0 : 1)
                 + (s.pieceContacts.count > 0 ? 1 : 0)
                 + (s.joints.isAsAtFirst() ? 0 : 1)
-                + (s.parameters().sleeps() ? 1 : 0);
+                + (s.parameters().sleeps() ? 1 : 0)
+                + (s.rigids.isAsAtFirst() ? 0 : 1);
     }
 
     private static int ofFloats(SavedState s) {
@@ -81,6 +84,7 @@ final class ParameterSections {
         long contacts = s.pieceContacts.count > 0 ? Integer.BYTES + TerrainSection.bytes(s.pieceContacts) : 0;
         long joints = s.joints.isAsAtFirst() ? 0 : Integer.BYTES + JointSection.bytes(s);
         long sleep = s.parameters().sleeps() ? Integer.BYTES + SleepSection.bytes(s) : 0;
+        long rigids = s.rigids.isAsAtFirst() ? 0 : Integer.BYTES + RigidSection.bytes(s.rigids);
         return ofFloats(s) * BYTES
                 + kinds
                 + surfaces
@@ -89,7 +93,8 @@ final class ParameterSections {
                 + terrain
                 + contacts
                 + joints
-                + sleep;
+                + sleep
+                + rigids;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -137,6 +142,10 @@ final class ParameterSections {
             out.putInt(SLEEP);
             SleepSection.write(s, out);
         }
+        if (!s.rigids.isAsAtFirst()) {
+            out.putInt(RIGIDS);
+            RigidSection.write(s.rigids, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -154,6 +163,7 @@ final class ParameterSections {
             case TERRAIN_CONTACTS -> TerrainSection.readContacts(in, s);
             case JOINTS -> JointSection.read(in, s);
             case SLEEP -> SleepSection.read(in, s);
+            case RIGIDS -> RigidSection.read(in, s);
             default -> readFloats(in, s, number);
         }
     }
@@ -174,7 +184,7 @@ final class ParameterSections {
     }
 
     private static void readFloats(ByteBuffer in, SavedState s, int number) {
-        if (number > SLEEP) {
+        if (number > CONTACTS) {
             throw SnapshotCodec.later("it has a section with the unknown number " + number);
         }
         SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedCircles;
 import io.github.circles2d.world.circles.WorldParameters;
@@ -24,6 +25,8 @@ public final class SavedState extends SavedCircles {
 
     /** Of {@link #joints}. */
     public final SavedJointStates jointStates = new SavedJointStates();
+
+    public final SavedRigids rigids = new SavedRigids();
 
     /** Of circles with pieces of terrain. */
     public final SavedPieceContacts pieceContacts = new SavedPieceContacts();

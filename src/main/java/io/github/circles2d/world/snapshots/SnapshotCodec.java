@@ -238,6 +238,7 @@ public final class SnapshotCodec {
         checkGrowth(s);
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
+        require(!(s.parameters().sleeps() && s.rigids.hasBodies()), "it has bodies, and circles that sleep");
         return length;
     }
 
@@ -385,7 +386,7 @@ public final class SnapshotCodec {
     }
 
     /** What rounding has left of a coordinate is at most half a unit of its last place. */
-    private static void checkRemainder(float coordinate, float remainder) {
+    static void checkRemainder(float coordinate, float remainder) {
         float most = 0.5f * Math.ulp(coordinate);
         Limits.within("a remainder", remainder, -most, most);
     }

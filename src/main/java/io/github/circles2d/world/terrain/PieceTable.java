@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.PieceRow;
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 
 /**
  * The pieces of terrain: of each its body, its form in the frame of the body, its neighbours in a chain, and its row for steps
@@ -24,6 +25,9 @@ public final class PieceTable {
 
     /** Sine of the least angle by which a chain turns to its right; by less it is straight. */
     private static final double STRAIGHT = 0x1p-13;
+
+    /** Is told of a piece whose contacts so far do not count. */
+    private IntConsumer renewed = piece -> {};
 
     public final IdTable ids = new IdTable(Handle.PIECE);
 
@@ -115,6 +119,11 @@ public final class PieceTable {
 
     public int kindOf(int piece) {
         return traits[PieceRow.traits(piece) + PieceRow.KIND];
+    }
+
+    /** Names who is told of pieces whose contacts so far do not count. */
+    public void watch(IntConsumer whom) {
+        renewed = whom;
     }
 
     int serial(int piece) {
@@ -218,6 +227,7 @@ public final class PieceTable {
 
     /** Contacts of the piece so far do not count. */
     void renew(int piece) {
+        renewed.accept(piece);
         traits[PieceRow.traits(piece) + PieceRow.SERIAL] = ++lastSerial;
         changed(piece);
     }

@@ -1,0 +1,463 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.model.Limits;
+
+/**
+ * The bodies of a {@link World} that are pushed: boxes, capsules, gears, any {@link Outline}. They fall, turn, and push each other, circles, and
+ * are stopped by walls and terrain. {@link World#bodies} gives this object.
+ *
+ * <pre>{@code
+ * Outline crate = Outline.box(1, 1);
+ * long body = world.bodies().add(crate, 10, 20, 0, 2 * crate.area()); // 2 is the density
+ * world.bodies().applyImpulse(body, 5, 0, 10, 20.4f); // near its top, so that it tips
+ * }</pre>
+ *
+ * <p><b>Place:</b> a body is where the centroid of its outline is, and turns around it. Along an axis with walls the centroid is within the
+ * bounds; along an axis that wraps it is brought inside.
+ *
+ * <p><b>Handles</b> are as those of circles: longs, never 0, stale once the body has gone. No body has the handle of a circle, a joint, or a body
+ * of {@link Terrain}: a call that gets one for the other refuses it. Bodies of terrain are another thing: they move as they are told, and
+ * nothing stops them.
+ *
+ * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping, greatest speed, restitution, friction and
+ * rolling resistance.
+ *
+ * <p><b>Masses</b> of bodies that touch may differ as 1 to 100. Beyond that heavy ones sink into light ones.
+ *
+ * <p><b>Only on the JVM</b> so far. A world of {@link Backend#AUTO} goes there with its first body; one that was built for a device refuses bodies, with an
+ * {@link UnsupportedOperationException}, and goes on without. A world whose circles {@linkplain World.Builder#sleep sleep} takes no bodies. Queries, explosions
+ * and joints do not see bodies.
+ *
+ * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in
+ * snapshots, in logs and in the hash. The rules of {@link World} for threads, failures and closed worlds hold here, too.
+ */
+public final class Bodies {
+    private final Simulation simulation;
+
+    Bodies(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    // ---- bodies come and go
+    // ------------------------------------------------------------------------------------------
+
+    /**
+     * Adds a body at rest, of kind 0.
+     *
+     * @param outline what it looks like; many bodies may have one
+     * @param x x of its centroid, within the bounds along an axis with walls, else up to 1e9 in magnitude
+     * @param y y of it, likewise
+     * @param angle how far it is turned from how the outline lies, radians anticlockwise, up to 1e6 in magnitude
+     * @param mass from 1e-9 to 1e9; a density times {@link Outline#area}
+     * @return the handle of the body
+     * @throws IllegalArgumentException if a value is out of range; if the outline reaches from its centroid further than a radius may be in these bounds, or
+     *     less far; or if there are 65,536 bodies
+     * @throws IllegalStateException if circles of the world sleep
+     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     */
+    public long add(Outline outline, float x, float y, float angle, float mass) {
+        return add(outline, x, y, angle, mass, 0);
+    }
+
+    /**
+     * Adds a body at rest. Its restitution is that of its kind, else the world's.
+     *
+     * @param outline what it looks like; many bodies may have one
+     * @param x x of its centroid, within the bounds along an axis with walls, else up to 1e9 in magnitude
+     * @param y y of it, likewise
+     * @param angle how far it is turned from how the outline lies, radians anticlockwise, up to 1e6 in magnitude
+     * @param mass from 1e-9 to 1e9; a density times {@link Outline#area}
+     * @param kind the number of its kind, 0 to 255
+     * @return the handle of the body
+     * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float)}, or if there is no such kind
+     * @throws IllegalStateException if circles of the world sleep
+     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     */
+    public long add(Outline outline, float x, float y, float angle, float mass, int kind) {
+        return simulation.rigids.add(Limits.notNull("outline", outline).shape(), x, y, angle, mass, kind);
+    }
+
+    /**
+     * Removes a body.
+     *
+     * @param body the handle of a body
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public void remove(long body) {
+        simulation.rigids.remove(body);
+    }
+
+    /** Removes all bodies. {@link World#clear} leaves them. */
+    public void clear() {
+        simulation.rigids.clear();
+    }
+
+    /**
+     * Whether a handle is that of a body of this world.
+     *
+     * @param body any number
+     * @return false if it is stale or never was a handle
+     */
+    public boolean contains(long body) {
+        return simulation.rigidReads.contains(body);
+    }
+
+    /**
+     * The number of bodies.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return simulation.rigidReads.size();
+    }
+
+    /**
+     * The id of a handle: its lower 28 bits. Two bodies that are there at the same time have different ids. When a body has gone, a new one takes
+     * its id over.
+     *
+     * @param body the handle of a body, stale or not
+     * @return its id, at least 0
+     */
+    public static int id(long body) {
+        return Handle.id(body);
+    }
+
+    /**
+     * How long the caller's arrays by id of bodies must be: one more than the greatest id that a body has had.
+     *
+     * @return at least {@link #size}
+     */
+    public int idLimit() {
+        return simulation.rigidReads.idLimit();
+    }
+
+    /**
+     * The handle of the body that has an id now.
+     *
+     * @param id an id, at least 0 and less than {@link #idLimit}
+     * @return the handle; 0 if no body has the id
+     * @throws IllegalArgumentException if the id is out of range
+     */
+    public long handle(int id) {
+        return simulation.rigidReads.handle(id);
+    }
+
+    // ---- what bodies are
+    // ---------------------------------------------------------------------------------------------
+
+    /**
+     * What a body looks like.
+     *
+     * @param body the handle of a body
+     * @return an outline that equals the one that the body was added with
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public Outline outline(long body) {
+        return Outline.of(simulation.rigidReads.outline(body));
+    }
+
+    /**
+     * The mass of a body.
+     *
+     * @param body the handle of a body
+     * @return more than 0
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float mass(long body) {
+        return simulation.rigidReads.mass(body);
+    }
+
+    /**
+     * How hard it is to turn a body around its centroid.
+     *
+     * @param body the handle of a body
+     * @return the moment of inertia, mass times length squared: {@link Outline#inertia} at first; infinite if nothing turns the
+     *     body
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float inertia(long body) {
+        return simulation.rigidReads.inertia(body);
+    }
+
+    /**
+     * Sets how hard it is to turn a body around its centroid.
+     *
+     * @param body the handle of a body
+     * @param inertia from a thousandth of {@link Outline#inertia} on; infinite for a body that never turns by itself, such as a hero
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void setInertia(long body, float inertia) {
+        simulation.rigids.setInertia(body, inertia);
+    }
+
+    /**
+     * How much of the speed of an impact a body keeps: of two that collide the greater one counts.
+     *
+     * @param body the handle of a body
+     * @return from 0 to 1
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float restitution(long body) {
+        return simulation.rigidReads.restitution(body);
+    }
+
+    /**
+     * Sets the restitution of a body.
+     *
+     * @param body the handle of a body
+     * @param restitution from 0 to 1
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void setRestitution(long body, float restitution) {
+        simulation.rigids.setRestitution(body, restitution);
+    }
+
+    /**
+     * The kind of a body.
+     *
+     * @param body the handle of a body
+     * @return its number, 0 to 255
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public int kindOf(long body) {
+        return simulation.rigidReads.kind(body);
+    }
+
+    /**
+     * Gives a body another kind, and the restitution of the kind if it has one.
+     *
+     * @param body the handle of a body
+     * @param kind the number of the kind, 0 to 255
+     * @throws IllegalArgumentException if there is no such kind, the body has gone, or the handle is none
+     */
+    public void setKind(long body, int kind) {
+        simulation.rigids.setKind(body, kind);
+    }
+
+    /**
+     * The tag of a body.
+     *
+     * @param body the handle of a body
+     * @return any number; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public long tag(long body) {
+        return simulation.rigidReads.tag(body);
+    }
+
+    /**
+     * Gives a body a tag, a number that means something to the caller alone. No step depends on it; snapshots and logs keep it.
+     *
+     * @param body the handle of a body
+     * @param tag any number
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public void setTag(long body, long tag) {
+        simulation.rigids.setTag(body, tag);
+    }
+
+    // ---- where bodies are, and how they move
+    // -------------------------------------------------------------------------
+
+    /**
+     * Where a body is.
+     *
+     * @param body the handle of a body
+     * @return x of its centroid
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float x(long body) {
+        return simulation.rigidReads.x(body);
+    }
+
+    /**
+     * Where a body is.
+     *
+     * @param body the handle of a body
+     * @return y of its centroid
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float y(long body) {
+        return simulation.rigidReads.y(body);
+    }
+
+    /**
+     * How far a body is turned from how its outline lies.
+     *
+     * @param body the handle of a body
+     * @return radians anticlockwise where y points up, from -pi to pi
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float angle(long body) {
+        return simulation.rigidReads.angle(body);
+    }
+
+    /**
+     * The velocity of the centroid of a body.
+     *
+     * @param body the handle of a body
+     * @return along x, lengths per second
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float vx(long body) {
+        return simulation.rigidReads.vx(body);
+    }
+
+    /**
+     * The velocity of the centroid of a body.
+     *
+     * @param body the handle of a body
+     * @return along y, lengths per second
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float vy(long body) {
+        return simulation.rigidReads.vy(body);
+    }
+
+    /**
+     * How fast a body turns.
+     *
+     * @param body the handle of a body
+     * @return radians per second, anticlockwise where y points up
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float angularVelocity(long body) {
+        return simulation.rigidReads.angularVelocity(body);
+    }
+
+    /**
+     * Puts a body somewhere else at once. It keeps its velocities; what it touched so far does not count. If it overlaps something there, both are
+     * pushed apart.
+     *
+     * @param body the handle of a body
+     * @param x x of its centroid, as with {@link #add(Outline, float, float, float, float)}
+     * @param y y of it, likewise
+     * @param angle radians anticlockwise, up to 1e6 in magnitude
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void teleport(long body, float x, float y, float angle) {
+        simulation.rigids.teleport(body, x, y, angle);
+    }
+
+    /**
+     * Sets the velocity of the centroid of a body.
+     *
+     * @param body the handle of a body
+     * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
+     * @param vy velocity along y, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void setVelocity(long body, float vx, float vy) {
+        simulation.rigids.setVelocity(body, vx, vy);
+    }
+
+    /**
+     * Sets how fast a body turns.
+     *
+     * @param body the handle of a body
+     * @param velocity radians per second, anticlockwise where y points up, up to 1e9 in magnitude
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void setAngularVelocity(long body, float velocity) {
+        simulation.rigids.setAngularVelocity(body, velocity);
+    }
+
+    /**
+     * Changes the velocity of a body at once by an impulse at its centroid, which does not turn it.
+     *
+     * @param body the handle of a body
+     * @param x x of the impulse, mass times velocity, up to 1e18 in magnitude
+     * @param y y of the impulse, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void applyImpulse(long body, float x, float y) {
+        simulation.rigids.applyImpulse(body, x, y);
+    }
+
+    /**
+     * Changes both velocities of a body at once by an impulse at a point, which need not lie on the body.
+     *
+     * @param body the handle of a body
+     * @param x x of the impulse, mass times velocity, up to 1e18 in magnitude
+     * @param y y of the impulse, likewise
+     * @param pointX x of the point in the world, up to 1e9 in magnitude; along an axis that wraps the image nearest to the centroid
+     * @param pointY y of it, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
+        simulation.rigids.applyImpulse(body, x, y, pointX, pointY);
+    }
+
+    /**
+     * Changes the angular velocity of a body at once by the impulse over its {@link #inertia}.
+     *
+     * @param body the handle of a body
+     * @param impulse moment of inertia times angular velocity, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void applyAngularImpulse(long body, float impulse) {
+        simulation.rigids.applyAngularImpulse(body, impulse);
+    }
+
+    /**
+     * Applies a force to the centroid of a body in the next step, and in that alone. Several forces add up.
+     *
+     * @param body the handle of a body
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude
+     * @param y y of the force, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void applyForce(long body, float x, float y) {
+        simulation.rigids.applyForce(body, x, y, 0);
+    }
+
+    /**
+     * Applies a torque to a body in the next step, and in that alone. Several torques add up.
+     *
+     * @param body the handle of a body
+     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void applyTorque(long body, float torque) {
+        simulation.rigids.applyForce(body, 0, 0, torque);
+    }
+
+    // ---- all bodies at once
+    // ------------------------------------------------------------------------------------------
+
+    /**
+     * Reads where all bodies are, by id: element 3 k is x of the body with the {@link #id} k, then y and the angle in radians.
+     *
+     *
+     * @param bodies takes three elements an id, so it has at least 3 {@link #idLimit}. All of it is written: elements without a body become
+     *     NaN
+     * @param living takes a bit for each id, 1 if there is such a body, as with {@link World#readById}; may be null
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public void readById(float[] bodies, long[] living) {
+        simulation.rigidReads.readById(bodies, living);
+    }
+
+    /**
+     * Reads how all bodies move, by id, likewise: vx, vy and the angular velocity.
+     *
+     * @param velocities takes three elements an id. All of it is written: elements without a body become NaN
+     * @param living as with {@link #readById}; may be null
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public void readVelocitiesById(float[] velocities, long[] living) {
+        simulation.rigidReads.readVelocitiesById(velocities, living);
+    }
+
+    /**
+     * Reads the handles of all bodies, in the order of their ids.
+     *
+     * @param handles takes at least {@link #size} elements
+     * @throws IllegalArgumentException if the array is too short
+     */
+    public void readHandles(long[] handles) {
+        simulation.rigidReads.readHandles(handles);
+    }
+}

@@ -1,0 +1,45 @@
+package io.github.circles2d.world.bodies;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Limits;
+
+/** What rigid bodies may be. */
+public final class RigidRules {
+    /** Most bodies of a world. */
+    public static final int MOST = 65_536;
+
+    /** The least moment of inertia, by that of the outline. */
+    private static final float LEAST_INERTIA = 1e-3f;
+
+    private RigidRules() {}
+
+    /** Refuses one more body. */
+    public static void room(int bodies) {
+        if (bodies >= MOST) {
+            throw new IllegalArgumentException("a world has at most " + MOST + " bodies, not one more");
+        }
+    }
+
+    public static void mass(float mass) {
+        Limits.within("mass", mass, Limits.LEAST_MASS, Limits.GREATEST_MASS);
+    }
+
+    public static void inertia(float inertia, float mass, OutlineShape outline) {
+        Limits.within("the inertia", inertia, LEAST_INERTIA * (mass * outline.inertia()), Float.POSITIVE_INFINITY);
+    }
+
+    /** Refuses an outline that has no room in bounds. */
+    public static void reach(OutlineShape outline, Bounds bounds) {
+        Limits.within(
+                "the reach of the outline from its centroid",
+                outline.reach(),
+                bounds.leastRadius(),
+                bounds.greatestRadius());
+    }
+
+    /** The sum of two forces or torques, within the greatest one, which is the same for both; never -0. */
+    static float sum(float a, float b) {
+        return CircleMath.clamp(a + b, -Limits.FORCE, Limits.FORCE) + 0f;
+    }
+}

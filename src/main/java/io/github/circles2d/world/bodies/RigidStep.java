@@ -1,0 +1,173 @@
+package io.github.circles2d.world.bodies;
+
+import java.util.Arrays;
+
+/**
+ * The rigid bodies of a world, and what steps keep of their contacts. Arrays are by the id of a
+ * body. Calls change them between steps; steps read and change them.
+ */
+public final class RigidStep {
+    // types of contacts, in the order of keys
+    public static final int BODY_BODY = 0;
+    public static final int BODY_PIECE = 1;
+    public static final int BODY_WALL = 2;
+    public static final int BODY_CIRCLE = 3;
+
+    /** Ints of a contact in {@link #contactKeys}: its type, a body, what it touches, and two that the solver gives a meaning. */
+    public static final int KEYS = 5;
+
+    public static final int TYPE = 0;
+    public static final int A = 1;
+
+    /** The other body, of a higher id; the id of a piece of terrain; the number of a wall; the id of a circle. */
+    public static final int B = 2;
+
+    /** Floats of a contact in {@link #contactImpulses}: along the normal, and along the tangent. */
+    public static final int IMPULSES = 2;
+
+    public static final int NORMAL = 0;
+
+    /** Floats of a touch in {@link #touchValues}: the point, the normal from the body to what it touches, the impulse, the speed of the approach. */
+    public static final int TOUCH_VALUES = 6;
+
+    /** Ints of a touch in {@link #touchKeys}: its type, a body, and what it touches. */
+    public static final int TOUCH_KEYS = 3;
+
+    /** Told of each step. */
+    public interface Listener {
+        /** A step has been made; the touches are those of it. */
+        void stepped();
+    }
+
+    /** Greatest id of a body, and 1. */
+    public int end;
+
+    /** How many there are. */
+    public int count;
+
+    /** What a body looks like; null if no body has the id. */
+    public OutlineShape[] outline = new OutlineShape[0];
+
+    /** Where the centroid is: within the bounds along an axis with walls or that wraps. */
+    public float[] x = new float[0];
+
+    public float[] y = new float[0];
+
+    /** What rounding has left of {@link #x} and {@link #y}. */
+    public float[] restX = new float[0];
+
+    public float[] restY = new float[0];
+
+    /** In units of a turn's 2^-32. */
+    public int[] angle = new int[0];
+
+    public float[] vx = new float[0];
+    public float[] vy = new float[0];
+
+    /** Radians a second. */
+    public float[] omega = new float[0];
+
+    /** 0 if nothing moves the body. */
+    public float[] inverseMass = new float[0];
+
+    /** 0 if nothing turns the body. */
+    public float[] inverseInertia = new float[0];
+
+    public float[] restitution = new float[0];
+    public int[] kind = new int[0];
+
+    /** The forces of the next step: those that last, and those of that step alone. */
+    public float[] forceX = new float[0];
+
+    public float[] forceY = new float[0];
+    public float[] torque = new float[0];
+
+    /** Contacts that the next step starts from, in ascending order of their keys. */
+    public int contacts;
+
+    public int[] contactKeys = new int[0];
+    public float[] contactImpulses = new float[0];
+
+    /** Is told of each step; null if nobody wants to know, and there are no touches then. */
+    public Listener listener;
+
+    /** What bodies touched in the last step, each pair once, in ascending order of the keys. */
+    public int touches;
+
+    public int[] touchKeys = new int[0];
+    public float[] touchValues = new float[0];
+
+    /** Whether there are bodies. */
+    public boolean isThere() {
+        return count > 0;
+    }
+
+    /** Ids that the arrays have room for. */
+    public int room() {
+        return kind.length;
+    }
+
+    /** Makes room for ids. If there is none, nothing has changed. */
+    public void setRoom(int ids) {
+        OutlineShape[] newOutline = Arrays.copyOf(outline, ids);
+        float[] newX = Arrays.copyOf(x, ids);
+        float[] newY = Arrays.copyOf(y, ids);
+        float[] newRestX = Arrays.copyOf(restX, ids);
+        float[] newRestY = Arrays.copyOf(restY, ids);
+        int[] newAngle = Arrays.copyOf(angle, ids);
+        float[] newVx = Arrays.copyOf(vx, ids);
+        float[] newVy = Arrays.copyOf(vy, ids);
+        float[] newOmega = Arrays.copyOf(omega, ids);
+        float[] newInverseMass = Arrays.copyOf(inverseMass, ids);
+        float[] newInverseInertia = Arrays.copyOf(inverseInertia, ids);
+        float[] newRestitution = Arrays.copyOf(restitution, ids);
+        int[] newKind = Arrays.copyOf(kind, ids);
+        float[] newForceX = Arrays.copyOf(forceX, ids);
+        float[] newForceY = Arrays.copyOf(forceY, ids);
+        float[] newTorque = Arrays.copyOf(torque, ids);
+        outline = newOutline;
+        x = newX;
+        y = newY;
+        restX = newRestX;
+        restY = newRestY;
+        angle = newAngle;
+        vx = newVx;
+        vy = newVy;
+        omega = newOmega;
+        inverseMass = newInverseMass;
+        inverseInertia = newInverseInertia;
+        restitution = newRestitution;
+        kind = newKind;
+        forceX = newForceX;
+        forceY = newForceY;
+        torque = newTorque;
+    }
+
+    /** Makes room for contacts, and keeps those that there are. If there is none, nothing has changed. */
+    public void ensureContacts(int needed) {
+        if (contactKeys.length < KEYS * needed) {
+            int c = Math.max(Math.max(needed, 64), contactKeys.length / KEYS * 3 / 2);
+            int[] newKeys = Arrays.copyOf(contactKeys, KEYS * c);
+            float[] newImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
+            contactKeys = newKeys;
+            contactImpulses = newImpulses;
+        }
+    }
+
+    /** Makes room for touches, and keeps those that there are. If there is none, nothing has changed. */
+    public void ensureTouches(int needed) {
+        if (touchKeys.length < TOUCH_KEYS * needed) {
+            int c = Math.max(Math.max(needed, 64), touchKeys.length / TOUCH_KEYS * 3 / 2);
+            int[] newKeys = Arrays.copyOf(touchKeys, TOUCH_KEYS * c);
+            float[] newValues = Arrays.copyOf(touchValues, TOUCH_VALUES * c);
+            touchKeys = newKeys;
+            touchValues = newValues;
+        }
+    }
+
+    /** Bytes of the arrays. */
+    public long bytes() {
+        return 4L
+                * (16L * room() + contactKeys.length + contactImpulses.length + touchKeys.length + touchValues.length);
+    }
+}

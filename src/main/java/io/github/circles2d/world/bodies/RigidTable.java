@@ -1,0 +1,454 @@
+package io.github.circles2d.world.bodies;
+
+import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.circles.IdTable;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Velocity;
+import java.util.Arrays;
+
+/**
+ * The rigid bodies of a world: which ids are in use, and what steps do not read of them. {@link RigidStep} has the rest. Changes have been checked,
+ * and there is room.
+ */
+public final class RigidTable {
+    public final IdTable ids = new IdTable(Handle.RIGID);
+
+    public final RigidStep step;
+
+    // by id
+    private float[] mass = new float[0];
+    private float[] inertia = new float[0];
+    private long[] tag = new long[0];
+
+    /** Of {@link #outlines}. */
+    private int[] outline = new int[0];
+
+    private final Outlines outlines = new Outlines();
+
+    /** By number of an outline: its number in a saved state. */
+    private int[] savedNumbers = new int[0];
+
+    /** Whether a force or a torque acts in the next step, on any body. */
+    private boolean pushed;
+
+    /** Circles and pieces that have gone since the last step, by id: their contacts go with the next {@link #settle}. */
+    private long[] goneCircles = new long[0];
+
+    private long[] gonePieces = new long[0];
+    private boolean someGone;
+
+    /** No bodies. The step is told of what there is. */
+    public RigidTable(RigidStep step) {
+        this.step = step;
+    }
+
+    /** Whether there are bodies. */
+    public boolean isThere() {
+        return step.isThere();
+    }
+
+    /** Makes room for a body with an outline. If there is none, nothing has changed. */
+    public void ensure(OutlineShape shape) {
+        int needed = ids.size() + 1;
+        if (needed > ids.room()) {
+            setRoom(Math.max(16, ids.room() * 3 / 2));
+        }
+        outlines.prepare(shape);
+    }
+
+    private void setRoom(int bodies) {
+        float[] newMass = Arrays.copyOf(mass, bodies);
+        float[] newInertia = Arrays.copyOf(inertia, bodies);
+        long[] newTag = Arrays.copyOf(tag, bodies);
+        int[] newOutline = Arrays.copyOf(outline, bodies);
+        step.setRoom(bodies);
+        ids.setRoom(bodies);
+        mass = newMass;
+        inertia = newInertia;
+        tag = newTag;
+        outline = newOutline;
+    }
+
+    // ---- what there is
+    // -----------------------------------------------------------------------------------------------
+
+    public float mass(int body) {
+        return mass[body];
+    }
+
+    public float inertia(int body) {
+        return inertia[body];
+    }
+
+    public long tag(int body) {
+        return tag[body];
+    }
+
+    /** Whether a force or a torque acts in the next step, which is made alone then. */
+    public boolean pushes() {
+        return pushed;
+    }
+
+    // ---- changes
+    // -----------------------------------------------------------------------------------------------------
+
+    /** A body at rest. */
+    public int add(OutlineShape shape, float x, float y, int angle, float itsMass, int kind, float restitution) {
+        int body = ids.add();
+        setOutline(body, shape);
+        count();
+        step.x[body] = x;
+        step.y[body] = y;
+        step.restX[body] = 0f;
+        step.restY[body] = 0f;
+        step.angle[body] = angle;
+        step.vx[body] = 0f;
+        step.vy[body] = 0f;
+        step.omega[body] = 0f;
+        step.kind[body] = kind;
+        step.restitution[body] = restitution;
+        release(body);
+        mass[body] = itsMass;
+        step.inverseMass[body] = CircleMath.inverseMass(itsMass);
+        setInertia(body, itsMass * shape.inertia());
+        tag[body] = 0;
+        return body;
+    }
+
+    private void setOutline(int body, OutlineShape shape) {
+        outline[body] = outlines.take(shape);
+        step.outline[body] = outlines.shape(outline[body]);
+    }
+
+    private void count() {
+        step.end = ids.end();
+        step.count = ids.size();
+    }
+
+    public void remove(int body) {
+        dropContactsOf(body);
+        step.outline[body] = null;
+        outlines.release(outline[body]);
+        ids.remove(body);
+        count();
+    }
+
+    /** Removes all bodies. */
+    public void clear() {
+        for (int body = 0; body < ids.end(); body++) {
+            if (ids.lives(body)) {
+                step.outline[body] = null;
+                ids.remove(body);
+            }
+        }
+        outlines.releaseAll();
+        outlines.dropUnused();
+        count();
+        step.contacts = 0;
+        pushed = false;
+    }
+
+    /** Infinite if nothing turns the body. */
+    public void setInertia(int body, float to) {
+        inertia[body] = to;
+        step.inverseInertia[body] = 1f / to;
+    }
+
+    public void setTag(int body, long to) {
+        tag[body] = to;
+    }
+
+    public void setVelocity(int body, float vx, float vy) {
+        step.vx[body] = vx + 0f;
+        step.vy[body] = vy + 0f;
+    }
+
+    public void setOmega(int body, float to) {
+        step.omega[body] = to + 0f;
+    }
+
+    /** Puts a body somewhere else; its contacts so far do not count. */
+    public void teleport(int body, float x, float y, int angle) {
+        step.x[body] = x;
+        step.y[body] = y;
+        step.restX[body] = 0f;
+        step.restY[body] = 0f;
+        step.angle[body] = angle;
+        dropContactsOf(body);
+    }
+
+    /** An impulse at a point of the world, which is taken the short way round. */
+    public void push(int body, float x, float y, float pointX, float pointY, Bounds bounds) {
+        float armX = CircleMath.shortWay(bounds.placeX(pointX) - step.x[body], bounds.periodX());
+        float armY = CircleMath.shortWay(bounds.placeY(pointY) - step.y[body], bounds.periodY());
+        step.vx[body] = Velocity.afterImpulse(step.vx[body], step.inverseMass[body], x) + 0f;
+        step.vy[body] = Velocity.afterImpulse(step.vy[body], step.inverseMass[body], y) + 0f;
+        pushAround(body, CircleMath.clamp(armX * y - armY * x, -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE));
+    }
+
+    public void pushAround(int body, float impulse) {
+        step.omega[body] = Velocity.afterImpulse(step.omega[body], step.inverseInertia[body], impulse) + 0f;
+    }
+
+    /** The restitution is that which the body has from now on. */
+    public void setKind(int body, int kind, float restitution) {
+        step.kind[body] = kind;
+        step.restitution[body] = restitution;
+    }
+
+    /** A force and a torque are to act in the next step, too. */
+    public void applyForce(int body, float forceX, float forceY, float torque) {
+        step.forceX[body] = RigidRules.sum(step.forceX[body], forceX);
+        step.forceY[body] = RigidRules.sum(step.forceY[body], forceY);
+        step.torque[body] = RigidRules.sum(step.torque[body], torque);
+        pushed |= acts(body);
+    }
+
+    private boolean acts(int body) {
+        return step.forceX[body] != 0f || step.forceY[body] != 0f || step.torque[body] != 0f;
+    }
+
+    private void release(int body) {
+        step.forceX[body] = 0f;
+        step.forceY[body] = 0f;
+        step.torque[body] = 0f;
+    }
+
+    /** The step has been made in which forces and torques acted. */
+    public void releaseAll() {
+        for (int body = 0; pushed && body < ids.end(); body++) {
+            release(body);
+        }
+        pushed = false;
+    }
+
+    /** Refuses bounds in which an outline of a body has no room. */
+    public void requireRoom(Bounds bounds) {
+        for (int k = 0; k < outlines.end(); k++) {
+            if (outlines.shape(k) != null) {
+                RigidRules.reach(outlines.shape(k), bounds);
+            }
+        }
+    }
+
+    /** Brings bodies inside new bounds. */
+    public void confine(Bounds bounds) {
+        Bounds walls = bounds.walls();
+        for (int body = 0; body < ids.end(); body++) {
+            if (ids.lives(body)) {
+                float x = bounds.placeX(CircleMath.clamp(step.x[body], walls.minX(), walls.maxX()));
+                float y = bounds.placeY(CircleMath.clamp(step.y[body], walls.minY(), walls.maxY()));
+                step.restX[body] = x == step.x[body] ? step.restX[body] : 0f;
+                step.restY[body] = y == step.y[body] ? step.restY[body] : 0f;
+                step.x[body] = x;
+                step.y[body] = y;
+            }
+        }
+    }
+
+    // ---- contacts
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Makes room to note what goes after the next step: circles and pieces of ids below limits. If there is none, nothing has changed. */
+    public void makeRoom(int circles, int pieces) {
+        if (isThere()) {
+            long[] newCircles = goneCircles.length * 64 < circles ? new long[circles / 32 + 1] : goneCircles;
+            long[] newPieces = gonePieces.length * 64 < pieces ? new long[pieces / 32 + 1] : gonePieces;
+            settle();
+            goneCircles = newCircles;
+            gonePieces = newPieces;
+        }
+    }
+
+    /** A circle goes. */
+    public void circleGoes(int circle) {
+        if (step.contacts > 0) {
+            note(goneCircles, circle);
+        }
+    }
+
+    /** All circles go. */
+    public void circlesGo() {
+        if (step.contacts > 0) {
+            Arrays.fill(goneCircles, -1L);
+            someGone = true;
+        }
+    }
+
+    /** A piece of terrain goes, or is another one now. */
+    public void pieceGoes(int piece) {
+        if (step.contacts > 0) {
+            note(gonePieces, piece);
+        }
+    }
+
+    private void note(long[] set, int id) {
+        if (id >> 6 < set.length) { // else it came after the last step
+            set[id >> 6] |= 1L << id;
+            someGone = true;
+        }
+    }
+
+    /** Drops the contacts of all that has gone. */
+    public void settle() {
+        if (someGone) {
+            dropContactsOf(-1);
+            forgetGone();
+        }
+    }
+
+    private void forgetGone() {
+        if (someGone) {
+            Arrays.fill(goneCircles, 0L);
+            Arrays.fill(gonePieces, 0L);
+            someGone = false;
+        }
+    }
+
+    private static boolean has(long[] set, int id) {
+        return id >> 6 < set.length && (set[id >> 6] & 1L << id) != 0;
+    }
+
+    /** Drops contacts of a body, and of all that has gone. */
+    private void dropContactsOf(int body) {
+        int kept = 0;
+        for (int k = 0; k < step.contacts; k++) {
+            int at = RigidStep.KEYS * k;
+            if (!isGone(step.contactKeys, at, body)) {
+                System.arraycopy(step.contactKeys, at, step.contactKeys, RigidStep.KEYS * kept, RigidStep.KEYS);
+                System.arraycopy(
+                        step.contactImpulses,
+                        RigidStep.IMPULSES * k,
+                        step.contactImpulses,
+                        RigidStep.IMPULSES * kept,
+                        RigidStep.IMPULSES);
+                kept++;
+            }
+        }
+        step.contacts = kept;
+    }
+
+    private boolean isGone(int[] keys, int at, int body) {
+        int b = keys[at + RigidStep.B];
+        boolean ofBody = keys[at + RigidStep.A] == body;
+        return switch (keys[at + RigidStep.TYPE]) {
+            case RigidStep.BODY_BODY -> ofBody || b == body;
+            case RigidStep.BODY_CIRCLE -> ofBody || has(goneCircles, b);
+            case RigidStep.BODY_PIECE -> ofBody || has(gonePieces, b);
+            default -> ofBody;
+        };
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    public void save(SavedRigids to) {
+        settle();
+        to.setIds(ids.end());
+        ids.save(to.generation);
+        to.ensureOutlines(outlines.end());
+        if (savedNumbers.length < outlines.end()) {
+            savedNumbers = new int[2 * outlines.end()];
+        }
+        Arrays.fill(savedNumbers, -1);
+        to.outlineCount = 0;
+        for (int body = 0; body < ids.end(); body++) {
+            to.outline[body] = SavedRigids.NO_BODY;
+            if (ids.lives(body)) {
+                save(body, to);
+            }
+        }
+        to.setContacts(step.contacts);
+        System.arraycopy(step.contactKeys, 0, to.contactKeys, 0, RigidStep.KEYS * step.contacts);
+        System.arraycopy(step.contactImpulses, 0, to.contactImpulses, 0, RigidStep.IMPULSES * step.contacts);
+    }
+
+    private void save(int body, SavedRigids to) {
+        int number = outline[body];
+        if (savedNumbers[number] < 0) {
+            savedNumbers[number] = to.outlineCount;
+            to.outlines[to.outlineCount++] = outlines.shape(number);
+        }
+        to.outline[body] = savedNumbers[number];
+        to.kind[body] = step.kind[body];
+        to.set(body, SavedRigids.X, step.x[body]);
+        to.set(body, SavedRigids.Y, step.y[body]);
+        to.set(body, SavedRigids.REST_X, step.restX[body]);
+        to.set(body, SavedRigids.REST_Y, step.restY[body]);
+        to.values[SavedRigids.VALUES * body + SavedRigids.ANGLE] = step.angle[body];
+        to.set(body, SavedRigids.VX, step.vx[body]);
+        to.set(body, SavedRigids.VY, step.vy[body]);
+        to.set(body, SavedRigids.OMEGA, step.omega[body]);
+        to.set(body, SavedRigids.MASS, mass[body]);
+        to.set(body, SavedRigids.INERTIA, inertia[body]);
+        to.set(body, SavedRigids.RESTITUTION, step.restitution[body]);
+        to.set(body, SavedRigids.FORCE_X, step.forceX[body]);
+        to.set(body, SavedRigids.FORCE_Y, step.forceY[body]);
+        to.set(body, SavedRigids.TORQUE, step.torque[body]);
+        to.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] = (int) tag[body];
+        to.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] = (int) (tag[body] >> Integer.SIZE);
+    }
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    public void makeRoom(SavedRigids from) {
+        if (from.ids > ids.room()) {
+            setRoom(from.ids);
+        }
+        for (int k = 0; k < from.outlineCount; k++) {
+            outlines.prepare(from.outlines[k]);
+        }
+        step.ensureContacts(from.contacts);
+    }
+
+    /** Takes over saved bodies, which have been checked. There is room. */
+    public void load(SavedRigids from) {
+        ids.load(from.generation, from.ids);
+        Arrays.fill(step.outline, null);
+        outlines.releaseAll();
+        pushed = false;
+        for (int body = 0; body < from.ids; body++) {
+            if (from.lives(body)) {
+                ids.revive(body);
+                load(body, from);
+            }
+        }
+        outlines.dropUnused();
+        count();
+        step.contacts = from.contacts;
+        System.arraycopy(from.contactKeys, 0, step.contactKeys, 0, RigidStep.KEYS * from.contacts);
+        System.arraycopy(from.contactImpulses, 0, step.contactImpulses, 0, RigidStep.IMPULSES * from.contacts);
+        forgetGone();
+    }
+
+    private void load(int body, SavedRigids from) {
+        setOutline(body, from.outlines[from.outline[body]]);
+        step.kind[body] = from.kind[body];
+        step.x[body] = from.real(body, SavedRigids.X);
+        step.y[body] = from.real(body, SavedRigids.Y);
+        step.restX[body] = from.real(body, SavedRigids.REST_X);
+        step.restY[body] = from.real(body, SavedRigids.REST_Y);
+        step.angle[body] = from.values[SavedRigids.VALUES * body + SavedRigids.ANGLE];
+        step.vx[body] = from.real(body, SavedRigids.VX);
+        step.vy[body] = from.real(body, SavedRigids.VY);
+        step.omega[body] = from.real(body, SavedRigids.OMEGA);
+        mass[body] = from.real(body, SavedRigids.MASS);
+        step.inverseMass[body] = CircleMath.inverseMass(mass[body]);
+        setInertia(body, from.real(body, SavedRigids.INERTIA));
+        step.restitution[body] = from.real(body, SavedRigids.RESTITUTION);
+        step.forceX[body] = from.real(body, SavedRigids.FORCE_X);
+        step.forceY[body] = from.real(body, SavedRigids.FORCE_Y);
+        step.torque[body] = from.real(body, SavedRigids.TORQUE);
+        pushed |= acts(body);
+        tag[body] = from.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] & 0xFFFFFFFFL
+                | (long) from.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] << Integer.SIZE;
+    }
+
+    /** Bytes of the table. */
+    public long bytes() {
+        return isThere()
+                ? 20L * ids.room() + step.bytes() + outlines.bytes() + 8L * (goneCircles.length + gonePieces.length)
+                : 0;
+    }
+}

@@ -1,0 +1,253 @@
+package io.github.circles2d.world.changes;
+
+import static io.github.circles2d.world.shared.Call.real;
+import static java.lang.Float.floatToRawIntBits;
+
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
+import io.github.circles2d.world.shared.WorldParts;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The calls that change rigid bodies. A change acts from the next step on. */
+public final class RigidCalls implements Calls.Effects {
+    private final WorldParts world;
+    private final RigidTable table;
+    private final Kinds kinds;
+    private final int[] words = new int[Call.MOST_WORDS];
+
+    /** The outlines that a log has told of, by their numbers there. */
+    private final List<OutlineShape> told = new ArrayList<>();
+
+    /** The words of the outline of which a log has the beginning; null if none has begun. */
+    private int[] begun;
+
+    private int begunWords;
+
+    public RigidCalls(WorldParts world, Kinds kinds) {
+        this.world = world;
+        this.kinds = kinds;
+        table = world.rigids;
+        world.calls.define(
+                this,
+                Call.OUTLINE,
+                Call.OUTLINE_WORDS,
+                Call.RIGID,
+                Call.REMOVE_RIGID,
+                Call.CLEAR_RIGIDS,
+                Call.RIGID_VELOCITY,
+                Call.RIGID_ANGULAR_VELOCITY,
+                Call.RIGID_IMPULSE,
+                Call.RIGID_ANGULAR_IMPULSE,
+                Call.RIGID_FORCE,
+                Call.RIGID_KIND,
+                Call.RIGID_TAG,
+                Call.RIGID_RESTITUTION,
+                Call.RIGID_INERTIA,
+                Call.TELEPORT_RIGID);
+    }
+
+    /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
+    public long add(OutlineShape outline, float x, float y, float angle, float mass, int kind) {
+        world.guard.enter();
+        try {
+            words[1] = kind;
+            words[2] = floatToRawIntBits(x);
+            words[3] = floatToRawIntBits(y);
+            words[4] = floatToRawIntBits(angle);
+            words[5] = floatToRawIntBits(mass);
+            Call.RIGID.check(words, world.settings);
+            try {
+                long body = add(outline, words);
+                world.calls.end();
+                return body;
+            } catch (RuntimeException | Error e) {
+                throw world.guard.failed(e);
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** The first word has no meaning. */
+    private long add(OutlineShape outline, int[] w) {
+        RigidRules.room(table.ids.size());
+        RigidRules.reach(outline, world.settings.bounds());
+        if (world.settings.sleeps()) {
+            throw new IllegalStateException(
+                    "a world whose circles sleep takes no bodies yet: build it without sleep(true)");
+        }
+        table.ensure(outline);
+        if (!table.isThere()) {
+            world.needs.prepareRigids();
+        }
+        w[0] = world.log.outline(outline);
+        world.calls.begin(Call.RIGID, w);
+        Bounds bounds = world.settings.bounds();
+        int kind = w[1];
+        return table.ids.handle(table.add(
+                outline,
+                bounds.placeX(real(w[2])),
+                bounds.placeY(real(w[3])),
+                Surface.units(real(w[4])),
+                real(w[5]),
+                kind,
+                kinds.newRestitution(kind)));
+    }
+
+    public void remove(long body) {
+        world.calls.change(Call.REMOVE_RIGID, body, 0, 0, 0);
+    }
+
+    /** Removes all bodies. */
+    public void clear() {
+        world.calls.make(Call.CLEAR_RIGIDS, 0, 0, 0, 0);
+    }
+
+    public void setVelocity(long body, float vx, float vy) {
+        world.calls.changeByFloats(Call.RIGID_VELOCITY, body, vx, vy, 0);
+    }
+
+    public void setAngularVelocity(long body, float velocity) {
+        world.calls.changeByFloats(Call.RIGID_ANGULAR_VELOCITY, body, velocity, 0, 0);
+    }
+
+    /** An impulse at a point of the world. */
+    public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
+        world.calls.change(
+                Call.RIGID_IMPULSE,
+                body,
+                floatToRawIntBits(x),
+                floatToRawIntBits(y),
+                floatToRawIntBits(pointX),
+                floatToRawIntBits(pointY),
+                0,
+                0,
+                0);
+    }
+
+    /** An impulse at the centroid. */
+    public void applyImpulse(long body, float x, float y) {
+        world.guard.check();
+        int id = world.rigid(body);
+        applyImpulse(body, x, y, table.step.x[id], table.step.y[id]);
+    }
+
+    public void applyAngularImpulse(long body, float impulse) {
+        world.calls.changeByFloats(Call.RIGID_ANGULAR_IMPULSE, body, impulse, 0, 0);
+    }
+
+    /** A force and a torque in the next step alone. */
+    public void applyForce(long body, float x, float y, float torque) {
+        world.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, torque);
+    }
+
+    /** Gives a body another kind, and the restitution of the kind if it has one. */
+    public void setKind(long body, int kind) {
+        world.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
+    }
+
+    public void setTag(long body, long tag) {
+        world.calls.change(Call.RIGID_TAG, body, (int) tag, (int) (tag >> Integer.SIZE), 0);
+    }
+
+    public void setRestitution(long body, float restitution) {
+        world.calls.changeByFloats(Call.RIGID_RESTITUTION, body, restitution, 0, 0);
+    }
+
+    public void setInertia(long body, float inertia) {
+        world.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0);
+    }
+
+    /** Puts a body at a place at once. */
+    public void teleport(long body, float x, float y, float angle) {
+        world.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle);
+    }
+
+    // ---- calls by their words
+    // ----------------------------------------------------------------------------------------
+
+    @Override
+    public long make(Call call, int[] w) {
+        switch (call) {
+            case OUTLINE -> {
+                if (w[0] < 1 || w[0] > OutlineShape.MOST_WORDS) {
+                    throw new IllegalArgumentException("no outline has " + w[0] + " words");
+                }
+                begun = new int[w[0]];
+                begunWords = 0;
+                hear(w, 1);
+                return 0;
+            }
+            case OUTLINE_WORDS -> {
+                if (begun == null) {
+                    throw new IllegalArgumentException("an outline has more words than it says");
+                }
+                hear(w, 0);
+                return 0;
+            }
+            case RIGID -> {
+                if (w[0] < 0 || w[0] >= told.size()) {
+                    throw new IllegalArgumentException("no outline has the number " + w[0]);
+                }
+                System.arraycopy(w, 0, words, 0, Call.RIGID.words);
+                return add(told.get(w[0]), words);
+            }
+            case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
+            default -> {
+                // nothing depends on the state
+            }
+        }
+        world.calls.begin(call, w);
+        change(call, w);
+        return 0;
+    }
+
+    private void change(Call call, int[] w) {
+        switch (call) {
+            case REMOVE_RIGID -> table.remove(w[0]);
+            case CLEAR_RIGIDS -> table.clear();
+            case RIGID_VELOCITY -> table.setVelocity(w[0], real(w[1]), real(w[2]));
+            case RIGID_ANGULAR_VELOCITY -> table.setOmega(w[0], real(w[1]));
+            case RIGID_IMPULSE ->
+                table.push(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
+            case RIGID_ANGULAR_IMPULSE -> table.pushAround(w[0], real(w[1]));
+            case RIGID_FORCE -> table.applyForce(w[0], real(w[1]), real(w[2]), real(w[3]));
+            case RIGID_KIND -> table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
+            case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
+            case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;
+            case RIGID_INERTIA -> table.setInertia(w[0], real(w[1]));
+            default -> {
+                Bounds bounds = world.settings.bounds();
+                table.teleport(w[0], bounds.placeX(real(w[1])), bounds.placeY(real(w[2])), Surface.units(real(w[3])));
+            }
+        }
+    }
+
+    /** Takes words of an outline of a log, from one on. */
+    private void hear(int[] w, int from) {
+        int count = Math.min(Call.MOST_WORDS - from, begun.length - begunWords);
+        System.arraycopy(w, from, begun, begunWords, count);
+        begunWords += count;
+        for (int k = from + count; k < Call.MOST_WORDS; k++) {
+            if (w[k] != 0) {
+                throw new IllegalArgumentException("an outline has more words than it says");
+            }
+        }
+        if (begunWords == begun.length) {
+            told.add(OutlineShape.of(begun));
+            begun = null;
+        }
+    }
+
+    /** A log begins: no outline of another one counts. */
+    public void forgetOutlines() {
+        told.clear();
+        begun = null;
+    }
+}

@@ -1,0 +1,171 @@
+package io.github.circles2d.world.reads;
+
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.shared.WorldParts;
+import java.util.Arrays;
+
+/** Reads of rigid bodies, which the host always has as of now. */
+public final class RigidReads {
+    /** Floats of a body in the reads of all. */
+    private static final int STRIDE = 3;
+
+    private final WorldParts world;
+    private final RigidTable table;
+    private final RigidStep bodies;
+
+    public RigidReads(WorldParts world) {
+        this.world = world;
+        table = world.rigids;
+        bodies = table.step;
+    }
+
+    public boolean contains(long handle) {
+        world.guard.check();
+        return table.ids.find(handle) >= 0;
+    }
+
+    public int size() {
+        world.guard.check();
+        return table.ids.size();
+    }
+
+    /** One more than the greatest id that a body has had. */
+    public int idLimit() {
+        world.guard.check();
+        return table.ids.end();
+    }
+
+    /** The handle of the body that has an id; 0 if there is none. */
+    public long handle(int id) {
+        world.guard.check();
+        return table.ids.handleOrNone(id);
+    }
+
+    private int require(long handle) {
+        world.guard.check();
+        return world.rigid(handle);
+    }
+
+    public OutlineShape outline(long handle) {
+        return bodies.outline[require(handle)];
+    }
+
+    public float x(long handle) {
+        return bodies.x[require(handle)];
+    }
+
+    public float y(long handle) {
+        return bodies.y[require(handle)];
+    }
+
+    /** In radians, at least -pi and less than pi. */
+    public float angle(long handle) {
+        return Surface.radians(bodies.angle[require(handle)]);
+    }
+
+    public float vx(long handle) {
+        return bodies.vx[require(handle)];
+    }
+
+    public float vy(long handle) {
+        return bodies.vy[require(handle)];
+    }
+
+    public float angularVelocity(long handle) {
+        return bodies.omega[require(handle)];
+    }
+
+    public float mass(long handle) {
+        return table.mass(require(handle));
+    }
+
+    public float inertia(long handle) {
+        return table.inertia(require(handle));
+    }
+
+    public float restitution(long handle) {
+        return bodies.restitution[require(handle)];
+    }
+
+    public int kind(long handle) {
+        return bodies.kind[require(handle)];
+    }
+
+    public long tag(long handle) {
+        return table.tag(require(handle));
+    }
+
+    /** Three elements an id: x, y, the angle in radians; living, with a bit an id, may be null. */
+    public void readById(float[] poses, long[] living) {
+        world.guard.enter();
+        try {
+            beginById("bodies", poses, living);
+            for (int id = 0; id < table.ids.end(); id++) {
+                if (table.ids.lives(id)) {
+                    poses[STRIDE * id] = bodies.x[id];
+                    poses[STRIDE * id + 1] = bodies.y[id];
+                    poses[STRIDE * id + 2] = Surface.radians(bodies.angle[id]);
+                }
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Three elements an id: vx, vy, the angular velocity; living as above. */
+    public void readVelocitiesById(float[] velocities, long[] living) {
+        world.guard.enter();
+        try {
+            beginById("velocities", velocities, living);
+            for (int id = 0; id < table.ids.end(); id++) {
+                if (table.ids.lives(id)) {
+                    velocities[STRIDE * id] = bodies.vx[id];
+                    velocities[STRIDE * id + 1] = bodies.vy[id];
+                    velocities[STRIDE * id + 2] = bodies.omega[id];
+                }
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    private void beginById(String what, float[] to, long[] living) {
+        int end = table.ids.end();
+        requireRoom(what, Limits.notNull(what, to).length, STRIDE * end);
+        if (living != null) {
+            requireRoom("living", living.length, IdMask.words(end));
+            Arrays.fill(living, 0L);
+        }
+        Arrays.fill(to, Float.NaN);
+        for (int id = 0; living != null && id < end; id++) {
+            living[id >> 6] |= table.ids.lives(id) ? 1L << id : 0L;
+        }
+    }
+
+    private static void requireRoom(String what, int length, int needed) {
+        if (length < needed) {
+            throw new IllegalArgumentException(what + " has " + length + " elements, but must have at least " + needed);
+        }
+    }
+
+    /** Gives the handles of all bodies in the order of ids. */
+    public void readHandles(long[] handles) {
+        world.guard.enter();
+        try {
+            requireRoom("handles", Limits.notNull("handles", handles).length, table.ids.size());
+            int k = 0;
+            for (int id = 0; id < table.ids.end(); id++) {
+                if (table.ids.lives(id)) {
+                    handles[k++] = table.ids.handle(id);
+                }
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+}
