@@ -429,7 +429,7 @@ public final class Bodies {
 
     /**
      * Reads where all bodies are, by id: element 3 k is x of the body with the {@link #id} k, then y and the angle in radians.
-     *
+     * {@link FixedStep#bodies} gives them between two steps.
      *
      * @param bodies takes three elements an id, so it has at least 3 {@link #idLimit}. All of it is written: elements without a body become
      *     NaN

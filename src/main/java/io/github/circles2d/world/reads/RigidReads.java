@@ -1,6 +1,7 @@
 package io.github.circles2d.world.reads;
 
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -110,6 +111,31 @@ public final class RigidReads {
                     poses[STRIDE * id] = bodies.x[id];
                     poses[STRIDE * id + 1] = bodies.y[id];
                     poses[STRIDE * id + 2] = Surface.radians(bodies.angle[id]);
+                }
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Takes down where bodies are. */
+    public void keep(RigidPoses poses) {
+        world.guard.enter();
+        try {
+            poses.keep(table);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** As {@link #readById}, on the way from before a step to after it. */
+    public void readBetween(RigidPoses before, RigidPoses after, float alpha, float[] poses, long[] living) {
+        world.guard.enter();
+        try {
+            beginById("bodies", poses, living);
+            for (int id = 0; id < table.ids.end(); id++) {
+                if (table.ids.lives(id)) {
+                    RigidPoses.readBetween(before, after, alpha, table, id, world.settings.bounds(), poses);
                 }
             }
         } finally {
