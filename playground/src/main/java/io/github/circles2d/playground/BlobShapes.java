@@ -3,7 +3,6 @@ package io.github.circles2d.playground;
 import io.github.circles2d.JointedCircles;
 import io.github.circles2d.World;
 import java.nio.FloatBuffer;
-import java.util.Arrays;
 
 /**
  * Soft bodies that are drawn filled. Their circles have tags, which go with a world into files: the number of the body, and a mark. The
@@ -52,21 +51,17 @@ final class BlobShapes {
     }
 
     /** Fills the bodies of a frame, where their circles are between two steps. */
-    void show(Frame frame, FloatBuffer positions, float[] circles) {
-        frame.blobs = 0;
-        if (frame.blobPoint.length < 2 * count) {
-            frame.blobPoint = new float[2 * count];
-        }
-        int points = 0;
+    void show(Polygons into, FloatBuffer positions, float[] circles) {
+        into.clear();
         for (int id = 0; id < ids; id++) {
             if (isOfBody(id)) {
-                if (frame.blobs == 0 || frame.blobColour[frame.blobs - 1] != colour(id)) {
-                    begin(frame, colour(id));
+                if (into.count() == 0 || into.colour(into.count() - 1) != colour(id)) {
+                    into.begin(colour(id));
                 }
                 boolean between = 2 * id < positions.limit() && positions.get(2 * id) == positions.get(2 * id);
-                frame.blobPoint[2 * points] = between ? positions.get(2 * id) : circles[4 * id];
-                frame.blobPoint[2 * points + 1] = between ? positions.get(2 * id + 1) : circles[4 * id + 1];
-                frame.blobEnd[frame.blobs - 1] = ++points;
+                into.add(
+                        between ? positions.get(2 * id) : circles[4 * id],
+                        between ? positions.get(2 * id + 1) : circles[4 * id + 1]);
             }
         }
     }
@@ -74,13 +69,5 @@ final class BlobShapes {
     /** Bodies that follow each other differ. */
     private int colour(int id) {
         return Shades.tint((int) tags[id]);
-    }
-
-    private static void begin(Frame frame, int colour) {
-        if (frame.blobs == frame.blobEnd.length) {
-            frame.blobEnd = Arrays.copyOf(frame.blobEnd, 2 * frame.blobs + 8);
-            frame.blobColour = Arrays.copyOf(frame.blobColour, 2 * frame.blobs + 8);
-        }
-        frame.blobColour[frame.blobs++] = colour;
     }
 }

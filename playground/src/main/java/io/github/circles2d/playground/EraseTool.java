@@ -3,7 +3,7 @@ package io.github.circles2d.playground;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.World;
 
-/** Removes the circles and the pieces of terrain that the way of the mouse touches. */
+/** Removes the circles, the bodies and the pieces of terrain that the way of the mouse touches. */
 final class EraseTool implements Tool {
     private static final float REACH = 3;
 
@@ -17,7 +17,7 @@ final class EraseTool implements Tool {
         reach = reach(sandbox.grain()) * brush;
         lastX = x;
         lastY = y;
-        erase(sandbox.world(), x, y);
+        erase(sandbox, x, y);
     }
 
     @Override
@@ -25,13 +25,18 @@ final class EraseTool implements Tool {
         int parts = (int) Math.min(1 + Math.hypot(x - lastX, y - lastY) / reach, 1000);
         for (int k = 1; k <= parts; k++) {
             float share = (float) k / parts;
-            erase(sandbox.world(), lastX + (x - lastX) * share, lastY + (y - lastY) * share);
+            erase(sandbox, lastX + (x - lastX) * share, lastY + (y - lastY) * share);
         }
         lastX = x;
         lastY = y;
     }
 
-    private void erase(World world, float x, float y) {
+    private void erase(Sandbox sandbox, float x, float y) {
+        World world = sandbox.world();
+        long body = sandbox.bodyAt(x, y);
+        if (body != 0) {
+            world.bodies().remove(body);
+        }
         int count = world.queries().overlapCircle(x, y, reach, found);
         if (count > found.length) {
             found = new long[2 * count];

@@ -36,12 +36,10 @@ final class Frame {
     float[] piece = new float[0];
     int[] pieceColour = new int[0];
 
-    /** Soft bodies that are filled: the outlines one after the other, where each ends, in points, and their colours. */
-    int blobs;
+    /** Soft bodies that are filled, below their circles; and bodies that are pushed. */
+    final Polygons blobs = new Polygons();
 
-    float[] blobPoint = new float[0];
-    int[] blobEnd = new int[0];
-    int[] blobColour = new int[0];
+    final Polygons bodies = new Polygons();
 
     /** Joints, with x and y of both ends, and their colours. */
     int joints;

@@ -1,5 +1,6 @@
 package io.github.circles2d.playground;
 
+import io.github.circles2d.Bodies;
 import io.github.circles2d.Joint;
 import io.github.circles2d.Joints;
 import io.github.circles2d.TerrainBody;
@@ -7,7 +8,10 @@ import io.github.circles2d.World;
 import java.nio.FloatBuffer;
 import java.util.List;
 
-/** A mouse joint on the circle that was picked. A static circle and a body of terrain are moved along with the mouse. */
+/**
+ * A mouse joint on the circle that was picked; impulses on a body that is pushed. A static circle and a body of terrain are moved along with the
+ * mouse.
+ */
 final class GrabTool implements Tool {
     /** How many radii beside a circle a click may be. */
     private static final float NEAR = 2;
@@ -22,8 +26,19 @@ final class GrabTool implements Tool {
 
     private static final float TURN = 0.04f;
 
+    /** Of a body that is held: how much of the speed that it lacks it gets in a step, and what it keeps of its spin. */
+    private static final double GRIP = 0.7;
+
+    private static final double CALM = 0.97;
+
     private long held;
     private long joint;
+
+    /** A body that is pushed, and the place where it is held, as it lies when it is not turned. */
+    private long pushed;
+
+    private float pushedX;
+    private float pushedY;
     private TerrainBody body;
     private float bodyAngle;
     private float offsetX;
@@ -35,6 +50,13 @@ final class GrabTool implements Tool {
     public void press(Sandbox sandbox, float x, float y, float brush) {
         World world = sandbox.world();
         let(world.joints());
+        pushed = sandbox.bodyAt(x, y);
+        if (pushed != 0) {
+            forgetOthers();
+            hold(world.bodies(), x, y);
+            drag(sandbox, x, y);
+            return;
+        }
         long[] found = {world.queries().pick(x, y)};
         float near = NEAR * sandbox.grain().radius();
         long piece = found[0] == 0 ? world.queries().terrain().pick(x, y, near) : 0;
@@ -76,8 +98,22 @@ final class GrabTool implements Tool {
         joint = 0;
     }
 
+    private void hold(Bodies bodies, float x, float y) {
+        double cos = Math.cos(bodies.angle(pushed));
+        double sin = Math.sin(bodies.angle(pushed));
+        double dx = (double) x - bodies.x(pushed);
+        double dy = (double) y - bodies.y(pushed);
+        pushedX = (float) (cos * dx + sin * dy);
+        pushedY = (float) (cos * dy - sin * dx);
+    }
+
     @Override
     public void forget() {
+        pushed = 0;
+        forgetOthers();
+    }
+
+    private void forgetOthers() {
         held = 0;
         joint = 0;
         body = null;
@@ -116,6 +152,9 @@ final class GrabTool implements Tool {
         if (holdsBody()) {
             moveBody(sandbox.grain().radius());
         }
+        if (holdsPushed(world)) {
+            pull(world.bodies(), sandbox.grain().highSpeed());
+        }
         if (!holds(world)) {
             return;
         }
@@ -131,6 +170,36 @@ final class GrabTool implements Tool {
         } else {
             joints.setAnchor(joint, mouseX - offsetX, mouseY - offsetY);
         }
+    }
+
+    private boolean holdsPushed(World world) {
+        return pushed != 0 && world.bodies().contains(pushed);
+    }
+
+    private float armX(Bodies bodies) {
+        double angle = bodies.angle(pushed);
+        return (float) (Math.cos(angle) * pushedX - Math.sin(angle) * pushedY);
+    }
+
+    private float armY(Bodies bodies) {
+        double angle = bodies.angle(pushed);
+        return (float) (Math.sin(angle) * pushedX + Math.cos(angle) * pushedY);
+    }
+
+    /** Takes the held place towards the mouse: its speed follows the distance, as far as a part of the mass that moves there allows. */
+    private void pull(Bodies bodies, float highSpeed) {
+        float armX = armX(bodies);
+        float armY = armY(bodies);
+        float x = bodies.x(pushed) + armX;
+        float y = bodies.y(pushed) + armY;
+        double spin = bodies.angularVelocity(pushed);
+        double wishedX = HERTZ * ((double) mouseX - x) - (bodies.vx(pushed) - spin * armY);
+        double wishedY = HERTZ * ((double) mouseY - y) - (bodies.vy(pushed) + spin * armX);
+        double part = Math.min(1, highSpeed / Math.max(Math.hypot(wishedX, wishedY), 1e-30));
+        double arm = (double) armX * armX + (double) armY * armY;
+        double mass = GRIP / (1.0 / bodies.mass(pushed) + arm / bodies.inertia(pushed));
+        bodies.applyImpulse(pushed, (float) (mass * part * wishedX), (float) (mass * part * wishedY), x, y);
+        bodies.setAngularVelocity(pushed, (float) (spin * CALM));
     }
 
     /** Not farther in a step than by a radius. */
@@ -168,6 +237,12 @@ final class GrabTool implements Tool {
         if (holdsBody()) {
             marks.add(Mark.ring(body.x(), body.y(), sandbox.grain().radius(), 1));
             marks.add(Mark.line(body.x(), body.y(), mouseX, mouseY));
+        }
+        if (holdsPushed(world)) {
+            Bodies bodies = world.bodies();
+            float x = bodies.x(pushed) + armX(bodies);
+            float y = bodies.y(pushed) + armY(bodies);
+            marks.add(Mark.line(x, y, mouseX, mouseY));
         }
         if (holds(world)) {
             FloatBuffer shown = sandbox.loop().positions(null); // between two steps, as the circle is drawn

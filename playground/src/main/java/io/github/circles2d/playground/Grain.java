@@ -50,6 +50,15 @@ record Grain(float radius, float density, float highSpeed) {
 
     /** The mass of a circle of this world's stuff. */
     float mass(float ofRadius) {
-        return Math.min(Math.max(density * ofRadius * ofRadius, 1e-9f), 1e9f);
+        return within(density * ofRadius * ofRadius);
+    }
+
+    /** The mass of a body of it. */
+    float massOf(float area) {
+        return within(density * area / (float) Math.PI);
+    }
+
+    private static float within(float mass) {
+        return Math.min(Math.max(mass, 1e-9f), 1e9f);
     }
 }

@@ -34,6 +34,7 @@ final class Hand {
         tools.put(ToolKind.ROPE, new JointTool(JointTool.ROPE));
         tools.put(ToolKind.SPRING, new JointTool(JointTool.SPRING));
         tools.put(ToolKind.PIN, new PinTool());
+        tools.put(ToolKind.BODY, new BodyTool());
     }
 
     ToolKind kind() {

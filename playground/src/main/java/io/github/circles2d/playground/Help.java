@@ -11,6 +11,7 @@ final class Help {
         {"1 to 5", "grab, pour, explode, draw, erase"},
         {"6 to 8", "draw a line, an arc, a chain"},
         {"9  J  K  L", "cut; make a rope, a spring, a pin"},
+        {"D", "draw a body, which falls"},
         {"left button", "use the tool; grab selects"},
         {"[ ]  shift + wheel", "brush size; turns held terrain"},
         {"F (held)", "pour at the mouse"},

@@ -9,7 +9,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 
-/** Paints the arena, the circles, the joints, the terrain and the marks of the tools. One thread at a time; it keeps its raster between frames. */
+/** Paints the arena, the circles, the bodies, the joints, the terrain and the marks of the tools. One thread at a time; it keeps its raster between frames. */
 final class Painter {
     /** Where the mark of how a circle has turned is, and how large, in radii of the circle. */
     private static final double MARK_AT = 0.52;
@@ -33,6 +33,7 @@ final class Painter {
         g.drawImage(raster.image(), 0, 0, null);
         g.setTransform(given);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        paintBodies(g, width, height, camera, frame);
         JointPainter.paint(g, width, height, camera, frame);
         PiecePainter.paint(g, width, height, camera, frame);
         ContactPainter.paint(g, width, height, camera, frame);
@@ -68,29 +69,43 @@ final class Painter {
         }
     }
 
+    private static Path2D path(Polygons all, int which, int width, int height, Camera camera) {
+        Path2D outline = new Path2D.Double();
+        for (int point = all.from(which); point < all.from(which + 1); point++) {
+            double x = camera.screenX(all.x(point), width);
+            double y = camera.screenY(all.y(point), height);
+            if (point == all.from(which)) {
+                outline.moveTo(x, y);
+            } else {
+                outline.lineTo(x, y);
+            }
+        }
+        outline.closePath();
+        return outline;
+    }
+
     private void paintBlobs(int width, int height, Camera camera, Frame frame) {
-        if (frame.blobs == 0) {
+        if (frame.blobs.count() == 0) {
             return;
         }
         Graphics2D g = raster.image().createGraphics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        int point = 0;
-        for (int k = 0; k < frame.blobs; k++) {
-            Path2D outline = new Path2D.Double();
-            for (boolean first = true; point < frame.blobEnd[k]; first = false, point++) {
-                double x = camera.screenX(frame.blobPoint[2 * point], width);
-                double y = camera.screenY(frame.blobPoint[2 * point + 1], height);
-                if (first) {
-                    outline.moveTo(x, y);
-                } else {
-                    outline.lineTo(x, y);
-                }
-            }
-            outline.closePath();
-            g.setColor(new Color(Ramp.mix(Theme.ARENA, frame.blobColour[k], FILLING)));
-            g.fill(outline);
+        for (int k = 0; k < frame.blobs.count(); k++) {
+            g.setColor(new Color(Ramp.mix(Theme.ARENA, frame.blobs.colour(k), FILLING)));
+            g.fill(path(frame.blobs, k, width, height, camera));
         }
         g.dispose();
+    }
+
+    private static void paintBodies(Graphics2D g, int width, int height, Camera camera, Frame frame) {
+        g.setStroke(new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        for (int k = 0; k < frame.bodies.count(); k++) {
+            Path2D outline = path(frame.bodies, k, width, height, camera);
+            g.setColor(new Color(frame.bodies.colour(k)));
+            g.fill(outline);
+            g.setColor(new Color(Ramp.rim(frame.bodies.colour(k))));
+            g.draw(outline);
+        }
     }
 
     private static void paint(Graphics2D g, Mark mark, int width, int height, Camera camera) {

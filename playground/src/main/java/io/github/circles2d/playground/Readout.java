@@ -70,12 +70,14 @@ final class Readout {
             Arrays.fill(frame.angle, 0, frame.circles, Float.NaN);
         }
         blobs.read(world);
-        blobs.show(frame, positions, circles);
+        blobs.show(frame.blobs, positions, circles);
+        sandbox.bodies().read(world, sandbox.loop(), shades, paint);
+        frame.bodies.copy(sandbox.bodies().shapes());
         readPieces(frame, sandbox);
         readJoints(frame, sandbox);
         frame.legendMost = shades.most(paint);
         measure(world, ids);
-        frame.energy = energy;
+        frame.energy = energy + sandbox.bodies().energy();
     }
 
     private void copy(Frame frame, FloatBuffer positions, int ids, PaintMode paint) {
@@ -188,21 +190,17 @@ final class Readout {
         };
     }
 
-    /** Kinetic energy, that of turning, and that of the height above the corner where it is least. */
+    /** Kinetic energy, that of turning, and that of height. */
     private void measure(World world, int ids) {
-        double gx = world.gravityX();
-        double gy = world.gravityY();
-        double lowX = gx > 0 ? world.maxX() : world.minX();
-        double lowY = gy > 0 ? world.maxY() : world.minY();
         double sum = 0;
         for (int id = 0; id < ids; id++) {
             float mass = circles[4 * id + 3];
             if (mass < Float.POSITIVE_INFINITY) { // not static, and not NaN
                 double vx = velocities[2 * id];
                 double vy = velocities[2 * id + 1];
-                double height = gx * (circles[4 * id] - lowX) + gy * (circles[4 * id + 1] - lowY);
                 double surface = circles[4 * id + 2] * (double) angularVelocities[id];
-                sum += mass * (0.5 * (vx * vx + vy * vy) + 0.25 * surface * surface - height);
+                double height = Sandbox.height(world, circles[4 * id], circles[4 * id + 1]);
+                sum += mass * (0.5 * (vx * vx + vy * vy) + 0.25 * surface * surface + height);
             }
         }
         energy = sum;

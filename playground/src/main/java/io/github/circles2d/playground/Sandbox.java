@@ -37,6 +37,11 @@ final class Sandbox implements AutoCloseable {
     /** The pins whose force has a limit that the world had when it came. */
     private Set<Long> ownPulls = Set.of();
 
+    /** Where bodies were when a frame was filled. */
+    private final BodyShapes bodies = new BodyShapes();
+
+    private String news = "";
+
     /** What a person has set for this stage; 0 for its own. */
     private int subSteps;
 
@@ -286,6 +291,37 @@ final class Sandbox implements AutoCloseable {
 
     World world() {
         return world;
+    }
+
+    BodyShapes bodies() {
+        return bodies;
+    }
+
+    /** The body around a place, as it is shown; 0 if there is none. */
+    long bodyAt(float x, float y) {
+        long body = bodies.at(x, y);
+        return body != 0 && world.bodies().contains(body) ? body : 0;
+    }
+
+    /** Takes note of what a tool has to say. */
+    void say(String text) {
+        news = text;
+    }
+
+    /** What a tool has said since the last call; the empty string if nothing. */
+    String takeNews() {
+        String taken = news;
+        news = "";
+        return taken;
+    }
+
+    /** The energy of a mass of 1 at a place, above the corner where it is least. */
+    static double height(World world, double x, double y) {
+        double gx = world.gravityX();
+        double gy = world.gravityY();
+        double lowX = gx > 0 ? world.maxX() : world.minX();
+        double lowY = gy > 0 ? world.maxY() : world.minY();
+        return -gx * (x - lowX) - gy * (y - lowY);
     }
 
     FixedStep loop() {

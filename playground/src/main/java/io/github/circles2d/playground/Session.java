@@ -291,6 +291,10 @@ final class Session implements AutoCloseable {
     private void use(Runnable action) {
         action.run();
         touched = true;
+        String news = sandbox.takeNews();
+        if (!news.isEmpty()) {
+            say(news);
+        }
     }
 
     void load(Stage stage) {

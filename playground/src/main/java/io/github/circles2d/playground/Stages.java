@@ -37,6 +37,11 @@ final class Stages {
             own("blobs", builder -> builder.friction(0.4f).gravity(0, -28), JointStages::blobs),
             own("cloth", JointStages::cloth),
             own("wrecking-ball", builder -> builder.friction(0.6f).rollingResistance(0.05f), JointStages::wreckingBall),
+            pushed("tower", BodyStages::tower),
+            pushed("crates", BodyStages::crates),
+            pushed("dominoes", BodyStages::dominoes),
+            pushed("see-saw", BodyStages::seeSaw),
+            pushed("shapes", BodyStages::shapes),
             own("empty", world -> {}),
             Stage.of("thesis", () -> Scenes.thesis(Scenes.THESIS_SIZE, Scenes.SEED)),
             Stage.of("packed", () -> Scenes.packed(10_000, Scenes.SEED)),
@@ -81,6 +86,11 @@ final class Stages {
                         .restitution(0.3f)
                         .sleep(true)),
                 circles);
+    }
+
+    /** A stage with bodies, which a world takes if none sleeps. */
+    private static Stage pushed(String name, Consumer<World> circles) {
+        return own(name, builder -> builder.friction(0.6f).restitution(0.1f).sleep(false), circles);
     }
 
     /** A pile between two ramps, and a basin. */

@@ -13,9 +13,10 @@ enum ToolKind {
     CUT("Cut", "remove joints"),
     ROPE("Rope", "a rope between circles, terrain or places"),
     SPRING("Spring", "a spring between circles, terrain or places"),
-    PIN("Pin", "hold a circle where it is");
+    PIN("Pin", "hold a circle where it is"),
+    BODY("Body", "a closed shape, which falls");
 
-    private static final String KEYS = "123456789JKL";
+    private static final String KEYS = "123456789JKLD";
 
     private final String label;
     private final String purpose;
