@@ -64,6 +64,7 @@ final class Picture {
     private float[] ends = new float[0];
     private float[] shades = new float[0];
     private final BlobShapes blobs = new BlobShapes();
+    private final BodyShapes bodies = new BodyShapes();
     private float meanPressure;
     private float meanTension;
 
@@ -84,9 +85,9 @@ final class Picture {
         return rows;
     }
 
-    /** The outlines of soft bodies: x, y and the number of the body for each point. */
+    /** The outlines of soft bodies, and of bodies that are pushed: x, y and the number of the body for each point. */
     Float32Array blobsOf(World world) {
-        return blobs.of(world);
+        return bodies.append(blobs.of(world), world.bodies());
     }
 
     /** The ends of the joints as they are, and a shade of the force of each. Those within a soft body are left out: it is filled. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.toy;
 
+import io.github.circles2d.Bodies;
 import io.github.circles2d.Joint;
 import io.github.circles2d.JointType;
 import io.github.circles2d.Joints;
@@ -32,6 +33,9 @@ final class Sandbox {
 
     // Of the joint between the pointer and a grabbed circle.
     private static final float PULL_HERTZ = 4;
+
+    /** How much of the speed that a held body lacks it gets in a step. */
+    private static final double PULL_PART = 0.7;
 
     /** The greatest acceleration, which brings a circle to a high speed in a fortieth of a second. */
     private static final float PULL = 40;
@@ -71,7 +75,15 @@ final class Sandbox {
     /** The pins whose force has a limit that the world had when it came. Others of the past are hands of then. */
     private final Set<Long> ownPulls = new HashSet<>();
 
+    private final BodyShapes bodies = new BodyShapes();
+
     private long grabbed;
+
+    /** A body that is held, and the place where, as it lies when it is not turned. */
+    private long pushed;
+
+    private double armX;
+    private double armY;
     private long grip;
     private long begun;
     private float begunX;
@@ -126,9 +138,18 @@ final class Sandbox {
         y = view().nearestY(toY);
     }
 
-    /** Takes the circle at the pointer. */
+    /** Takes the body or the circle at the pointer. */
     void grab() {
-        grabbed = circleHere();
+        pushed = bodies.at(world.bodies(), x, y);
+        grabbed = pushed == 0 ? circleHere() : 0;
+        if (pushed != 0) {
+            double cos = Math.cos(world.bodies().angle(pushed));
+            double sin = Math.sin(world.bodies().angle(pushed));
+            double dx = x - world.bodies().x(pushed);
+            double dy = y - world.bodies().y(pushed);
+            armX = cos * dx + sin * dy;
+            armY = cos * dy - sin * dx;
+        }
     }
 
     /** The circle under the pointer, or the nearest around it, for fingers are thick; 0 if there is none. */
@@ -219,6 +240,7 @@ final class Sandbox {
         }
         grip = 0;
         grabbed = 0;
+        pushed = 0;
         pouring = false;
     }
 
@@ -284,8 +306,28 @@ final class Sandbox {
         if (grabbed != 0 && world.contains(grabbed)) {
             pull();
         }
+        if (pushed != 0 && world.bodies().contains(pushed)) {
+            pullBody(world.bodies());
+        }
         world.step(DT);
         steps++;
+    }
+
+    /** Takes the held place towards the pointer: its speed follows the distance. */
+    private void pullBody(Bodies all) {
+        double cos = Math.cos(all.angle(pushed));
+        double sin = Math.sin(all.angle(pushed));
+        double ax = cos * armX - sin * armY;
+        double ay = sin * armX + cos * armY;
+        double px = all.x(pushed) + ax;
+        double py = all.y(pushed) + ay;
+        double spin = all.angularVelocity(pushed);
+        double wishedX = PULL_HERTZ * (x - px) - (all.vx(pushed) - spin * ay);
+        double wishedY = PULL_HERTZ * (y - py) - (all.vy(pushed) + spin * ax);
+        double part = Math.min(1, grain.highSpeed() / Math.max(Math.hypot(wishedX, wishedY), 1e-30));
+        double mass = PULL_PART / (1 / all.mass(pushed) + (ax * ax + ay * ay) / all.inertia(pushed));
+        all.applyImpulse(
+                pushed, (float) (mass * part * wishedX), (float) (mass * part * wishedY), (float) px, (float) py);
     }
 
     private void pull() {

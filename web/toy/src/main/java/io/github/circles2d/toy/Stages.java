@@ -5,6 +5,7 @@ import io.github.circles2d.Backend;
 import io.github.circles2d.Blobs;
 import io.github.circles2d.Chain;
 import io.github.circles2d.JointedCircles;
+import io.github.circles2d.Outline;
 import io.github.circles2d.Ropes;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.Wall;
@@ -34,7 +35,7 @@ final class Stages {
                 .bounds(0, 0, 160, 100)
                 .gravity(0, -60)
                 .restitution(0.3f)
-                .sleep(true)
+                .sleep(!isOfBodies(name))
                 .build();
         switch (name) {
             case "hourglass" -> hourglass(world);
@@ -48,9 +49,42 @@ final class Stages {
             case "wrecking" -> wreckingBall(world);
             case "slopes" -> slopesAndBelts(world);
             case "rest" -> rest(world);
+            case "tower" -> tower(world);
+            case "crates" -> crates(world);
             default -> throw new IllegalArgumentException("there is no stage " + name);
         }
         return world;
+    }
+
+    /** A world in which circles sleep takes no bodies. */
+    private static boolean isOfBodies(String name) {
+        return name.equals("tower") || name.equals("crates");
+    }
+
+    /** A tower of crates, and a heavy ball that comes rolling. */
+    private static void tower(World world) {
+        world.kind(0).setFriction(0.6f);
+        Outline crate = Outline.box(6, 6);
+        for (int row = 0; row < 12; row++) {
+            for (int k = 0; k < 12 - row; k++) {
+                world.bodies().add(crate, 86 + 6.2f * k + 3.1f * row, 3 + 6 * row, 0, 0.3f * crate.area());
+            }
+        }
+        world.terrain().addSegment(0, 60, 60, 1, 0.8f, 0);
+        world.add(6, 66, 6, 90);
+    }
+
+    /** Crates among balls: light ones stay on top, heavy ones sink. */
+    private static void crates(World world) {
+        world.kind(0).setFriction(0.3f);
+        wall(world, 40, 0, 20, 45, 0);
+        wall(world, 120, 0, 140, 45, 0);
+        heap(world, 38, 1, 122, 44, 0.8f, 1.2f, 41, 2_000);
+        Outline crate = Outline.box(9, 9);
+        for (int k = 0; k < 6; k++) {
+            float density = k % 3 == 0 ? 0.1f : k % 3 == 1 ? 0.32f : 1.5f;
+            world.bodies().add(crate, 50 + 12 * k, 60 + 4 * (k % 2), 0.3f * k, density * crate.area());
+        }
     }
 
     private static void ramps(World world) {
