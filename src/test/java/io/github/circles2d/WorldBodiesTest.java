@@ -70,14 +70,17 @@ class WorldBodiesTest {
             bodies.remove(gone);
             long body = bodies.add(CRATE, 4, 5, 0, 2);
             assertThat(Bodies.id(body)).isEqualTo(Bodies.id(gone));
-            assertThatIllegalArgumentException().isThrownBy(() -> bodies.x(gone)).withMessageContaining("was removed");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.x(gone))
+                    .withMessageContaining("was removed");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> bodies.x(circle))
                     .withMessageContaining("it is of a circle");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.x(body))
                     .withMessageContaining("it is of a body that is no terrain");
-            assertThatIllegalArgumentException().isThrownBy(() -> world.terrain().remove(body));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.terrain().remove(body));
             assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));
             assertThat(world.terrain().contains(body)).isFalse();
             assertThat(world.joints().contains(body)).isFalse();
@@ -94,8 +97,7 @@ class WorldBodiesTest {
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 21, 5, 0, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, Float.NaN, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0));
-            assertThatIllegalArgumentException()
-                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 2, 256));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2))

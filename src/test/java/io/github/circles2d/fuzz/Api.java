@@ -2,6 +2,7 @@ package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Blobs;
 import io.github.circles2d.Bodies;
+import io.github.circles2d.BodyEvents;
 import io.github.circles2d.Calibration;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Circles2D;
@@ -52,6 +53,7 @@ final class Api {
             TerrainQueries.class,
             Events.class,
             JointEvents.class,
+            BodyEvents.class,
             FixedStep.class,
             Rewind.class,
             Rollback.class,
@@ -71,6 +73,7 @@ final class Api {
             Outline.class,
             Events.class,
             JointEvents.class,
+            BodyEvents.class,
             JointedCircles.class,
             WorldStats.class);
 

@@ -81,6 +81,8 @@ final class BodiesTable extends Table {
         add(1, "size");
         add(1, "idLimit");
         add(1, "handle", whole(draw -> draw.below(5)));
+        add(6, "report", new Drawn(boolean.class, draw -> new Values.Constant(!draw.oneOf(4))));
+        add(4, "events");
         Drawn poses = filled(
                 float[].class,
                 "3 * world.bodies().idLimit()",

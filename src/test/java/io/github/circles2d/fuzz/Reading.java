@@ -1,5 +1,6 @@
 package io.github.circles2d.fuzz;
 
+import io.github.circles2d.BodyEvents;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Events;
 import io.github.circles2d.Joint;
@@ -69,6 +70,9 @@ final class Reading {
                     + buffer.duplicate().flip().hashCode();
         }
         if (value instanceof Events events) {
+            return events(events, events.size());
+        }
+        if (value instanceof BodyEvents events) {
             return events(events, events.size());
         }
         if (value instanceof JointEvents events) {

@@ -213,6 +213,7 @@ final class Session implements AutoCloseable {
         }
         if (draw.oneOf(3)) {
             compare("events", player -> player.world.events());
+            compare("body events", player -> player.world.bodies().events());
             compare("joint events", player -> player.world.joints().events());
         }
         if (draw.oneOf(3)) {

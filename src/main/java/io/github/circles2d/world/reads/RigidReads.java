@@ -4,6 +4,7 @@ import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.bodies.RigidTouches;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
@@ -190,6 +191,30 @@ public final class RigidReads {
                     handles[k++] = table.ids.handle(id);
                 }
             }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    // ---- events
+    // ------------------------------------------------------------------------------------------------------
+
+    /** Sets whether somebody is told of touches. */
+    public void report(boolean on) {
+        world.guard.enter();
+        try {
+            table.events.turn(on);
+            world.copies.forgetSaved();
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Gives the touches that have begun and ended since the last call. */
+    public void take(RigidTouches to) {
+        world.guard.enter();
+        try {
+            table.events.take(to);
         } finally {
             world.guard.leave();
         }
