@@ -35,9 +35,11 @@ import io.github.circles2d.world.model.Limits;
  */
 public final class Bodies {
     private final Simulation simulation;
+    private final BodyEvents events;
 
     Bodies(Simulation simulation) {
         this.simulation = simulation;
+        events = new BodyEvents();
     }
 
     // ---- bodies come and go
@@ -429,7 +431,7 @@ public final class Bodies {
 
     /**
      * Reads where all bodies are, by id: element 3 k is x of the body with the {@link #id} k, then y and the angle in radians.
-     *
+     * {@link FixedStep#bodies} gives them between two steps.
      *
      * @param bodies takes three elements an id, so it has at least 3 {@link #idLimit}. All of it is written: elements without a body become
      *     NaN
@@ -459,5 +461,28 @@ public final class Bodies {
      */
     public void readHandles(long[] handles) {
         simulation.rigidReads.readHandles(handles);
+    }
+
+    // ---- what bodies touch
+    // -------------------------------------------------------------------------------------------
+
+    /**
+     * Sets whether {@link #events} tells of what bodies touch. By default it tells of nothing, which costs nothing. This changes no step, and is in no
+     * log; snapshots have what touches then, so that a rollback tells of no touch twice.
+     *
+     * @param on whether it tells from now on: first of all that touches in the next step, as begun; if not, what it has not told yet is forgotten
+     */
+    public void report(boolean on) {
+        simulation.rigidReads.report(on);
+    }
+
+    /**
+     * The touches of bodies that have begun or ended since the last call of this method, or since {@link World#restore}.
+     *
+     * @return always the same object, which the next call fills again
+     */
+    public BodyEvents events() {
+        simulation.rigidReads.take(events.rows());
+        return events;
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.model.Bounds;
@@ -39,7 +40,7 @@ import java.util.Arrays;
  * how far along. So they are up to a step old, and move evenly. No call comes between the two places: a circle that a call moves
  * elsewhere, or that is new, appears at its place and is not drawn across the screen. The effect of a call shows from the next step on,
  * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, and {@link
- * #angles} the angles of circles that turn, likewise; {@link #pieces} and {@link #pose} have the terrain, and {@link #jointEnds} the joints.
+ * #angles} the angles of circles that turn, likewise; {@link #pieces} and {@link #pose} have the terrain, {@link #bodies} the bodies that are pushed, and {@link #jointEnds} the joints.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -116,6 +117,15 @@ public final class FixedStep {
     private final BodyPoses bodiesAfter = new BodyPoses();
     private final BodyPoses bodiesBetween = new BodyPoses();
     private final DrawnPlaces drawn = new DrawnPlaces(bodiesBefore, bodiesAfter, bodiesBetween);
+
+    /** Whether the poses of bodies that are pushed are kept likewise. */
+    private boolean keepsRigids;
+
+    /** Whether those of the last step are kept. */
+    private boolean hasRigids;
+
+    private final RigidPoses rigidsBefore = new RigidPoses();
+    private final RigidPoses rigidsAfter = new RigidPoses();
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -304,6 +314,9 @@ public final class FixedStep {
         if (keepsBodies) {
             world.simulation().bodies.keep(bodiesBefore);
         }
+        if (keepsRigids) {
+            world.simulation().rigidReads.keep(rigidsBefore);
+        }
     }
 
     private void keepAfter() {
@@ -318,6 +331,10 @@ public final class FixedStep {
         if (keepsBodies) {
             world.simulation().bodies.keep(bodiesAfter);
             hasBodies = true;
+        }
+        if (keepsRigids) {
+            world.simulation().rigidReads.keep(rigidsAfter);
+            hasRigids = true;
         }
     }
 
@@ -340,6 +357,7 @@ public final class FixedStep {
         hasRadii = false;
         hasAngles = false;
         hasBodies = false;
+        hasRigids = false;
     }
 
     /**
@@ -535,6 +553,26 @@ public final class FixedStep {
         FloatBuffer positions = positions(null);
         keepBodies();
         return world.simulation().jointReads.readEnds(drawn.at(positions, alpha()), ends, handles);
+    }
+
+    /**
+     * Where the bodies that are pushed are to be drawn, by id: as {@link Bodies#readById}, but each on the straight way from before the last step to
+     * after it, as far as {@link #alpha} says; it turns the short way. A body that a call puts elsewhere, or that is new, is at its place;
+     * one that is removed is gone at once. The loop keeps poses from the first call of this method on. That call, and those before the first step, give the
+     * present ones.
+     *
+     * @param bodies takes three elements an id: x and y of the centroid, and the angle in radians. All of it is written: elements without a body
+     *     become NaN
+     * @param living takes a bit for each id, 1 if there is such a body, as with {@link World#readById}; may be null
+     * @throws IllegalArgumentException if an array is too short
+     */
+    public void bodies(float[] bodies, long[] living) {
+        keepsRigids = true;
+        if (!hasRigids) {
+            world.simulation().rigidReads.keep(rigidsBefore);
+            world.simulation().rigidReads.keep(rigidsAfter);
+        }
+        world.simulation().rigidReads.readBetween(rigidsBefore, rigidsAfter, alpha(), bodies, living);
     }
 
     private void keepBodies() {

@@ -37,6 +37,12 @@ class RecordedCallsTest {
     private static final Chain CHAIN =
             Chain.of(0.9f, 0.1f, 0.9f, 0.5f, 0.7f, 0.5f).arcTo(0.5f, 0.5f, -3).close();
 
+    private static final Outline BOX = Outline.box(0.2f, 0.1f);
+
+    /** With more words than a call of a log takes. */
+    private static final Outline LONG =
+            Outline.polygon(0, 0, 0.2f, 0, 0.3f, 0.1f, 0.25f, 0.2f, 0.1f, 0.25f, -0.1f, 0.1f);
+
     /** Every method that changes what the next step does, or what a snapshot has, with a call of it that does. */
     private static final Map<String, Change> CHANGES = new TreeMap<>(Map.ofEntries(
             change("add(float, float, float, float)", (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2)),
@@ -227,6 +233,41 @@ class RecordedCallsTest {
                 w.joints().add(a, b, Joint.limits(0.1f, 2));
                 w.joints().clear();
             }),
+            change("Bodies.add(Outline, float, float, float, float)", (w, a, b) -> w.bodies()
+                    .add(BOX, 0.7f, 0.8f, 1, 2)),
+            change("Bodies.add(Outline, float, float, float, float, int)", (w, a, b) -> {
+                w.bodies().add(BOX, 0.7f, 0.8f, 1, 2, 3);
+                w.bodies().add(LONG, 0.3f, 0.8f, 1, 2, 3);
+                w.bodies().add(BOX, 0.2f, 0.6f, 1, 2, 3);
+            }),
+            change("Bodies.remove(long)", (w, a, b) -> {
+                body(w);
+                w.bodies().remove(body(w));
+            }),
+            change("Bodies.clear()", (w, a, b) -> {
+                body(w);
+                w.bodies().clear();
+            }),
+            change("Bodies.setVelocity(long, float, float)", (w, a, b) -> w.bodies()
+                    .setVelocity(body(w), 2, 3)),
+            change("Bodies.setAngularVelocity(long, float)", (w, a, b) -> w.bodies()
+                    .setAngularVelocity(body(w), 2)),
+            change("Bodies.applyImpulse(long, float, float)", (w, a, b) -> w.bodies()
+                    .applyImpulse(body(w), 2, 3)),
+            change("Bodies.applyImpulse(long, float, float, float, float)", (w, a, b) -> w.bodies()
+                    .applyImpulse(body(w), 2, 3, 0.6f, 0.9f)),
+            change("Bodies.applyAngularImpulse(long, float)", (w, a, b) -> w.bodies()
+                    .applyAngularImpulse(body(w), 2)),
+            change("Bodies.applyForce(long, float, float)", (w, a, b) -> w.bodies()
+                    .applyForce(body(w), 2, 3)),
+            change("Bodies.applyTorque(long, float)", (w, a, b) -> w.bodies().applyTorque(body(w), 2)),
+            change("Bodies.setKind(long, int)", (w, a, b) -> w.bodies().setKind(body(w), 2)),
+            change("Bodies.setTag(long, long)", (w, a, b) -> w.bodies().setTag(body(w), -1L << 40)),
+            change("Bodies.setRestitution(long, float)", (w, a, b) -> w.bodies().setRestitution(body(w), 0.75f)),
+            change("Bodies.setInertia(long, float)", (w, a, b) -> w.bodies()
+                    .setInertia(body(w), Float.POSITIVE_INFINITY)),
+            change("Bodies.teleport(long, float, float, float)", (w, a, b) -> w.bodies()
+                    .teleport(body(w), 0.2f, 0.7f, 2)),
             change("Joints.setAnchor(long, float, float)", (w, a, b) -> w.joints()
                     .setAnchor(w.joints().add(a, 0.5f, 0.6f, Joint.pin(3, 1)), 0.6f, 0.7f)),
             change("Joints.setLength(long, float)", (w, a, b) -> w.joints()
@@ -341,6 +382,28 @@ class RecordedCallsTest {
             "takePositions",
             "takePositionsById",
             "terrain",
+            "Bodies.angle",
+            "Bodies.angularVelocity",
+            "Bodies.contains",
+            "Bodies.events",
+            "Bodies.handle",
+            "Bodies.idLimit",
+            "Bodies.inertia",
+            "Bodies.kindOf",
+            "Bodies.mass",
+            "Bodies.outline",
+            "Bodies.readById",
+            "Bodies.readHandles",
+            "Bodies.readVelocitiesById",
+            "Bodies.report",
+            "Bodies.restitution",
+            "Bodies.size",
+            "Bodies.tag",
+            "Bodies.vx",
+            "Bodies.vy",
+            "Bodies.x",
+            "Bodies.y",
+            "bodies",
             "Joints.anchorX",
             "Joints.anchorY",
             "Joints.circle",
@@ -395,6 +458,10 @@ class RecordedCallsTest {
             "wallRollingResistance",
             "x",
             "y");
+
+    private static long body(World world) {
+        return world.bodies().add(BOX, 0.7f, 0.8f, 1, 2);
+    }
 
     private static Map.Entry<String, Change> change(String signature, Change call) {
         return Map.entry(signature, call);

@@ -1,6 +1,8 @@
 package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Blobs;
+import io.github.circles2d.Bodies;
+import io.github.circles2d.BodyEvents;
 import io.github.circles2d.Calibration;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Circles2D;
@@ -11,6 +13,7 @@ import io.github.circles2d.JointEvents;
 import io.github.circles2d.JointedCircles;
 import io.github.circles2d.Joints;
 import io.github.circles2d.Kind;
+import io.github.circles2d.Outline;
 import io.github.circles2d.Queries;
 import io.github.circles2d.Recording;
 import io.github.circles2d.Replay;
@@ -41,6 +44,8 @@ final class Api {
             Terrain.class,
             TerrainBody.class,
             Joints.class,
+            Bodies.class,
+            Outline.class,
             Joint.class,
             Kind.class,
             Chain.class,
@@ -48,6 +53,7 @@ final class Api {
             TerrainQueries.class,
             Events.class,
             JointEvents.class,
+            BodyEvents.class,
             FixedStep.class,
             Rewind.class,
             Rollback.class,
@@ -64,8 +70,10 @@ final class Api {
             Replay.class,
             Joint.class,
             Chain.class,
+            Outline.class,
             Events.class,
             JointEvents.class,
+            BodyEvents.class,
             JointedCircles.class,
             WorldStats.class);
 

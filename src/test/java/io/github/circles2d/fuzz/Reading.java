@@ -1,10 +1,12 @@
 package io.github.circles2d.fuzz;
 
+import io.github.circles2d.BodyEvents;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Events;
 import io.github.circles2d.Joint;
 import io.github.circles2d.JointEvents;
 import io.github.circles2d.JointedCircles;
+import io.github.circles2d.Outline;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.WorldStats;
 import java.lang.reflect.Method;
@@ -70,6 +72,9 @@ final class Reading {
         if (value instanceof Events events) {
             return events(events, events.size());
         }
+        if (value instanceof BodyEvents events) {
+            return events(events, events.size());
+        }
         if (value instanceof JointEvents events) {
             return events(events, events.size());
         }
@@ -79,6 +84,7 @@ final class Reading {
         boolean isAsked = value instanceof Joint
                 || value instanceof JointedCircles
                 || value instanceof Chain
+                || value instanceof Outline
                 || value instanceof WorldStats;
         return isAsked
                 ? asked(value)
@@ -146,7 +152,10 @@ final class Reading {
                 text.append(isOwn ? "" : method.getName() + " " + of(answer) + ", ");
             }
         }
-        if (object instanceof Chain) {
+        if (object instanceof Outline) {
+            text.append("inertia ").append(of(api.named(object, "inertia", 2f))).append(", ");
+        }
+        if (object instanceof Chain || object instanceof Outline) {
             text.append("points ").append(of(api.named(object, "points", 0.5f)));
         }
         return text.toString();

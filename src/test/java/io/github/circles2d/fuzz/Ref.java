@@ -17,6 +17,8 @@ final class Ref {
         JOINT,
         PIECE,
         BODY,
+        /** A body that is pushed. */
+        RIGID,
         /** Any thing, which may have gone. */
         STALE
     }
@@ -84,6 +86,7 @@ final class Ref {
                         first.bodies.isEmpty() || number % 4 == 0
                                 ? terrain.ground().handle()
                                 : first.bodies.get(number % first.bodies.size());
+                    case RIGID -> next(world.bodies().idLimit(), number, world.bodies()::handle);
                     case STALE ->
                         number % 5 == 0 || first.seen.isEmpty()
                                 ? NONE[number % NONE.length]

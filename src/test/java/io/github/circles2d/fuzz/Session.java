@@ -1,6 +1,7 @@
 package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Bodies;
 import io.github.circles2d.FixedStep;
 import io.github.circles2d.Queries;
 import io.github.circles2d.RandomMoves;
@@ -48,10 +49,11 @@ final class Session implements AutoCloseable {
             for (int n : threads) {
                 add(Backend.JVM, n, ready, null);
             }
-            for (Backend device : devices) {
+            Backend[] beside = program.setting.bodies ? new Backend[0] : devices;
+            for (Backend device : beside) {
                 add(device, 0, ready, null);
             }
-            add(Backend.JVM, 2, ready, world -> move(world, devices, ready));
+            add(Backend.JVM, 2, ready, world -> move(world, beside, ready));
             for (int k = 0; k < players.size(); k++) {
                 players.get(k).next = players.get((k + 1) % players.size());
             }
@@ -195,6 +197,7 @@ final class Session implements AutoCloseable {
                 player.recording == null ? 0L : player.recording.bytes(),
                 player.world.idLimit(),
                 player.world.joints().idLimit(),
+                player.world.bodies().idLimit(),
                 player.world.terrain().idLimit());
     }
 
@@ -210,6 +213,7 @@ final class Session implements AutoCloseable {
         }
         if (draw.oneOf(3)) {
             compare("events", player -> player.world.events());
+            compare("body events", player -> player.world.bodies().events());
             compare("joint events", player -> player.world.joints().events());
         }
         if (draw.oneOf(3)) {
@@ -297,6 +301,26 @@ final class Session implements AutoCloseable {
                                 + Arrays.toString(Arrays.copyOfRange(velocities, 2 * k, 2 * k + 2)) + " after "
                                 + line());
             }
+        }
+        long[] bodies = new long[world.bodies().size()];
+        world.bodies().readHandles(bodies);
+        for (long body : bodies) {
+            requireSound(world, body);
+        }
+    }
+
+    private void requireSound(World world, long body) {
+        Bodies bodies = world.bodies();
+        boolean isSound = isWithin(bodies.x(body), world.edgeX(), world.minX(), world.maxX())
+                && isWithin(bodies.y(body), world.edgeY(), world.minY(), world.maxY())
+                && Math.abs(bodies.vx(body)) <= 1e9f
+                && Math.abs(bodies.vy(body)) <= 1e9f
+                && Math.abs(bodies.angularVelocity(body)) <= 1e9f;
+        if (!isSound) {
+            throw new Mismatch(
+                    "a body is not sound",
+                    bodies.x(body) + ", " + bodies.y(body) + ", " + bodies.vx(body) + ", " + bodies.vy(body) + ", "
+                            + bodies.angularVelocity(body) + " after " + line());
         }
     }
 

@@ -1,7 +1,9 @@
 package io.github.circles2d.fuzz;
 
+import io.github.circles2d.Bodies;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Wall;
+import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -39,6 +41,9 @@ final class Setting {
 
     /** Whether circles fall asleep. */
     final boolean sleeps;
+
+    /** Whether there may be bodies that are pushed, which are on the JVM alone. */
+    final boolean bodies;
 
     final boolean recorded;
 
@@ -92,6 +97,14 @@ final class Setting {
             call("sleep", true);
         }
         call("moving", circles % 2 == 0); // no word on back ends that are named
+        bodies = random.nextInt(3) == 0;
+    }
+
+    /** Whether programs of such a world make a call: devices refuse the first body. */
+    boolean mayHave(Method method) {
+        return bodies
+                || method.getDeclaringClass() != Bodies.class
+                || !method.getName().equals("add");
     }
 
     private static Edge edge(Random random) {

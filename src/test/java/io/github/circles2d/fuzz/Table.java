@@ -23,6 +23,7 @@ abstract class Table {
                 new TerrainTable(),
                 new JointTable(),
                 new NetTable(),
+                new BodiesTable(),
                 new LoopTable())) {
             all.addAll(table.entries);
         }
@@ -37,8 +38,12 @@ abstract class Table {
 
     /** Draws a call of any method, by the weights. */
     static Line draw(Draw draw) {
-        int at = Arrays.binarySearch(UP_TO, draw.below(UP_TO[UP_TO.length - 1]) + 1);
-        return ALL.get(at < 0 ? -at - 1 : at).draw(draw);
+        Entry entry;
+        do {
+            int at = Arrays.binarySearch(UP_TO, draw.below(UP_TO[UP_TO.length - 1]) + 1);
+            entry = ALL.get(at < 0 ? -at - 1 : at);
+        } while (!draw.setting.mayHave(entry.method()));
+        return entry.draw(draw);
     }
 
     /** Draws a call of a certain method. */

@@ -154,6 +154,7 @@ final class WorldTable extends Table {
             "greatestPushOutSpeed",
             "terrain",
             "joints",
+            "bodies",
             "queries",
             "stats"
         }) {

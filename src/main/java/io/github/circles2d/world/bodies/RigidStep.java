@@ -30,6 +30,13 @@ public final class RigidStep {
     /** Floats of a touch in {@link #touchValues}: the point, the normal from the body to what it touches, the impulse, the speed of the approach. */
     public static final int TOUCH_VALUES = 6;
 
+    public static final int TOUCH_X = 0;
+    public static final int TOUCH_Y = 1;
+    public static final int TOUCH_NX = 2;
+    public static final int TOUCH_NY = 3;
+    public static final int TOUCH_IMPULSE = 4;
+    public static final int TOUCH_SPEED = 5;
+
     /** Ints of a touch in {@link #touchKeys}: its type, a body, and what it touches. */
     public static final int TOUCH_KEYS = 3;
 

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.bodies;
 
 import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
@@ -15,7 +16,12 @@ import java.util.Arrays;
 public final class RigidTable {
     public final IdTable ids = new IdTable(Handle.RIGID);
 
-    public final RigidStep step;
+    public final RigidStep step = new RigidStep();
+
+    public final RigidEvents events;
+
+    /** Ids of pieces of terrain. */
+    private final IdTable pieces;
 
     // by id
     private float[] mass = new float[0];
@@ -39,9 +45,10 @@ public final class RigidTable {
     private long[] gonePieces = new long[0];
     private boolean someGone;
 
-    /** No bodies. The step is told of what there is. */
-    public RigidTable(RigidStep step) {
-        this.step = step;
+    /** No bodies. */
+    public RigidTable(HandleTable circles, IdTable pieces) {
+        this.pieces = pieces;
+        events = new RigidEvents(step, ids, circles, pieces);
     }
 
     /** Whether there are bodies. */
@@ -129,6 +136,7 @@ public final class RigidTable {
 
     public void remove(int body) {
         dropContactsOf(body);
+        events.bodyGoes(body);
         step.outline[body] = null;
         outlines.release(outline[body]);
         ids.remove(body);
@@ -146,6 +154,7 @@ public final class RigidTable {
         outlines.releaseAll();
         outlines.dropUnused();
         count();
+        events.bodiesGo();
         step.contacts = 0;
         pushed = false;
     }
@@ -264,6 +273,7 @@ public final class RigidTable {
 
     /** A circle goes. */
     public void circleGoes(int circle) {
+        events.circleGoes(circle);
         if (step.contacts > 0) {
             note(goneCircles, circle);
         }
@@ -271,6 +281,7 @@ public final class RigidTable {
 
     /** All circles go. */
     public void circlesGo() {
+        events.circlesGo();
         if (step.contacts > 0) {
             Arrays.fill(goneCircles, -1L);
             someGone = true;
@@ -279,6 +290,9 @@ public final class RigidTable {
 
     /** A piece of terrain goes, or is another one now. */
     public void pieceGoes(int piece) {
+        if (!pieces.has(piece)) {
+            events.pieceGoes(piece);
+        }
         if (step.contacts > 0) {
             note(gonePieces, piece);
         }
@@ -363,6 +377,7 @@ public final class RigidTable {
         to.setContacts(step.contacts);
         System.arraycopy(step.contactKeys, 0, to.contactKeys, 0, RigidStep.KEYS * step.contacts);
         System.arraycopy(step.contactImpulses, 0, to.contactImpulses, 0, RigidStep.IMPULSES * step.contacts);
+        events.save(to);
     }
 
     private void save(int body, SavedRigids to) {
@@ -400,6 +415,7 @@ public final class RigidTable {
             outlines.prepare(from.outlines[k]);
         }
         step.ensureContacts(from.contacts);
+        events.makeRoom(from);
     }
 
     /** Takes over saved bodies, which have been checked. There is room. */
@@ -420,6 +436,7 @@ public final class RigidTable {
         System.arraycopy(from.contactKeys, 0, step.contactKeys, 0, RigidStep.KEYS * from.contacts);
         System.arraycopy(from.contactImpulses, 0, step.contactImpulses, 0, RigidStep.IMPULSES * from.contacts);
         forgetGone();
+        events.load(from);
     }
 
     private void load(int body, SavedRigids from) {
@@ -448,7 +465,11 @@ public final class RigidTable {
     /** Bytes of the table. */
     public long bytes() {
         return isThere()
-                ? 20L * ids.room() + step.bytes() + outlines.bytes() + 8L * (goneCircles.length + gonePieces.length)
+                ? 20L * ids.room()
+                        + step.bytes()
+                        + outlines.bytes()
+                        + events.bytes()
+                        + 8L * (goneCircles.length + gonePieces.length)
                 : 0;
     }
 }

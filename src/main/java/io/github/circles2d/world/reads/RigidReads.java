@@ -1,8 +1,10 @@
 package io.github.circles2d.world.reads;
 
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.bodies.RigidTouches;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
@@ -117,6 +119,31 @@ public final class RigidReads {
         }
     }
 
+    /** Takes down where bodies are. */
+    public void keep(RigidPoses poses) {
+        world.guard.enter();
+        try {
+            poses.keep(table);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** As {@link #readById}, on the way from before a step to after it. */
+    public void readBetween(RigidPoses before, RigidPoses after, float alpha, float[] poses, long[] living) {
+        world.guard.enter();
+        try {
+            beginById("bodies", poses, living);
+            for (int id = 0; id < table.ids.end(); id++) {
+                if (table.ids.lives(id)) {
+                    RigidPoses.readBetween(before, after, alpha, table, id, world.settings.bounds(), poses);
+                }
+            }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
     /** Three elements an id: vx, vy, the angular velocity; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
         world.guard.enter();
@@ -164,6 +191,30 @@ public final class RigidReads {
                     handles[k++] = table.ids.handle(id);
                 }
             }
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    // ---- events
+    // ------------------------------------------------------------------------------------------------------
+
+    /** Sets whether somebody is told of touches. */
+    public void report(boolean on) {
+        world.guard.enter();
+        try {
+            table.events.turn(on);
+            world.copies.forgetSaved();
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** Gives the touches that have begun and ended since the last call. */
+    public void take(RigidTouches to) {
+        world.guard.enter();
+        try {
+            table.events.take(to);
         } finally {
             world.guard.leave();
         }

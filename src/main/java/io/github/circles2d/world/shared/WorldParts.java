@@ -1,6 +1,5 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.Handle;
@@ -26,10 +25,10 @@ public final class WorldParts {
     public final KindTable kinds = new KindTable();
     public final ContactEvents events = new ContactEvents();
     public final StepInput input = new StepInput();
-    public final RigidTable rigids = new RigidTable(new RigidStep());
     public final WorldSettings settings;
     public final TerrainTables terrain;
     public final JointTables joints;
+    public final RigidTable rigids;
     public final CallLog log = new CallLog(this);
     public final Calls calls = new Calls(this);
     public final FrameClock clock = new FrameClock();
@@ -46,6 +45,7 @@ public final class WorldParts {
         settings = new WorldSettings(events, start);
         terrain = new TerrainTables(input.terrain, settings.bounds());
         events.setPieces(terrain.pieces);
+        rigids = new RigidTable(handles, terrain.pieces.ids);
         terrain.pieces.watch(rigids::pieceGoes);
         joints = new JointTables(input.joints, handles, terrain);
     }

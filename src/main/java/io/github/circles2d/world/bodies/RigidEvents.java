@@ -1,0 +1,215 @@
+package io.github.circles2d.world.bodies;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdTable;
+
+/**
+ * Compares what bodies touch in a step with what they touched in the one before, and tells of what has begun and ended. It does nothing until somebody
+ * asks for it. Pairs are in ascending order of their keys.
+ */
+public final class RigidEvents implements RigidStep.Listener {
+    private static final int HANDLES = 2;
+
+    private final RigidStep step;
+    private final IdTable bodies;
+    private final HandleTable circles;
+    private final IdTable pieces;
+    private final RigidTouches told = new RigidTouches();
+
+    // the pairs that touched in the last step: keys by RigidStep.TOUCH_KEYS, and handles
+    private int touching;
+    private int[] keys = new int[0];
+    private long[] handles = new long[0];
+
+    private int[] nextKeys = new int[0];
+    private long[] nextHandles = new long[0];
+
+    /** Tells of nothing yet. */
+    RigidEvents(RigidStep step, IdTable bodies, HandleTable circles, IdTable pieces) {
+        this.step = step;
+        this.bodies = bodies;
+        this.circles = circles;
+        this.pieces = pieces;
+    }
+
+    /** Whether somebody is told. */
+    public boolean isOn() {
+        return step.listener != null;
+    }
+
+    /** Sets whether somebody is told from now on. What has not been taken is forgotten if not. */
+    public void turn(boolean on) {
+        if (on != isOn()) {
+            step.listener = on ? this : null;
+            touching = 0;
+            told.clear();
+        }
+    }
+
+    /** Gives what has been told since the last call. */
+    public void take(RigidTouches to) {
+        to.clear();
+        to.ensure(touching); // as after each step, so that what goes finds room
+        told.moveTo(to);
+    }
+
+    // ---- what goes
+    // ---------------------------------------------------------------------------------------------------
+
+    /** A body goes. */
+    void bodyGoes(int body) {
+        end(RigidStep.BODY_BODY, body);
+    }
+
+    /** A circle goes. */
+    void circleGoes(int circle) {
+        end(RigidStep.BODY_CIRCLE, circle);
+    }
+
+    /** A piece of terrain goes. */
+    void pieceGoes(int piece) {
+        end(RigidStep.BODY_PIECE, piece);
+    }
+
+    /** All bodies go. */
+    void bodiesGo() {
+        end(RigidStep.BODY_BODY, -1);
+    }
+
+    /** All circles go. */
+    void circlesGo() {
+        end(RigidStep.BODY_CIRCLE, -1);
+    }
+
+    /** Ends the pairs of something, or of all such things. */
+    private void end(int of, int id) {
+        int kept = 0;
+        for (int k = 0; k < touching; k++) {
+            if (isOf(RigidStep.TOUCH_KEYS * k, of, id)) {
+                told.end(keys[RigidStep.TOUCH_KEYS * k], handles[HANDLES * k], handles[HANDLES * k + 1]);
+            } else {
+                System.arraycopy(
+                        keys, RigidStep.TOUCH_KEYS * k, keys, RigidStep.TOUCH_KEYS * kept, RigidStep.TOUCH_KEYS);
+                System.arraycopy(handles, HANDLES * k, handles, HANDLES * kept, HANDLES);
+                kept++;
+            }
+        }
+        touching = kept;
+    }
+
+    private boolean isOf(int at, int of, int id) {
+        int type = keys[at + RigidStep.TYPE];
+        boolean isA = of == RigidStep.BODY_BODY && (id < 0 || keys[at + RigidStep.A] == id);
+        return isA || type == of && (id < 0 || keys[at + RigidStep.B] == id);
+    }
+
+    // ---- steps
+    // -------------------------------------------------------------------------------------------------------
+
+    @Override
+    public void stepped() {
+        int next = step.touches;
+        ensureNext(next);
+        told.ensure(2 * (touching + next));
+        System.arraycopy(step.touchKeys, 0, nextKeys, 0, RigidStep.TOUCH_KEYS * next);
+        int before = 0;
+        for (int k = 0; k < next; k++) {
+            int at = RigidStep.TOUCH_KEYS * k;
+            while (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, nextKeys, at) < 0) {
+                end(before++);
+            }
+            nextHandles[HANDLES * k] = bodies.handle(nextKeys[at + RigidStep.A]);
+            nextHandles[HANDLES * k + 1] = other(nextKeys, at);
+            if (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, nextKeys, at) == 0) {
+                before++;
+            } else {
+                told.begin(
+                        nextKeys[at + RigidStep.TYPE],
+                        nextHandles[HANDLES * k],
+                        nextHandles[HANDLES * k + 1],
+                        step.touchValues,
+                        RigidStep.TOUCH_VALUES * k);
+            }
+        }
+        while (before < touching) {
+            end(before++);
+        }
+        int[] ofKeys = keys;
+        long[] ofHandles = handles;
+        keys = nextKeys;
+        handles = nextHandles;
+        nextKeys = ofKeys;
+        nextHandles = ofHandles;
+        touching = next;
+    }
+
+    private void end(int pair) {
+        told.end(keys[RigidStep.TOUCH_KEYS * pair], handles[HANDLES * pair], handles[HANDLES * pair + 1]);
+    }
+
+    private static int compare(int[] a, int atA, int[] b, int atB) {
+        int order = 0;
+        for (int k = 0; order == 0 && k < RigidStep.TOUCH_KEYS; k++) {
+            order = Integer.compare(a[atA + k], b[atB + k]);
+        }
+        return order;
+    }
+
+    /** The handle of what a body touches, or the number of a wall. */
+    private long other(int[] of, int at) {
+        int id = of[at + RigidStep.B];
+        return switch (of[at + RigidStep.TYPE]) {
+            case RigidStep.BODY_BODY -> bodies.handle(id);
+            case RigidStep.BODY_PIECE -> pieces.handle(id);
+            case RigidStep.BODY_CIRCLE -> circles.handle(id);
+            default -> id;
+        };
+    }
+
+    private void ensureNext(int pairs) {
+        if (nextKeys.length < RigidStep.TOUCH_KEYS * pairs || nextHandles.length < HANDLES * pairs) {
+            int c = Math.max(16, pairs + (pairs >> 1));
+            int[] newKeys = new int[RigidStep.TOUCH_KEYS * c];
+            long[] newHandles = new long[HANDLES * c];
+            nextKeys = newKeys;
+            nextHandles = newHandles;
+        }
+    }
+
+    // ---- states
+    // ------------------------------------------------------------------------------------------------------
+
+    void save(SavedRigids to) {
+        to.setTouching(touching);
+        System.arraycopy(keys, 0, to.touchingKeys, 0, RigidStep.TOUCH_KEYS * touching);
+    }
+
+    /** Makes room for {@link #load}. If there is none, nothing has changed. */
+    void makeRoom(SavedRigids from) {
+        if (isOn()) {
+            ensureNext(from.touching);
+            told.ensure(from.touching);
+        }
+    }
+
+    /** Takes over saved pairs; bodies, circles and pieces are there. What has not been taken is forgotten. There is room. */
+    void load(SavedRigids from) {
+        told.clear();
+        touching = isOn() ? from.touching : 0;
+        System.arraycopy(from.touchingKeys, 0, nextKeys, 0, RigidStep.TOUCH_KEYS * touching);
+        for (int k = 0; k < touching; k++) {
+            nextHandles[HANDLES * k] = bodies.handle(nextKeys[RigidStep.TOUCH_KEYS * k + RigidStep.A]);
+            nextHandles[HANDLES * k + 1] = other(nextKeys, RigidStep.TOUCH_KEYS * k);
+        }
+        int[] ofKeys = keys;
+        long[] ofHandles = handles;
+        keys = nextKeys;
+        handles = nextHandles;
+        nextKeys = ofKeys;
+        nextHandles = ofHandles;
+    }
+
+    long bytes() {
+        return 4L * (keys.length + nextKeys.length) + 8L * (handles.length + nextHandles.length) + told.bytes();
+    }
+}

@@ -1,0 +1,240 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import java.nio.ByteBuffer;
+import org.junit.jupiter.api.Test;
+
+/** Calls on bodies that are pushed do what they say; what they have is state. */
+class WorldBodiesTest {
+    private static final Outline CRATE = Outline.box(1, 0.5f);
+
+    private static World world() {
+        return WorldScenes.jvm().bounds(0, 0, 20, 10).gravity(0, 0).threads(1).build();
+    }
+
+    private static ByteBuffer snapshot(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
+    }
+
+    @Test
+    void aBodyIsWhatItWasAddedAs() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            world.kind(3).setRestitution(0.75f);
+            long body = bodies.add(CRATE, 4, 5, 0.5f, 2, 3);
+            assertThat(bodies.size()).isOne();
+            assertThat(bodies.contains(body)).isTrue();
+            assertThat(bodies.handle(Bodies.id(body))).isEqualTo(body);
+            assertThat(bodies.x(body)).isEqualTo(4);
+            assertThat(bodies.y(body)).isEqualTo(5);
+            assertThat(bodies.angle(body)).isEqualTo(0.5f);
+            assertThat(bodies.mass(body)).isEqualTo(2);
+            assertThat(bodies.inertia(body)).isEqualTo(CRATE.inertia(2));
+            assertThat(bodies.kindOf(body)).isEqualTo(3);
+            assertThat(bodies.restitution(body)).isEqualTo(0.75f);
+            assertThat(bodies.outline(body).points(0.01f)).isEqualTo(CRATE.points(0.01f));
+            assertThat(bodies.vx(body)).isZero();
+            assertThat(bodies.angularVelocity(body)).isZero();
+        }
+    }
+
+    @Test
+    void anImpulseAtAPointTurnsABodyToo() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            bodies.setInertia(body, 0.5f);
+            bodies.applyImpulse(body, 3, 0, 4, 5.25f);
+            assertThat(bodies.vx(body)).isEqualTo(1.5f);
+            assertThat(bodies.vy(body)).isZero();
+            assertThat(bodies.angularVelocity(body)).isEqualTo(-1.5f);
+            bodies.applyImpulse(body, -3, 1);
+            assertThat(bodies.vx(body)).isZero();
+            assertThat(bodies.angularVelocity(body)).isEqualTo(-1.5f);
+            bodies.applyAngularImpulse(body, 0.75f);
+            assertThat(bodies.angularVelocity(body)).isZero();
+        }
+    }
+
+    @Test
+    void handlesGoStaleAndAreOfNothingElse() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long circle = world.add(1, 1, 0.5f, 1);
+            long gone = bodies.add(CRATE, 4, 5, 0, 2);
+            bodies.remove(gone);
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            assertThat(Bodies.id(body)).isEqualTo(Bodies.id(gone));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.x(gone))
+                    .withMessageContaining("was removed");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.x(circle))
+                    .withMessageContaining("it is of a circle");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.x(body))
+                    .withMessageContaining("it is of a body that is no terrain");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.terrain().remove(body));
+            assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));
+            assertThat(world.terrain().contains(body)).isFalse();
+            assertThat(world.joints().contains(body)).isFalse();
+            assertThat(bodies.contains(world.terrain().ground().handle())).isFalse();
+        }
+    }
+
+    @Test
+    void badValuesAreRefusedAndChangeNothing() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long hash = world.hash();
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, Float.NaN, 5, 0, 2));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 21, 5, 0, 2));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, Float.NaN, 2));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 2, 256));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2))
+                    .withMessageContaining("reach");
+            assertThat(world.hash()).isEqualTo(hash);
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.setInertia(body, 0));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.readById(new float[2], null));
+            assertThatIllegalArgumentException().isThrownBy(() -> world.setBounds(0, 0, 0.5f, 0.5f));
+        }
+    }
+
+    @Test
+    void aWorldWhoseCirclesSleepRefusesBodies() {
+        try (World world = WorldScenes.jvm().bounds(0, 0, 20, 10).sleep(true).build()) {
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> world.bodies().add(CRATE, 4, 5, 0, 2))
+                    .withMessageContaining("sleep");
+            assertThat(world.bodies().size()).isZero();
+        }
+    }
+
+    @Test
+    void aSnapshotHasBodiesAndTheirOutlineOnce() {
+        try (World world = world();
+                World other = world()) {
+            int without = world.snapshotBytes();
+            long first = world.bodies().add(CRATE, 4, 5, 0.5f, 2);
+            int one = world.snapshotBytes() - without;
+            for (int k = 0; k < 20; k++) {
+                world.bodies().add(CRATE, 1 + 0.9f * k, 8, k, 2);
+            }
+            world.bodies().setVelocity(first, 1, 2);
+            world.bodies().setTag(first, -5);
+            world.bodies().applyForce(first, 3, 4);
+            world.bodies().remove(world.bodies().handle(7));
+            assertThat(world.snapshotBytes() - without - one).isLessThan(20 * 50);
+            ByteBuffer bytes = snapshot(world);
+            other.restore(bytes.duplicate());
+            assertThat(other.hash()).isEqualTo(world.hash());
+            assertThat(snapshot(other)).isEqualTo(bytes);
+            assertThat(other.bodies().tag(first)).isEqualTo(-5);
+            world.step(1 / 60f, 10);
+            other.step(1 / 60f, 10);
+            assertThat(other.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
+    void theHashHasAllThatStepsDependOn() {
+        try (World world = world()) {
+            long empty = world.hash();
+            long body = world.bodies().add(CRATE, 4, 5, 0.5f, 2);
+            long one = world.hash();
+            assertThat(one).isNotEqualTo(empty);
+            world.bodies().setKind(body, 4);
+            assertThat(world.hash()).isNotEqualTo(one);
+            world.bodies().setKind(body, 0);
+            assertThat(world.hash()).isEqualTo(one);
+            world.bodies().clear();
+            assertThat(world.hash()).isEqualTo(empty);
+            world.bodies().add(Outline.box(1, 0.5f).round(0.02f), 4, 5, 0.5f, 2);
+            assertThat(world.hash()).isNotEqualTo(one);
+        }
+    }
+
+    @Test
+    void clearingCirclesLeavesBodies() {
+        try (World world = world()) {
+            world.add(4, 5.6f, 0.5f, 1);
+            world.bodies().add(CRATE, 4, 5, 0, 2);
+            world.step(1 / 60f, 3);
+            world.clear();
+            assertThat(world.size()).isZero();
+            assertThat(world.bodies().size()).isOne();
+            world.step(1 / 60f, 3);
+        }
+    }
+
+    @Test
+    void aRewindGoesBack() {
+        try (World world = world()) {
+            long body = world.bodies().add(CRATE, 4, 5, 0, 2);
+            world.bodies().setVelocity(body, 3, 1);
+            Rewind rewind = new Rewind(world, 3);
+            rewind.save(1);
+            long before = world.hash();
+            world.step(1 / 60f, 4);
+            long after = world.hash();
+            world.bodies().add(Outline.capsule(1, 0.2f), 10, 5, 0, 2);
+            rewind.restore(1);
+            assertThat(world.hash()).isEqualTo(before);
+            assertThat(world.bodies().size()).isOne();
+            world.step(1 / 60f, 4);
+            assertThat(world.hash()).isEqualTo(after);
+        }
+    }
+
+    @Test
+    void aLoopGivesPosesBetweenTwoSteps() {
+        try (World world = world()) {
+            long body = world.bodies().add(CRATE, 4, 5, 0, 2);
+            FixedStep loop = new FixedStep(world, 1 / 60f);
+            float[] poses = new float[3];
+            long[] living = new long[1];
+            loop.bodies(poses, living);
+            assertThat(poses).containsExactly(4, 5, 0);
+            assertThat(living).containsExactly(1);
+            loop.advance(1 / 60f, null);
+            world.bodies().setVelocity(body, 6, 0);
+            loop.advance(1.5f / 60, null);
+            float[] now = new float[3];
+            world.bodies().readById(now, null);
+            loop.bodies(poses, null);
+            assertThat(poses[0]).isBetween(4f, now[0]);
+        }
+    }
+
+    @Test
+    void readsByIdAreNaNWithoutABody() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long gone = bodies.add(CRATE, 4, 5, 0, 2);
+            long body = bodies.add(CRATE, 6, 5, 0.25f, 2);
+            bodies.setVelocity(body, 1, 2);
+            bodies.setAngularVelocity(body, 3);
+            bodies.remove(gone);
+            float[] values = new float[6];
+            long[] living = new long[2];
+            bodies.readById(values, living);
+            assertThat(values).containsExactly(Float.NaN, Float.NaN, Float.NaN, 6, 5, 0.25f);
+            assertThat(living).containsExactly(2, 0);
+            bodies.readVelocitiesById(values, null);
+            assertThat(values).containsExactly(Float.NaN, Float.NaN, Float.NaN, 1, 2, 3);
+            long[] handles = new long[1];
+            bodies.readHandles(handles);
+            assertThat(handles).containsExactly(body);
+        }
+    }
+}
