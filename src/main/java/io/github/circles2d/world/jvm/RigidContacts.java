@@ -90,6 +90,12 @@ final class RigidContacts {
     int pairCount;
 
     private boolean[] used = new boolean[0];
+
+    /** The contacts that a pair had before. */
+    private RigidStep known;
+
+    private int knownFrom;
+    private int knownTo;
     private float h;
     private float dt;
 
@@ -123,9 +129,8 @@ final class RigidContacts {
             while (end < step.contacts && compare(step, end, t, other) == 0) {
                 end++;
             }
-            boolean known = end > old;
-            if (known || !things.oneWay[other] || isInFront(p, t, other)) {
-                findOfPair(p, known);
+            if (end > old || !things.oneWay[other] || isInFront(p, t, other)) {
+                findOfPair(p, step, old, end);
             }
             if (count > from) {
                 sort(from);
@@ -191,7 +196,10 @@ final class RigidContacts {
         return order == 0 ? Integer.compare(step.contactKeys[at + RigidStep.B], things.id[other]) : order;
     }
 
-    private void findOfPair(int p, boolean known) {
+    private void findOfPair(int p, RigidStep step, int old, int end) {
+        known = step;
+        knownFrom = old;
+        knownTo = end;
         int t = pairs.a[p];
         int other = pairs.b[p];
         float m = pairs.margin[p];
@@ -201,13 +209,13 @@ final class RigidContacts {
                 && CircleMath.isLonger(x, y, (things.reach[t] + things.reach[other]) + 1.125f * m)) {
             return;
         }
-        cornersOnLines(p, t, other, x, y, m, false, known);
-        cornersOnLines(p, other, t, -x, -y, m, true, known);
+        cornersOnLines(p, t, other, x, y, m, false);
+        cornersOnLines(p, other, t, -x, -y, m, true);
         cornersOnCorners(p, t, other, x, y, m);
     }
 
     /** Corners of one thing and lines of another, from which the first one is (x, y) away. */
-    private void cornersOnLines(int p, int t, int other, float x, float y, float m, boolean swapped, boolean known) {
+    private void cornersOnLines(int p, int t, int other, float x, float y, float m, boolean swapped) {
         float spin = Math.abs(things.omega[t] - things.omega[other]) * dt;
         float tolerance = TOLERANCE + spin;
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
@@ -265,12 +273,28 @@ final class RigidContacts {
             if (count == from && deepest >= 0) {
                 boolean holds = things.shape[other] != null
                         ? deepestHeight > -deepestReach || things.isInside(other, px, py)
-                        : known || isWall(other) || isBefore(deepest, x, y);
+                        : isWall(other)
+                                || wasThere(c - things.firstCorner[t], deepest - things.firstLine[other], swapped)
+                                || isBefore(deepest, x, y);
                 if (holds) {
                     add(p, t, other, c, deepest, true, swapped);
                 }
             }
         }
+    }
+
+    /** Whether a corner of a body had a contact with a line before. */
+    private boolean wasThere(int itsCorner, int itsLine, boolean swapped) {
+        int ofCorner = 2 * itsCorner;
+        int ofLine = 2 * itsLine + 1;
+        for (int o = knownFrom; o < knownTo; o++) {
+            int at = RigidStep.KEYS * o + RigidStep.B;
+            if (known.contactKeys[at + 1] == (swapped ? ofLine : ofCorner)
+                    && known.contactKeys[at + 2] == (swapped ? ofCorner : ofLine)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether a place is in front of a line. */
@@ -287,7 +311,17 @@ final class RigidContacts {
 
     /** A corner inside an arc that is solid outside; (x, y): from its centre. */
     private void cornerInHollow(
-            int p, int t, int other, int c, int l, float x, float y, float r, float m, float tolerance, boolean swapped) {
+            int p,
+            int t,
+            int other,
+            int c,
+            int l,
+            float x,
+            float y,
+            float r,
+            float m,
+            float tolerance,
+            boolean swapped) {
         int line = RigidThings.line(l);
         float d = CircleMath.length(x, y);
         float radius = -things.turnedLine[line + LENGTH];

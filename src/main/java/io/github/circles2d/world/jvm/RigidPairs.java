@@ -292,10 +292,7 @@ final class RigidPairs {
             int n = 4 * node;
             if (boxes[n] <= maxX && boxes[n + 1] <= maxY && boxes[n + 2] >= minX && boxes[n + 3] >= minY) {
                 int piece = terrain.links[2 * node + 1];
-                if (piece >= 0
-                        && meets(
-                                things.kind[t],
-                                terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                if (piece >= 0 && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
                     add(BODY_PIECE, things.id[t], piece);
                 }
                 node++;

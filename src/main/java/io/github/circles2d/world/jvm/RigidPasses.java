@@ -188,10 +188,8 @@ final class RigidPasses {
                 float grip = contacts.grip[c];
                 if (impulse > 0f) {
                     float side = contacts.a[c] == circle ? 1f : -1f;
-                    state.load[s + CircleRow.IMPULSE_X] +=
-                            side * (contacts.nx[c] * impulse - contacts.ny[c] * grip);
-                    state.load[s + CircleRow.IMPULSE_Y] +=
-                            side * (contacts.ny[c] * impulse + contacts.nx[c] * grip);
+                    state.load[s + CircleRow.IMPULSE_X] += side * (contacts.nx[c] * impulse - contacts.ny[c] * grip);
+                    state.load[s + CircleRow.IMPULSE_Y] += side * (contacts.ny[c] * impulse + contacts.nx[c] * grip);
                     state.load[s + CircleRow.LOADED_NEXT] = 1f;
                     if (k.turning) {
                         state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= grip;

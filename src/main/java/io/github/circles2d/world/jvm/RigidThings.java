@@ -307,8 +307,7 @@ final class RigidThings {
         float ly = cos[t] * py - sin[t] * px;
         boolean in = false;
         for (int a = 0, b = p.length - 2; a < p.length; b = a, a += 2) {
-            if (p[a + 1] > ly != p[b + 1] > ly
-                    && lx < (p[b] - p[a]) * (ly - p[a + 1]) / (p[b + 1] - p[a + 1]) + p[a]) {
+            if (p[a + 1] > ly != p[b + 1] > ly && lx < (p[b] - p[a]) * (ly - p[a + 1]) / (p[b + 1] - p[a + 1]) + p[a]) {
                 in = !in;
             }
         }

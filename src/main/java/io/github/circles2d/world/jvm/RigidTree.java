@@ -12,7 +12,8 @@ final class RigidTree {
 
     private int[] order = new int[0];
 
-    // by node, in the order of a walk: its box, the node that follows if it is left out, and where its boxes lie in the order
+    // by node, in the order of a walk: its box, the node that follows if it is left out, and where its boxes lie in the
+    // order
     private float[] nodeBox = new float[0];
     private int[] skip = new int[0];
     private int[] from = new int[0];

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
@@ -191,7 +190,9 @@ final class RigidVisits {
     private float thickness(int c) {
         int a = contacts.a[c];
         int b = contacts.b[c];
-        return things.w[a] == 0f ? 2f * things.thin[b] : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+        return things.w[a] == 0f
+                ? 2f * things.thin[b]
+                : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
@@ -283,8 +284,9 @@ final class RigidVisits {
         int b = contacts.b[c];
         float armA = contacts.ax[c] * contacts.nx[c] + contacts.ay[c] * contacts.ny[c];
         float armB = contacts.bx[c] * contacts.nx[c] + contacts.by[c] * contacts.ny[c];
-        return 1f / (shareA * (things.w[a] + things.i[a] * armA * armA)
-                + shareB * (things.w[b] + things.i[b] * armB * armB));
+        return 1f
+                / (shareA * (things.w[a] + things.i[a] * armA * armA)
+                        + shareB * (things.w[b] + things.i[b] * armB * armB));
     }
 
     private float slip(int c, float ux, float uy) {
