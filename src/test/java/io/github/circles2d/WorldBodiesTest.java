@@ -3,9 +3,14 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.circles2d.opencl.TestDevices;
 import java.nio.ByteBuffer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls on bodies that are pushed do what they say; what they have is state. */
 class WorldBodiesTest {
@@ -213,6 +218,47 @@ class WorldBodiesTest {
             world.bodies().readById(now, null);
             loop.bodies(poses, null);
             assertThat(poses[0]).isBetween(4f, now[0]);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    void aWorldBuiltForADeviceRefusesBodiesAndGoesOn(Backend backend) {
+        try (World world = World.builder().bounds(0, 0, 20, 10).backend(backend).build();
+                World jvm = world()) {
+            world.add(4, 5, 0.5f, 1);
+            long hash = world.hash();
+            assertThatThrownBy(() -> world.bodies().add(CRATE, 10, 5, 0, 2))
+                    .isInstanceOf(UnsupportedOperationException.class)
+                    .hasMessageContaining("only on the JVM yet")
+                    .hasMessageContaining("Backend.AUTO");
+            jvm.bodies().add(CRATE, 10, 5, 0, 2);
+            ByteBuffer bytes = snapshot(jvm);
+            assertThatThrownBy(() -> world.restore(bytes)).isInstanceOf(UnsupportedOperationException.class);
+            assertThat(bytes.position()).isZero();
+            assertThat(world.bodies().size()).isZero();
+            assertThat(world.hash()).isEqualTo(hash);
+        }
+    }
+
+    @Test
+    @Tag("long")
+    void aWorldThatMovesComesHomeForItsFirstBody() {
+        try (World world = world();
+                World stays = world()) {
+            RandomMoves moves = RandomMoves.of(world, 1, TestDevices.all().get(0), Integer.MAX_VALUE);
+            world.add(4, 5, 0.5f, 1);
+            stays.add(4, 5, 0.5f, 1);
+            for (int k = 0; k < 60; k++) {
+                for (World each : new World[] {world, stays}) {
+                    long body = each.bodies().add(CRATE, 10, 5, 0, 2);
+                    each.step(1 / 60f);
+                    each.bodies().remove(body);
+                    each.step(1 / 60f, 2);
+                }
+                assertThat(world.hash()).isEqualTo(stays.hash());
+            }
+            assertThat(moves.movesOfNeed()).isPositive();
         }
     }
 

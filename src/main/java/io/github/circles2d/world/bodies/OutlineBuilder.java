@@ -25,6 +25,9 @@ final class OutlineBuilder {
     /** A sine: pieces that meet at less are smooth. */
     private static final double SMOOTH = 1e-4;
 
+    /** Radians. */
+    private static final double OVERLAP = 1e-4;
+
     private static final double QUARTER = Math.PI / 2;
 
     private final ChainPath path;
@@ -239,10 +242,23 @@ final class OutlineBuilder {
                 for (int k = OutlineShape.RADIUS; k < OutlineShape.CORNER_STRIDE; k++) {
                     to[at + k] = (float) elements[e + k];
                 }
+                if (isPartOfArc(e)) {
+                    to[at + OutlineShape.FROM_X] = (float) (elements[e + AX] + OVERLAP * elements[e + AY]);
+                    to[at + OutlineShape.FROM_Y] = (float) (elements[e + AY] - OVERLAP * elements[e + AX]);
+                }
                 at += OutlineShape.CORNER_STRIDE;
             }
         }
         return to;
+    }
+
+    /** Whether the element before is a part of the same arc: its cone goes on a little into that one's, so that no way lies between both. */
+    private boolean isPartOfArc(int e) {
+        int before = e == 0 ? (count - 1) * STRIDE : e - STRIDE;
+        return before != e
+                && elements[before + IS_LINE] == 0
+                && elements[before + X] == elements[e + X]
+                && elements[before + Y] == elements[e + Y];
     }
 
     float[] lines(double centreX, double centreY) {

@@ -48,6 +48,11 @@ final class Outlines {
         return shapes[number];
     }
 
+    /** Whether a body has the outline of a number. */
+    boolean isUsed(int number) {
+        return uses[number] > 0;
+    }
+
     /** The number of an outline that has been prepared; one more body has it. */
     int take(OutlineShape shape) {
         int number = numbers.get(shape);

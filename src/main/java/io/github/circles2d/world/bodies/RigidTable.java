@@ -236,7 +236,7 @@ public final class RigidTable {
     /** Refuses bounds in which an outline of a body has no room. */
     public void requireRoom(Bounds bounds) {
         for (int k = 0; k < outlines.end(); k++) {
-            if (outlines.shape(k) != null) {
+            if (outlines.isUsed(k)) {
                 RigidRules.reach(outlines.shape(k), bounds);
             }
         }

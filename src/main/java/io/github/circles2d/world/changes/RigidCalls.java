@@ -82,10 +82,10 @@ public final class RigidCalls implements Calls.Effects {
             throw new IllegalStateException(
                     "a world whose circles sleep takes no bodies yet: build it without sleep(true)");
         }
-        table.ensure(outline);
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }
+        table.ensure(outline);
         w[0] = world.log.outline(outline);
         world.calls.begin(Call.RIGID, w);
         Bounds bounds = world.settings.bounds();

@@ -66,6 +66,8 @@ public final class JvmPipeline implements Pipeline {
     /** Null as long as there has been no rigid body. */
     private RigidStep rigids;
 
+    private RigidPasses rigidPasses;
+
     /** Null if circles never sleep. */
     private Waking waking;
 
@@ -139,6 +141,9 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(RigidStep bodies) {
         rigids = bodies;
+        if (rigidPasses == null) {
+            rigidPasses = new RigidPasses(state);
+        }
     }
 
     private void startTerrain() {
@@ -171,6 +176,7 @@ public final class JvmPipeline implements Pipeline {
         terrain = input.terrain;
         jointStep = input.joints;
         solver.join(constants.joints ? joints : null);
+        solver.push(constants.rigid ? rigidPasses : null);
         kindSleep = input.sleep.rows;
         boolean parts = constants.joints && jointStep.parts;
         state.jointed = null;
@@ -258,8 +264,14 @@ public final class JvmPipeline implements Pipeline {
             solver.prepare(constants, terrain);
         }
         contacts.settleResting();
+        if (constants.rigid) {
+            rigidPasses.begin(rigids, constants, terrain);
+        }
         times.end(CONTACTS);
         solver.solve();
+        if (constants.rigid) {
+            rigidPasses.end();
+        }
         if (recorder != null) {
             recorder.end(terrain, constants);
         }
@@ -518,6 +530,7 @@ public final class JvmPipeline implements Pipeline {
         return state.bytes()
                 + (pieces == null ? 0 : pieces.bytes())
                 + (joints == null ? 0 : joints.bytes())
+                + (rigidPasses == null ? 0 : rigidPasses.bytes())
                 + grid.bytes()
                 + contacts.bytes()
                 + sweep.bytes()

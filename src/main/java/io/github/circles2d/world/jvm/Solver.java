@@ -22,7 +22,7 @@ import io.github.circles2d.world.model.TerrainStep;
  * the next band; a second sweep completes them, from the edge outwards.
  *
  * <p>If there are more levels, their cross contacts come between the passes; joints do too. So all workers make pass after pass, each on its
- * {@link Share} of all levels.
+ * {@link Share} of all levels. Rigid bodies come between them too, and one worker has them all.
  */
 public final class Solver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */
@@ -52,6 +52,9 @@ public final class Solver {
 
     /** Null in steps without joints. */
     private JointPasses joints;
+
+    /** Null in steps without rigid bodies. */
+    private RigidPasses rigids;
 
     /** Records what contacts do; null if nobody is told. */
     private Touches touches;
@@ -126,12 +129,17 @@ public final class Solver {
         joints = passes;
     }
 
+    /** Sets the rigid bodies of the steps to come, or null. */
+    void push(RigidPasses passes) {
+        rigids = passes;
+    }
+
     /** Fills the contacts, and measures them for the first sub-step. */
     void prepare(StepConstants k, TerrainStep step) {
         constants = k;
         terrain = step;
         boolean alike = levels.usedCount == 1;
-        bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && joints == null ? 2 * LAG : 0);
+        bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && !inPasses() ? 2 * LAG : 0);
         team.all(begin);
         team.all(prepareRows);
         team.all(prepareEdge);
@@ -211,9 +219,14 @@ public final class Solver {
         }
     }
 
+    /** Whether something comes between the passes over contacts of circles. */
+    private boolean inPasses() {
+        return joints != null || rigids != null;
+    }
+
     /** With the constants of {@link #prepare}. */
     void solve() {
-        if (levels.usedCount == 1 && joints == null && bands.narrowest() >= 2 * LAG) {
+        if (levels.usedCount == 1 && !inPasses() && bands.narrowest() >= 2 * LAG) {
             solveInSweeps();
         } else {
             solveInPasses();
@@ -327,24 +340,42 @@ public final class Solver {
         boolean crosses = levels.usedCount > 1;
         for (sub = 0; sub < constants.subSteps; sub++) {
             team.all(integrateVelocities);
+            if (rigids != null) {
+                rigids.integrateVelocities();
+            }
             passOverAll(false);
             if (joints != null) {
                 joints.solve(sub);
+            }
+            if (rigids != null) {
+                rigids.solve();
             }
             if (crosses) {
                 team.all(look);
                 team.all(solveCross);
                 team.all(takeGains);
             }
+            if (rigids != null) {
+                rigids.solveCircles();
+            }
             team.all(integratePositions);
+            if (rigids != null) {
+                rigids.integratePositions(sub);
+            }
             passOverAll(true);
             if (joints != null) {
                 joints.relax(sub);
+            }
+            if (rigids != null) {
+                rigids.relax();
             }
             if (crosses) {
                 team.all(look);
                 team.all(relaxCross);
                 team.all(endRelaxing);
+            }
+            if (rigids != null) {
+                rigids.relaxCircles(isLast());
             }
         }
         team.all(finalizePositions);

@@ -152,6 +152,9 @@ public final class Moves {
         RemotePairs remote = world.events.remote();
         try {
             next.prepare(world.settings.contacts(), world.needs.features());
+            if (world.rigids.isThere()) {
+                next.prepare(world.rigids.step);
+            }
             next.makeRoom(carried);
             next.load(carried);
             report(next);

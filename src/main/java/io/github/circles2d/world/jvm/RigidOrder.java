@@ -1,0 +1,134 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import java.util.Arrays;
+
+/**
+ * In which order the pairs of a pass are visited: by colours, of which each body has one pair at most. Pairs choose the least colour that is free, in
+ * the order of a hash of their ids, which spreads what lies side by side.
+ */
+final class RigidOrder {
+    private static final int BITS_LOG = 6;
+
+    private final RigidContacts contacts;
+    private final RigidPairs pairs;
+
+    /** The pairs of contacts without circles, in order. */
+    int[] order = new int[0];
+
+    int count;
+
+    /** The first pair with a circle; pairs with circles come last. */
+    int firstWithCircle;
+
+    /** Of the last step. */
+    int colours;
+
+    private long[] keys = new long[0];
+    private int[] colour = new int[0];
+
+    /** By thing: the number of its pairs, and the colours that they have. */
+    private int[] degree = new int[0];
+
+    private long[] taken = new long[0];
+
+    RigidOrder(RigidContacts contacts, RigidPairs pairs) {
+        this.contacts = contacts;
+        this.pairs = pairs;
+    }
+
+    private static int hash(int a, int b) {
+        int h = a * 0x9E3779B1 ^ b * 0x85EBCA77;
+        h ^= h >>> 15;
+        h *= 0x2C1B3C6D;
+        h ^= h >>> 12;
+        h *= 0x297A2D39;
+        return h ^ h >>> 15;
+    }
+
+    void find() {
+        RigidThings things = pairs.things;
+        int n = contacts.pairCount;
+        if (order.length < n) {
+            order = new int[2 * n];
+            keys = new long[2 * n];
+            colour = new int[2 * n];
+        }
+        if (degree.length < things.count) {
+            degree = new int[2 * things.count];
+        }
+        Arrays.fill(degree, 0, things.count, 0);
+        count = 0;
+        int most = 0;
+        while (count < n && things.type[second(count)] != RigidStep.BODY_CIRCLE) {
+            int a = first(count);
+            int b = second(count);
+            degree[a]++;
+            degree[b]++;
+            most = Math.max(most, Math.max(degree[a], things.w[b] > 0f ? degree[b] : 0));
+            // ids, with the type: those of pieces and bodies are numbers of their own
+            int hash = hash(things.id[a], things.id[b] + (things.type[b] << 28));
+            keys[count] = (long) hash << 32 | count;
+            count++;
+        }
+        firstWithCircle = count;
+        Arrays.sort(keys, 0, count);
+        int words = (2 * most >> BITS_LOG) + 1;
+        if (taken.length < words * things.count) {
+            taken = new long[2 * words * things.count];
+        }
+        Arrays.fill(taken, 0, words * things.count, 0L);
+        colours = 0;
+        for (int k = 0; k < count; k++) {
+            int p = (int) keys[k];
+            int a = first(p);
+            int b = second(p);
+            colour[p] = least(words, moves(a), a, moves(b), b);
+            colours = Math.max(colours, colour[p] + 1);
+        }
+        for (int p = 0; p < count; p++) {
+            keys[p] = (long) colour[p] << 32 | p;
+        }
+        Arrays.sort(keys, 0, count);
+        for (int k = 0; k < count; k++) {
+            order[k] = (int) keys[k];
+        }
+    }
+
+    private int first(int p) {
+        return pairs.a[contacts.pair[p]];
+    }
+
+    private int second(int p) {
+        return pairs.b[contacts.pair[p]];
+    }
+
+    private boolean moves(int t) {
+        return pairs.things.w[t] > 0f || pairs.things.i[t] > 0f;
+    }
+
+    private int least(int words, boolean movesA, int a, boolean movesB, int b) {
+        int word = 0;
+        long free = free(words, word, movesA, a, movesB, b);
+        while (free == 0L) {
+            word++;
+            free = free(words, word, movesA, a, movesB, b);
+        }
+        long bit = Long.lowestOneBit(free);
+        if (movesA) {
+            taken[words * a + word] |= bit;
+        }
+        if (movesB) {
+            taken[words * b + word] |= bit;
+        }
+        return (word << BITS_LOG) + Long.numberOfTrailingZeros(bit);
+    }
+
+    private long free(int words, int word, boolean movesA, int a, boolean movesB, int b) {
+        return ~((movesA ? taken[words * a + word] : 0L) | (movesB ? taken[words * b + word] : 0L));
+    }
+
+    long bytes() {
+        return 16L * order.length + 4L * degree.length + 8L * taken.length;
+    }
+}

@@ -1,0 +1,471 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.bodies.RigidStep.BODY_BODY;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
+
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
+import io.github.circles2d.world.model.WallMotion;
+import java.util.Arrays;
+
+/** Finds the pairs of a rigid body and something near to it, in the order of their keys, and makes things of all that they have. */
+final class RigidPairs {
+    private static final int TYPE_SHIFT = 60;
+    private static final int A_SHIFT = 40;
+    private static final long LOW = (1L << A_SHIFT) - 1;
+
+    private final State state;
+    final RigidThings things = new RigidThings();
+    final RigidPieces pieces = new RigidPieces(things);
+    private final RigidTree tree = new RigidTree();
+
+    private long[] keys = new long[64];
+    private int keyCount;
+
+    int count;
+
+    /** Things of each pair; the first is a body. */
+    int[] a = new int[0];
+
+    int[] b = new int[0];
+
+    /** By how much the base of the first lies beyond that of the second. */
+    float[] ox = new float[0];
+
+    float[] oy = new float[0];
+
+    /** How near they may have contacts. */
+    float[] margin = new float[0];
+
+    /** By thing: half of its part of a margin. */
+    private float[] near = new float[0];
+
+    private int[] thingOfBody = new int[0];
+    private int[] thingOfPiece = new int[0];
+    private int[] thingOfCircle = new int[0];
+    private final int[] thingOfWall = new int[WallMotion.COUNT];
+
+    // within a step
+    private RigidStep step;
+    private StepConstants k;
+    private TerrainStep terrain;
+
+    RigidPairs(State state) {
+        this.state = state;
+    }
+
+    void find(RigidStep bodies, StepConstants constants, TerrainStep ground) {
+        step = bodies;
+        k = constants;
+        terrain = constants.terrain ? ground : null;
+        things.clear();
+        addBodies();
+        keyCount = 0;
+        findNear();
+        Arrays.sort(keys, 0, keyCount);
+        makePairs();
+    }
+
+    // ---- bodies
+    // ------------------------------------------------------------------------------------------------------------
+
+    private void addBodies() {
+        if (thingOfBody.length < step.end) {
+            thingOfBody = new int[step.room()];
+        }
+        for (int id = 0; id < step.end; id++) {
+            if (step.outline[id] != null) {
+                thingOfBody[id] = addBody(id);
+            }
+        }
+        things.bodies = things.count;
+        ensureNear();
+    }
+
+    private int addBody(int id) {
+        int t = things.add(BODY_BODY, id, step.x[id], step.y[id]);
+        things.setShape(step.outline[id]);
+        things.dx[t] = step.restX[id];
+        things.dy[t] = step.restY[id];
+        things.angle[t] = step.angle[id];
+        things.vx[t] = step.vx[id];
+        things.vy[t] = step.vy[id];
+        things.omega[t] = step.omega[id];
+        things.w[t] = step.inverseMass[id];
+        things.i[t] = step.inverseInertia[id];
+        things.restitution[t] = step.restitution[id];
+        things.kind[t] = step.kind[id];
+        takeSurface(t, KindSurface.of(step.kind[id]));
+        if (things.w[t] > 0f) {
+            float gx = k.gravityStepX;
+            float gy = k.gravityStepY;
+            if (state.kindMotion != null) {
+                int row = KindMotion.of(step.kind[id]);
+                gx = state.kindMotion[row + KindMotion.GAIN_X];
+                gy = state.kindMotion[row + KindMotion.GAIN_Y];
+            }
+            things.gainX[t] = Velocity.gain(gx, step.forceX[id], things.w[t], k.h);
+            things.gainY[t] = Velocity.gain(gy, step.forceY[id], things.w[t], k.h);
+        }
+        things.gainOmega[t] = Velocity.gain(0f, step.torque[id], things.i[t], k.h);
+        things.turn(t);
+        return t;
+    }
+
+    /** What surfaces of bodies, pieces and walls are; there are none in a world in which nothing turns. */
+    private void takeSurface(int t, int row) {
+        if (k.turning) {
+            takeSurface(t, state.turning.surfaces, row);
+        }
+    }
+
+    private void takeSurface(int t, float[] rows, int row) {
+        things.friction[t] = rows[row + KindSurface.FRICTION];
+        things.rolling[t] = rows[row + KindSurface.ROLLING_RESISTANCE];
+        things.belt[t] = rows[row + KindSurface.BELT];
+    }
+
+    private void ensureNear() {
+        if (near.length < things.count) {
+            near = Arrays.copyOf(near, things.count + (things.count >> 1));
+        }
+    }
+
+    /** How far something comes at most in a step. */
+    private float way(int t) {
+        float speed = CircleMath.length(things.vx[t], things.vy[t]);
+        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
+        float spin = things.shape[t] == null
+                ? 0f
+                : (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
+        return k.dt * (speed + gain * k.subSteps + spin);
+    }
+
+    // ---- what is near
+    // ------------------------------------------------------------------------------------------------------
+
+    private void add(int type, int body, int other) {
+        if (keyCount == keys.length) {
+            keys = Arrays.copyOf(keys, 2 * keyCount);
+        }
+        keys[keyCount++] = (long) type << TYPE_SHIFT | (long) body << A_SHIFT | other;
+    }
+
+    private void findNear() {
+        int n = things.bodies;
+        tree.ensure(n);
+        for (int t = 0; t < n; t++) {
+            near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
+            findBox(t);
+        }
+        tree.build(n);
+        for (int t = 0; t < n; t++) {
+            int box = 4 * t;
+            findBodies(t, tree.box[box], tree.box[box + 1], tree.box[box + 2], tree.box[box + 3]);
+            if (things.w[t] > 0f || things.i[t] > 0f) {
+                // what does not move has no thickness of its own
+                float m = 2f * Tuning.MARGIN * things.thin[t];
+                float minX = tree.box[box] - m;
+                float minY = tree.box[box + 1] - m;
+                float maxX = tree.box[box + 2] + m;
+                float maxY = tree.box[box + 3] + m;
+                findWalls(t, minX, minY, maxX, maxY);
+                if (terrain != null) {
+                    findPieces(t, minX, minY, maxX, maxY);
+                }
+            }
+        }
+        for (int slot = 0; slot < state.n; slot++) {
+            findBodiesNear(slot);
+        }
+    }
+
+    /** The box of a body, with its part of margins. */
+    private void findBox(int t) {
+        float minX = Float.POSITIVE_INFINITY;
+        float minY = Float.POSITIVE_INFINITY;
+        float maxX = Float.NEGATIVE_INFINITY;
+        float maxY = Float.NEGATIVE_INFINITY;
+        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
+            int at = RigidThings.corner(c);
+            float r = things.turnedCorner[at + OutlineShape.RADIUS];
+            minX = CircleMath.min(minX, things.turnedCorner[at] - r);
+            minY = CircleMath.min(minY, things.turnedCorner[at + 1] - r);
+            maxX = CircleMath.max(maxX, things.turnedCorner[at] + r);
+            maxY = CircleMath.max(maxY, things.turnedCorner[at + 1] + r);
+        }
+        // an eighth more, and the rounding of coordinates
+        float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
+        tree.box[4 * t] = things.x[t] + minX - m;
+        tree.box[4 * t + 1] = things.y[t] + minY - m;
+        tree.box[4 * t + 2] = things.x[t] + maxX + m;
+        tree.box[4 * t + 3] = things.y[t] + maxY + m;
+    }
+
+    /** Finds in the tree what meets a box or one of its images. */
+    private void look(float minX, float minY, float maxX, float maxY) {
+        tree.foundCount = 0;
+        if (!state.wraps) {
+            tree.find(minX, minY, maxX, maxY);
+            return;
+        }
+        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                float ax = u == 0 ? 0f : u * state.periodX;
+                float ay = v == 0 ? 0f : v * state.periodY;
+                tree.find(minX + ax, minY + ay, maxX + ax, maxY + ay);
+            }
+        }
+    }
+
+    private void findBodies(int t, float minX, float minY, float maxX, float maxY) {
+        look(minX, minY, maxX, maxY);
+        for (int f = 0; f < tree.foundCount; f++) {
+            int other = tree.found[f];
+            boolean moves = things.w[t] > 0f || things.i[t] > 0f || things.w[other] > 0f || things.i[other] > 0f;
+            if (other > t && moves && meets(things.kind[t], things.kind[other])) {
+                add(BODY_BODY, things.id[t], things.id[other]);
+            }
+        }
+    }
+
+    private boolean meets(int kind, int other) {
+        return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
+    }
+
+    private void findWalls(int t, float minX, float minY, float maxX, float maxY) {
+        int body = things.id[t];
+        if (minX - behind(0) < k.bounds.minX()) {
+            add(BODY_WALL, body, 0);
+        }
+        if (maxX + behind(1) > k.bounds.maxX()) {
+            add(BODY_WALL, body, 1);
+        }
+        if (minY - behind(2) < k.bounds.minY()) {
+            add(BODY_WALL, body, 2);
+        }
+        if (maxY + behind(3) > k.bounds.maxY()) {
+            add(BODY_WALL, body, 3);
+        }
+    }
+
+    private float behind(int wall) {
+        return CircleMath.max(k.walls.travel[wall], 0f);
+    }
+
+    private void findPieces(int t, float minX, float minY, float maxX, float maxY) {
+        if (!state.wraps) {
+            walk(t, minX, minY, maxX, maxY);
+            return;
+        }
+        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                float ax = u == 0 ? 0f : u * state.periodX;
+                float ay = v == 0 ? 0f : v * state.periodY;
+                walk(t, minX + ax, minY + ay, maxX + ax, maxY + ay);
+            }
+        }
+    }
+
+    private void walk(int t, float minX, float minY, float maxX, float maxY) {
+        float[] boxes = terrain.boxes;
+        int node = 0;
+        while (node < terrain.nodes) {
+            int n = 4 * node;
+            if (boxes[n] <= maxX && boxes[n + 1] <= maxY && boxes[n + 2] >= minX && boxes[n + 3] >= minY) {
+                int piece = terrain.links[2 * node + 1];
+                if (piece >= 0 && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                    add(BODY_PIECE, things.id[t], piece);
+                }
+                node++;
+            } else {
+                node = terrain.links[2 * node];
+            }
+        }
+    }
+
+    private void findBodiesNear(int slot) {
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + CircleRow.RADIUS];
+        float x = state.circle[s + CircleRow.X];
+        float y = state.circle[s + CircleRow.Y];
+        float m = r + 2.25f * nearOf(slot);
+        look(x - m, y - m, x + m, y + m);
+        int kind = state.filtering && tree.foundCount > 0 ? kindOf(slot) : 0;
+        for (int f = 0; f < tree.foundCount; f++) {
+            int t = tree.found[f];
+            boolean moves = things.w[t] > 0f || things.i[t] > 0f || !state.isStatic(slot);
+            if (moves && meets(things.kind[t], kind)) {
+                add(BODY_CIRCLE, things.id[t], state.id[slot]);
+            }
+        }
+    }
+
+    private int kindOf(int slot) {
+        return state.fields.getInt(CircleField.KIND, state.id[slot]);
+    }
+
+    private float nearOf(int slot) {
+        int s = CircleRow.of(slot);
+        float speed = CircleMath.length(state.motion[s + CircleRow.VX], state.motion[s + CircleRow.VY]);
+        float gain = state.isStatic(slot) ? 0f : CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
+        return Tuning.MARGIN * state.circle[s + CircleRow.RADIUS] + 0.5f * k.dt * (speed + gain * k.subSteps);
+    }
+
+    // ---- pairs
+    // -------------------------------------------------------------------------------------------------------------
+
+    private void makePairs() {
+        count = 0;
+        Arrays.fill(thingOfWall, -1);
+        long before = -1;
+        for (int at = 0; at < keyCount; at++) {
+            long key = keys[at];
+            if (key == before) {
+                continue; // an image
+            }
+            before = key;
+            int type = (int) (key >>> TYPE_SHIFT);
+            int t = thingOfBody[(int) ((key & ~(-1L << TYPE_SHIFT)) >>> A_SHIFT)];
+            int id = (int) (key & LOW);
+            switch (type) {
+                case BODY_BODY -> pair(t, thingOfBody[id], 0f, 0f);
+                case BODY_PIECE -> pairWithPiece(t, pieceThing(id));
+                case BODY_WALL -> pair(t, wallThing(id), 0f, 0f);
+                default -> pair(t, circleThing(id), 0f, 0f);
+            }
+        }
+    }
+
+    private void pair(int t, int other, float addX, float addY) {
+        if (count == a.length) {
+            int n = Math.max(64, 2 * count);
+            a = Arrays.copyOf(a, n);
+            b = Arrays.copyOf(b, n);
+            ox = Arrays.copyOf(ox, n);
+            oy = Arrays.copyOf(oy, n);
+            margin = Arrays.copyOf(margin, n);
+        }
+        float x = things.x[t] - things.x[other];
+        float y = things.y[t] - things.y[other];
+        boolean near = state.wraps && things.type[other] != BODY_WALL && things.type[other] != BODY_PIECE;
+        a[count] = t;
+        b[count] = other;
+        ox[count] = near ? CircleMath.shortWay(x, state.periodX) : x + addX;
+        oy[count] = near ? CircleMath.shortWay(y, state.periodY) : y + addY;
+        margin[count] = 2f * (this.near[t] + this.near[other]);
+        if (things.w[other] == 0f && things.shape[other] == null) {
+            margin[count] += 2f * Tuning.MARGIN * things.thin[t];
+        }
+        count++;
+    }
+
+    private void pairWithPiece(int t, int other) {
+        int row = PieceRow.of(things.id[other]);
+        float[] rows = terrain.rows;
+        boolean moves = terrain.traits[PieceRow.traits(things.id[other]) + PieceRow.MOTION] != 0;
+        float addX = moves ? -rows[row + PieceRow.PIVOT_X] : 0f;
+        float addY = moves ? -rows[row + PieceRow.PIVOT_Y] : 0f;
+        pair(t, other, addX, addY);
+        if (state.wraps) {
+            float midX = rows[row + PieceRow.MID_X];
+            float midY = rows[row + PieceRow.MID_Y];
+            float x = CircleMath.shortWay(things.x[t] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
+            float y = CircleMath.shortWay(things.y[t] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
+            ox[count - 1] = x + addX;
+            oy[count - 1] = y + addY;
+        }
+    }
+
+    private boolean isKnown(int[] known, int id, int type) {
+        int t = known[id];
+        return t >= things.bodies && t < things.count && things.type[t] == type && things.id[t] == id;
+    }
+
+    private int pieceThing(int piece) {
+        if (thingOfPiece.length <= piece) {
+            thingOfPiece = Arrays.copyOf(thingOfPiece, terrain.pieces + (terrain.pieces >> 1));
+        }
+        if (isKnown(thingOfPiece, piece, BODY_PIECE)) {
+            return thingOfPiece[piece];
+        }
+        int t = pieces.add(BODY_PIECE, piece, terrain, k);
+        takeSurface(t, KindSurface.of(things.kind[t]));
+        things.restitution[t] = terrain.kinds.rows[KindTerrain.of(things.kind[t]) + KindTerrain.RESTITUTION];
+        ensureNear();
+        near[t] = 0.5f * terrain.rows[PieceRow.of(piece) + PieceRow.MOST];
+        thingOfPiece[piece] = t;
+        return t;
+    }
+
+    private int wallThing(int wall) {
+        if (thingOfWall[wall] < 0) {
+            int t = pieces.addWall(BODY_WALL, wall, k);
+            takeSurface(t, KindSurface.ofWall(wall));
+            // along the tangent of the normal into the arena, and not towards greater coordinates
+            things.belt[t] = wall == 1 || wall == 2 ? -things.belt[t] : things.belt[t];
+            ensureNear();
+            near[t] = 0.5f * behind(wall);
+            thingOfWall[wall] = t;
+        }
+        return thingOfWall[wall];
+    }
+
+    private int circleThing(int id) {
+        if (thingOfCircle.length <= id) {
+            thingOfCircle = Arrays.copyOf(thingOfCircle, state.slotOf.length);
+        }
+        if (isKnown(thingOfCircle, id, BODY_CIRCLE)) {
+            return thingOfCircle[id];
+        }
+        int slot = state.slotOf[id];
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + CircleRow.RADIUS];
+        int t = things.add(BODY_CIRCLE, id, state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
+        things.addDisc(0f, 0f, r);
+        things.thin[t] = r;
+        things.reach[t] = r;
+        things.w[t] = state.traits[s + CircleRow.INVERSE_MASS];
+        things.restitution[t] = state.traits[s + CircleRow.RESTITUTION];
+        things.kind[t] = kindOf(slot);
+        if (things.w[t] > 0f) {
+            things.gainX[t] = state.gainX(slot, k);
+            things.gainY[t] = state.gainY(slot, k);
+        }
+        if (k.turning) {
+            takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
+            things.i[t] = state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
+        }
+        things.place(t);
+        ensureNear();
+        near[t] = nearOf(slot);
+        thingOfCircle[id] = t;
+        return t;
+    }
+
+    long bytes() {
+        return things.bytes()
+                + tree.bytes()
+                + 8L * keys.length
+                + 20L * a.length
+                + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
+    }
+}

@@ -1,0 +1,289 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Velocity;
+
+/** What rigid bodies do in a step. One worker does it, between the passes of the circles. */
+final class RigidPasses {
+    private final State state;
+    private final RigidPairs pairs;
+    private final RigidThings things;
+    private final RigidContacts contacts;
+    private final RigidCover cover;
+    private final RigidOrder order;
+    private final RigidVisits visits;
+
+    // within a step
+    private RigidStep step;
+    private StepConstants k;
+    private TerrainStep terrain;
+
+    RigidPasses(State state) {
+        this.state = state;
+        pairs = new RigidPairs(state);
+        things = pairs.things;
+        contacts = new RigidContacts(pairs);
+        cover = new RigidCover(contacts, things);
+        order = new RigidOrder(contacts, pairs);
+        visits = new RigidVisits(contacts, pairs, order);
+    }
+
+    /** Begins a step, in which circles have begun theirs. */
+    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground) {
+        step = bodies;
+        k = constants;
+        terrain = ground;
+        pairs.find(bodies, constants, ground);
+        contacts.find(bodies, constants);
+        cover.apply();
+        order.find();
+        takeCircles(false);
+        visits.begin(constants);
+        pushCircles();
+    }
+
+    // ---- passes
+    // ------------------------------------------------------------------------------------------------------------
+
+    /** What drives bodies, and the impulses of the sub-step before. */
+    void integrateVelocities() {
+        float[] motion = state.kindMotion;
+        float[] surfaces = k.turning ? state.turning.surfaces : null;
+        for (int t = 0; t < things.bodies; t++) {
+            things.vx[t] += things.gainX[t];
+            things.vy[t] += things.gainY[t];
+            things.omega[t] += things.gainOmega[t];
+            if (motion != null) {
+                int row = KindMotion.of(things.kind[t]);
+                float factor = motion[row + KindMotion.DAMPING_FACTOR];
+                float share = Velocity.shareWithin(
+                        things.vx[t] * factor, things.vy[t] * factor, motion[row + KindMotion.GREATEST_SPEED]);
+                things.vx[t] *= factor * share;
+                things.vy[t] *= factor * share;
+            }
+            if (surfaces != null) {
+                things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
+            }
+        }
+        takeCircles(true);
+        for (int t = 0; t < things.count; t++) {
+            if (things.type[t] != BODY_CIRCLE) {
+                things.beforeX[t] = things.vx[t];
+                things.beforeY[t] = things.vy[t];
+                things.beforeOmega[t] = things.omega[t];
+            }
+        }
+        visits.warmStart();
+    }
+
+    /** The biased pass over bodies, pieces and walls. */
+    void solve() {
+        visits.solve();
+    }
+
+    /** The biased pass over circles, after which bounces are over. */
+    void solveCircles() {
+        takeCircles(false);
+        visits.passOverCircles(false);
+        giveCircles();
+        visits.forgetBounces();
+    }
+
+    /** Moves bodies, and what moves along with time; circles have moved. Measures contacts. */
+    void integratePositions(int sub) {
+        for (int t = 0; t < things.count; t++) {
+            switch (things.type[t]) {
+                case BODY_PIECE -> pairs.pieces.pose(t, terrain, sub + 1, k);
+                case BODY_WALL -> pairs.pieces.poseWall(t, sub + 1, k);
+                case BODY_CIRCLE -> {
+                    int m = CircleRow.of(state.slotOf[things.id[t]]);
+                    things.dx[t] = state.motion[m + CircleRow.DX];
+                    things.dy[t] = state.motion[m + CircleRow.DY];
+                }
+                default -> move(t);
+            }
+        }
+        contacts.measureAll();
+    }
+
+    private void move(int t) {
+        things.vx[t] = Velocity.limitSpeed(things.vx[t]);
+        things.vy[t] = Velocity.limitSpeed(things.vy[t]);
+        things.omega[t] = Velocity.limitSpeed(things.omega[t]);
+        things.dx[t] += things.vx[t] * k.h;
+        things.dy[t] += things.vy[t] * k.h;
+        things.turned[t] += things.omega[t] * k.h;
+        things.turn(t);
+    }
+
+    /** The relaxing pass over bodies, pieces and walls. */
+    void relax() {
+        visits.relax();
+    }
+
+    void relaxCircles(boolean last) {
+        takeCircles(false);
+        visits.passOverCircles(true);
+        giveCircles();
+        if (!last) {
+            pushCircles();
+        }
+    }
+
+    // ---- circles
+    // -----------------------------------------------------------------------------------------------------------
+
+    /** Takes the velocities of circles as they are; before: also those without impulses. */
+    private void takeCircles(boolean before) {
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                int slot = state.slotOf[things.id[t]];
+                int s = CircleRow.of(slot);
+                things.vx[t] = state.motion[s + CircleRow.VX];
+                things.vy[t] = state.motion[s + CircleRow.VY];
+                if (k.turning) {
+                    things.omega[t] = state.turning.spin[s + CircleRow.SURFACE_SPEED] / things.thin[t];
+                }
+                if (before) {
+                    things.beforeX[t] = state.load[s + CircleRow.BEFORE_X];
+                    things.beforeY[t] = state.load[s + CircleRow.BEFORE_Y];
+                    things.beforeOmega[t] = k.turning ? state.turning.before(slot) / things.thin[t] : 0f;
+                }
+            }
+        }
+    }
+
+    private void giveCircles() {
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE && things.w[t] > 0f) {
+                int s = CircleRow.of(state.slotOf[things.id[t]]);
+                state.motion[s + CircleRow.VX] = things.vx[t];
+                state.motion[s + CircleRow.VY] = things.vy[t];
+                if (k.turning) {
+                    state.turning.spin[s + CircleRow.SURFACE_SPEED] = things.omega[t] * things.thin[t];
+                }
+            }
+        }
+    }
+
+    /** Adds what circles have accumulated to the impulses that act in their next sub-step. */
+    private void pushCircles() {
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            int circle = pairs.b[contacts.pair[p]];
+            int s = CircleRow.of(state.slotOf[things.id[circle]]);
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                float impulse = contacts.impulse[c];
+                float grip = contacts.grip[c];
+                if (impulse > 0f) {
+                    float side = contacts.a[c] == circle ? 1f : -1f;
+                    state.load[s + CircleRow.IMPULSE_X] += side * (contacts.nx[c] * impulse - contacts.ny[c] * grip);
+                    state.load[s + CircleRow.IMPULSE_Y] += side * (contacts.ny[c] * impulse + contacts.nx[c] * grip);
+                    state.load[s + CircleRow.LOADED_NEXT] = 1f;
+                    if (k.turning) {
+                        state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= grip;
+                    }
+                }
+            }
+        }
+    }
+
+    // ---- end
+    // ---------------------------------------------------------------------------------------------------------------
+
+    /** Ends the step: bodies take what they have become. */
+    void end() {
+        for (int t = 0; t < things.bodies; t++) {
+            int id = things.id[t];
+            float x = things.x[t] + things.dx[t];
+            float y = things.y[t] + things.dy[t];
+            step.restX[id] = CircleMath.lostByRounding(things.x[t], things.dx[t], x);
+            step.restY[id] = CircleMath.lostByRounding(things.y[t], things.dy[t], y);
+            step.x[id] = x;
+            step.y[id] = y;
+            keepInsideX(id);
+            keepInsideY(id);
+            step.angle[id] = Surface.turn(things.angle[t], things.turned[t], 1f, 1f);
+            step.vx[id] = Velocity.limitSpeed(things.vx[t]);
+            step.vy[id] = Velocity.limitSpeed(things.vy[t]);
+            step.omega[id] = Velocity.limitSpeed(things.omega[t]);
+        }
+        contacts.keep(step);
+        tell();
+    }
+
+    private void keepInsideX(int id) {
+        float at = step.x[id];
+        float kept = k.arena.edgeX() == AxisEdge.WRAP
+                ? k.arena.placeX(at)
+                : CircleMath.clamp(at, k.bounds.minX(), k.bounds.maxX());
+        if (kept != at) {
+            step.x[id] = kept;
+            step.restX[id] = 0f;
+        }
+    }
+
+    private void keepInsideY(int id) {
+        float at = step.y[id];
+        float kept = k.arena.edgeY() == AxisEdge.WRAP
+                ? k.arena.placeY(at)
+                : CircleMath.clamp(at, k.bounds.minY(), k.bounds.maxY());
+        if (kept != at) {
+            step.y[id] = kept;
+            step.restY[id] = 0f;
+        }
+    }
+
+    /** Tells what bodies have touched, each pair by its contact that pressed most. */
+    private void tell() {
+        step.touches = 0;
+        if (step.listener == null) {
+            return;
+        }
+        for (int p = 0; p < contacts.pairCount; p++) {
+            int hardest = -1;
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                if (contacts.most[c] > 0f && (hardest < 0 || contacts.most[c] > contacts.most[hardest])) {
+                    hardest = c;
+                }
+            }
+            if (hardest >= 0) {
+                tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);
+            }
+        }
+        step.listener.stepped();
+    }
+
+    private void tell(int body, int other, int c) {
+        step.ensureTouches(step.touches + 1);
+        int at = RigidStep.TOUCH_KEYS * step.touches;
+        step.touchKeys[at + RigidStep.TYPE] = things.type[other];
+        step.touchKeys[at + RigidStep.A] = things.id[body];
+        step.touchKeys[at + RigidStep.B] = things.id[other];
+        boolean isA = contacts.a[c] == body;
+        float side = isA ? -1f : 1f;
+        int to = RigidStep.TOUCH_VALUES * step.touches;
+        step.touchValues[to] = things.x[body] + (things.dx[body] + (isA ? contacts.ax[c] : contacts.bx[c]));
+        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + (isA ? contacts.ay[c] : contacts.by[c]));
+        step.touchValues[to + 2] = side * contacts.nx[c];
+        step.touchValues[to + 3] = side * contacts.ny[c];
+        step.touchValues[to + 4] = contacts.most[c];
+        step.touchValues[to + 5] = contacts.approach[c];
+        step.touches++;
+    }
+
+    long bytes() {
+        return pairs.bytes() + contacts.bytes() + cover.bytes() + order.bytes() + visits.bytes();
+    }
+}

@@ -1,0 +1,351 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
+import java.util.Arrays;
+
+/**
+ * The passes over the contacts of rigid bodies: pairs of bodies, pieces and walls by their colours, then circles, whose bodies take the sum of their
+ * visits at the end.
+ */
+final class RigidVisits {
+    /** Visits of a pair that bounces, so that its contacts agree. */
+    private static final int OF_BOUNCES = 4;
+
+    /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
+    private static final float PUSH = 0.5f;
+
+    private static final float LEAST_BOUNCE = 1e-6f;
+
+    private final RigidContacts contacts;
+    private final RigidPairs pairs;
+    private final RigidThings things;
+    private final RigidOrder order;
+
+    /** By body: as how many it counts where circles push it at once. */
+    private float[] share = new float[0];
+
+    /** By body: what circles give in a pass, in units. */
+    private long[] sums = new long[0];
+
+    /** Whether bodies take nothing but sums. */
+    private boolean summing;
+
+    private StepConstants k;
+
+    RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order) {
+        this.contacts = contacts;
+        this.pairs = pairs;
+        this.order = order;
+        things = pairs.things;
+    }
+
+    /** Begins a step: contacts have been found and measured. */
+    void begin(StepConstants constants) {
+        k = constants;
+        if (share.length < things.bodies) {
+            share = new float[2 * things.bodies];
+            sums = new long[6 * things.bodies];
+        }
+        Arrays.fill(share, 0, things.bodies, 0f);
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int body = pairs.a[contacts.pair[p]];
+                int circle = pairs.b[contacts.pair[p]];
+                float kb = contacts.a[c] == body ? massOfA(c) : massOfB(c);
+                if (kb > 0f) {
+                    share[body] += kb / (kb + things.w[circle]);
+                }
+            }
+        }
+        for (int t = 0; t < things.bodies; t++) {
+            share[t] = CircleMath.max(share[t], 1f);
+        }
+    }
+
+    /** One over the effective mass of A alone along the normal. */
+    private float massOfA(int c) {
+        int t = contacts.a[c];
+        float arm = contacts.ax[c] * contacts.ny[c] - contacts.ay[c] * contacts.nx[c];
+        return things.w[t] + things.i[t] * arm * arm;
+    }
+
+    private float massOfB(int c) {
+        int t = contacts.b[c];
+        float arm = contacts.bx[c] * contacts.ny[c] - contacts.by[c] * contacts.nx[c];
+        return things.w[t] + things.i[t] * arm * arm;
+    }
+
+    /** What is accumulated acts again; on circles it has acted before. */
+    void warmStart() {
+        for (int c = 0; c < contacts.count; c++) {
+            if (contacts.impulse[c] != 0f || contacts.grip[c] != 0f) {
+                float x = contacts.nx[c] * contacts.impulse[c] - contacts.ny[c] * contacts.grip[c];
+                float y = contacts.ny[c] * contacts.impulse[c] + contacts.nx[c] * contacts.grip[c];
+                if (things.shape[contacts.a[c]] != null) {
+                    push(contacts.a[c], x, y, contacts.ax[c], contacts.ay[c]);
+                }
+                if (things.shape[contacts.b[c]] != null) {
+                    push(contacts.b[c], -x, -y, contacts.bx[c], contacts.by[c]);
+                }
+            }
+        }
+    }
+
+    private void push(int t, float x, float y, float armX, float armY) {
+        gain(t, things.w[t] * x, things.w[t] * y, things.i[t] * (armX * y - armY * x));
+    }
+
+    private void gain(int t, float x, float y, float spin) {
+        if (summing && t < things.bodies) {
+            float scale = CrossRule.scaleOf(CrossRule.velocityRange(things.reach[t], k.inverseH));
+            sums[3 * t] += CrossRule.toFixed(x, scale);
+            sums[3 * t + 1] += CrossRule.toFixed(y, scale);
+            sums[3 * t + 2] += CrossRule.toFixed(spin, CrossRule.scaleOf(k.inverseH));
+        } else {
+            things.vx[t] += x;
+            things.vy[t] += y;
+            things.omega[t] += spin;
+        }
+    }
+
+    // ---- pairs that see each other as they are
+    // -----------------------------------------------------------------------------
+
+    void solve() {
+        for (int at = 0; at < order.count; at++) {
+            int from = contacts.firstOf[order.order[at]];
+            int to = contacts.firstOf[order.order[at] + 1];
+            int times = 1;
+            for (int time = 0; time < times; time++) {
+                for (int c = from; c < to; c++) {
+                    solveNormal(c);
+                    times = contacts.bounce[c] > 0f ? OF_BOUNCES : times;
+                    for (int other = from; other < to && times > 1; other++) {
+                        if (contacts.bounce[other] > 0f) {
+                            solveGrip(other, 1f, 1f);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /** Behind each normal all frictions of the pair: with fewer visits a pyramid sways for long. */
+    void relax() {
+        for (int at = 0; at < order.count; at++) {
+            int from = contacts.firstOf[order.order[at]];
+            int to = contacts.firstOf[order.order[at] + 1];
+            for (int c = from; c < to; c++) {
+                relaxNormal(c);
+                for (int other = from; other < to; other++) {
+                    solveGrip(other, 1f, 1f);
+                }
+            }
+        }
+    }
+
+    private void solveNormal(int c) {
+        apply(c, solvedNormal(c, massOfA(c) + massOfB(c), normalSpeed(c)));
+    }
+
+    private void relaxNormal(int c) {
+        if (!isIdle(c)) {
+            apply(c, relaxedNormal(c, massOfA(c) + massOfB(c), normalSpeed(c)));
+        }
+    }
+
+    private boolean isIdle(int c) {
+        return contacts.gap[c] > 0f && contacts.impulse[c] == 0f && contacts.grip[c] == 0f;
+    }
+
+    private void apply(int c, float gain) {
+        float x = contacts.nx[c] * gain;
+        float y = contacts.ny[c] * gain;
+        push(contacts.a[c], x, y, contacts.ax[c], contacts.ay[c]);
+        push(contacts.b[c], -x, -y, contacts.bx[c], contacts.by[c]);
+    }
+
+    private float normalSpeed(int c) {
+        return speedX(c) * contacts.nx[c] + speedY(c) * contacts.ny[c];
+    }
+
+    private float speedX(int c) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        return (things.vx[a] - things.omega[a] * contacts.ay[c]) - (things.vx[b] - things.omega[b] * contacts.by[c]);
+    }
+
+    private float speedY(int c) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        return (things.vy[a] + things.omega[a] * contacts.ax[c]) - (things.vy[b] + things.omega[b] * contacts.bx[c]);
+    }
+
+    /** By how much lengths of a contact are measured. */
+    private float thickness(int c) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        return things.w[a] == 0f
+                ? 2f * things.thin[b]
+                : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+    }
+
+    /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
+    private float solvedNormal(int c, float inverseMass, float vn) {
+        float length = thickness(c);
+        float pushSpeed = PUSH * k.pushRate * length;
+        float before = speedBefore(c);
+        contacts.approach[c] = CircleMath.max(contacts.approach[c], -before);
+        contacts.bounce[c] = bounceSpeed(c, length, pushSpeed, before);
+        float accumulated = contacts.impulse[c];
+        float next = Constraints.solve(
+                accumulated,
+                1f / inverseMass,
+                vn,
+                contacts.gap[c],
+                contacts.bounce[c],
+                pushSpeed,
+                k.contactSoftness,
+                k);
+        return take(c, next);
+    }
+
+    private float relaxedNormal(int c, float inverseMass, float vn) {
+        float next = Constraints.relax(contacts.impulse[c], 1f / inverseMass, vn, contacts.gap[c], 0f, k.inverseH);
+        return take(c, next);
+    }
+
+    private float take(int c, float next) {
+        float gain = next - contacts.impulse[c];
+        contacts.impulse[c] = next;
+        contacts.most[c] = CircleMath.max(contacts.most[c], next);
+        return gain;
+    }
+
+    /** Along the normal, before impulses. */
+    private float speedBefore(int c) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        float ux = (things.beforeX[a] - things.beforeOmega[a] * contacts.ay[c])
+                - (things.beforeX[b] - things.beforeOmega[b] * contacts.by[c]);
+        float uy = (things.beforeY[a] + things.beforeOmega[a] * contacts.ax[c])
+                - (things.beforeY[b] + things.beforeOmega[b] * contacts.bx[c]);
+        return ux * contacts.nx[c] + uy * contacts.ny[c];
+    }
+
+    private float bounceSpeed(int c, float length, float pushSpeed, float before) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        float e = CircleMath.max(things.restitution[a], things.restitution[b]);
+        float threshold = Bounce.bounceThreshold(length, e, k.thresholdRate, k.restRate, k.fixedThreshold);
+        if (!(Constraints.bounceSpeed(e, 1f, before, contacts.gap[c], k.h, threshold, pushSpeed) > 0f)) {
+            return 0f;
+        }
+        int falls = things.w[a] == 0f ? b : a;
+        float fall = things.gainX[falls] * contacts.nx[c] + things.gainY[falls] * contacts.ny[c];
+        float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
+        return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
+    }
+
+    /** Friction and rolling resistance, by the normal impulse; shares: 1, or of what counts as lighter. */
+    private void solveGrip(int c, float shareA, float shareB) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        float friction = Surface.friction(things.friction[a], things.friction[b]);
+        if (friction > 0f) {
+            float before = contacts.grip[c];
+            float next = Surface.grip(
+                    before, gripMass(c, shareA, shareB), slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
+            contacts.grip[c] = next;
+            float x = -contacts.ny[c] * (next - before);
+            float y = contacts.nx[c] * (next - before);
+            push(a, x, y, contacts.ax[c], contacts.ay[c]);
+            push(b, -x, -y, contacts.bx[c], contacts.by[c]);
+        }
+        float resistance = CircleMath.max(things.rolling[a], things.rolling[b]);
+        float turns = things.i[a] + things.i[b];
+        if (resistance > 0f && turns > 0f) {
+            float before = contacts.roll[c];
+            float next = Surface.rolling(
+                    before, 1f / turns, things.omega[a] - things.omega[b], resistance * contacts.impulse[c]);
+            contacts.roll[c] = next;
+            gain(a, 0f, 0f, things.i[a] * (next - before));
+            gain(b, 0f, 0f, -things.i[b] * (next - before));
+        }
+    }
+
+    private float gripMass(int c, float shareA, float shareB) {
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        float armA = contacts.ax[c] * contacts.nx[c] + contacts.ay[c] * contacts.ny[c];
+        float armB = contacts.bx[c] * contacts.nx[c] + contacts.by[c] * contacts.ny[c];
+        return 1f
+                / (shareA * (things.w[a] + things.i[a] * armA * armA)
+                        + shareB * (things.w[b] + things.i[b] * armB * armB));
+    }
+
+    private float slip(int c, float ux, float uy) {
+        float along = uy * contacts.nx[c] - ux * contacts.ny[c];
+        return along - (things.belt[contacts.a[c]] + things.belt[contacts.b[c]]);
+    }
+
+    /** Impulses of bounces are not kept: they have acted once for all. */
+    void forgetBounces() {
+        for (int c = 0; c < contacts.count; c++) {
+            if (contacts.bounce[c] > 0f) {
+                contacts.bounce[c] = 0f;
+                contacts.impulse[c] = 0f;
+                contacts.grip[c] = 0f;
+                contacts.roll[c] = 0f;
+            }
+        }
+    }
+
+    // ---- circles, which see bodies as they were
+    // ----------------------------------------------------------------------------
+
+    /** A pass over the contacts of circles. */
+    void passOverCircles(boolean relaxes) {
+        if (order.firstWithCircle == contacts.pairCount) {
+            return;
+        }
+        summing = true;
+        Arrays.fill(sums, 0, 3 * things.bodies, 0L);
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                visit(c, pairs.a[contacts.pair[p]], relaxes);
+            }
+        }
+        summing = false;
+        float spinUnit = CrossRule.unitOf(k.inverseH);
+        for (int t = 0; t < things.bodies; t++) {
+            float unit = CrossRule.unitOf(CrossRule.velocityRange(things.reach[t], k.inverseH));
+            things.vx[t] += CrossRule.fromFixed(sums[3 * t], unit);
+            things.vy[t] += CrossRule.fromFixed(sums[3 * t + 1], unit);
+            things.omega[t] += CrossRule.fromFixed(sums[3 * t + 2], spinUnit);
+        }
+    }
+
+    private void visit(int c, int body, boolean relaxes) {
+        float shareA = contacts.a[c] == body ? share[body] : 1f;
+        float shareB = contacts.b[c] == body ? share[body] : 1f;
+        float inverseMass = shareA * massOfA(c) + shareB * massOfB(c);
+        if (relaxes && isIdle(c)) {
+            return;
+        }
+        float vn = normalSpeed(c);
+        apply(c, relaxes ? relaxedNormal(c, inverseMass, vn) : solvedNormal(c, inverseMass, vn));
+        if (relaxes || contacts.bounce[c] > 0f) {
+            solveGrip(c, shareA, shareB);
+        }
+    }
+
+    long bytes() {
+        return 4L * share.length + 8L * sums.length;
+    }
+}

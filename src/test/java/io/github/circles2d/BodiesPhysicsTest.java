@@ -1,0 +1,607 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Scenes of bodies that are pushed, beside their exact values: boxes of 1 m and density 1, gravity 10, steps of 1/60 s, unless a scene says otherwise. */
+class BodiesPhysicsTest {
+    private static final float ROUNDING = 0.05f;
+    private static final float PI = (float) Math.PI;
+
+    private static World world(double friction, double restitution, double gravity) {
+        return World.builder()
+                .bounds(-400, -400, 400, 400)
+                .gravity(0, (float) -gravity)
+                .friction((float) friction)
+                .restitution((float) restitution)
+                .backend(Backend.JVM)
+                .threads(1)
+                .build();
+    }
+
+    private static World onFloor(double friction, double restitution) {
+        World world = world(friction, restitution, 10);
+        world.terrain().addChain(Chain.of(200, 0, -200, 0));
+        return world;
+    }
+
+    /** With a floor through the origin that rises to the right by an angle. */
+    private static World onSlope(double friction, double angle) {
+        World world = world(friction, 0, 10);
+        float x = (float) (390 * Math.cos(angle));
+        float y = (float) (390 * Math.sin(angle));
+        world.terrain().addChain(Chain.of(x, y, -x, -y));
+        return world;
+    }
+
+    /** Half extents. */
+    private static long box(
+            World world, double x, double y, double angle, double halfX, double halfY, double rounding) {
+        Outline outline = Outline.box((float) (2 * halfX), (float) (2 * halfY)).round((float) rounding);
+        return world.bodies().add(outline, (float) x, (float) y, (float) angle, outline.area());
+    }
+
+    private static long crate(World world, double x, double y) {
+        return box(world, x, y, 0, 0.5, 0.5, ROUNDING);
+    }
+
+    private static void wall(World world, double x, double y, double halfX, double halfY) {
+        float left = (float) (x - halfX);
+        float right = (float) (x + halfX);
+        float low = (float) (y - halfY);
+        float high = (float) (y + halfY);
+        world.terrain()
+                .addChain(
+                        Chain.of(left, low, right, low, right, high, left, high).close());
+    }
+
+    private static long circle(World world, double x, double y, double r, double density) {
+        return world.add((float) x, (float) y, (float) r, (float) (density * Math.PI * r * r));
+    }
+
+    private static void run(World world, int steps) {
+        for (int k = 0; k < steps; k++) {
+            world.step(1 / 60f);
+        }
+    }
+
+    private static double kinetic(World world, long body) {
+        Bodies b = world.bodies();
+        double v2 = (double) b.vx(body) * b.vx(body) + (double) b.vy(body) * b.vy(body);
+        return (b.mass(body) * v2 + (double) b.inertia(body) * b.angularVelocity(body) * b.angularVelocity(body)) / 2;
+    }
+
+    private static double kinetic(World world) {
+        double sum = 0;
+        for (int id = 0; id < world.bodies().idLimit(); id++) {
+            sum += kinetic(world, world.bodies().handle(id));
+        }
+        return sum;
+    }
+
+    private static double energy(World world, long body) {
+        return kinetic(world, body)
+                + world.bodies().mass(body) * 10 * world.bodies().y(body);
+    }
+
+    private static double along(World world, long body, double angle) {
+        return world.bodies().x(body) * Math.cos(angle) + world.bodies().y(body) * Math.sin(angle);
+    }
+
+    // ---- piles
+    // -------------------------------------------------------------------------------------------------------------
+
+    @Test
+    void aStackOfTenStands() {
+        try (World world = onFloor(0.6, 0)) {
+            long[] crates = new long[10];
+            for (int k = 0; k < crates.length; k++) {
+                crates[k] = crate(world, 0, 0.5 + k);
+            }
+            run(world, 3600);
+            assertThat(9.5 - world.bodies().y(crates[9])).isBetween(0.0, 0.01);
+            for (long each : crates) {
+                assertThat(world.bodies().x(each)).isCloseTo(0, within(0.005f));
+            }
+            assertThat(kinetic(world)).isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void aPyramidOfTwentyRowsStands() {
+        try (World world = onFloor(0.6, 0)) {
+            List<Long> crates = new ArrayList<>();
+            for (int row = 0; row < 20; row++) {
+                for (int k = 0; k < 20 - row; k++) {
+                    crates.add(crate(world, (k - (19 - row) / 2.0) * 1.1, 0.5 + row));
+                }
+            }
+            run(world, 600);
+            int at = 0;
+            for (int row = 0; row < 20; row++) {
+                for (int k = 0; k < 20 - row; k++) {
+                    long each = crates.get(at++);
+                    assertThat(world.bodies().x(each) - (k - (19 - row) / 2.0) * 1.1)
+                            .isCloseTo(0, within(0.02));
+                    assertThat(0.5 + row - world.bodies().y(each)).isCloseTo(0, within(0.02));
+                }
+            }
+        }
+    }
+
+    @Test
+    void heavyOnLightStands() {
+        try (World world = onFloor(0.6, 0)) {
+            for (int k = 0; k < 5; k++) {
+                crate(world, 0, 0.5 + k);
+            }
+            Outline outline = Outline.box(1, 1).round(ROUNDING);
+            long heavy = world.bodies().add(outline, 0, 5.5f, 0, 100 * outline.area());
+            run(world, 1200);
+            assertThat(world.bodies().y(heavy)).isCloseTo(5.5f, within(0.1f));
+        }
+    }
+
+    @Test
+    void aPlankUnderFiftyCratesRests() {
+        try (World world = onFloor(0.6, 0)) {
+            box(world, 0, 0.2, 0, 30, 0.2, 0.02);
+            for (int k = 0; k < 50; k++) {
+                crate(world, -29 + k * 1.15, 0.9);
+            }
+            run(world, 1200);
+            assertThat(kinetic(world)).isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void bodiesThatStartInsideEachOtherComeApart() {
+        for (double depth : new double[] {0.2, 0.6, 0.95}) {
+            try (World world = onFloor(0.6, 0)) {
+                long a = crate(world, 0, 0.5);
+                long b = crate(world, 0.13, 1.5 - depth);
+                run(world, 600);
+                double dx = Math.abs(world.bodies().x(a) - world.bodies().x(b));
+                double dy = Math.abs(world.bodies().y(a) - world.bodies().y(b));
+                assertThat(Math.max(dx, dy)).isCloseTo(1, within(0.01));
+            }
+        }
+    }
+
+    // ---- friction
+    // ----------------------------------------------------------------------------------------------------------
+
+    @Test
+    void aBoxHoldsOnASlopeBelowTheAngleOfFriction() {
+        for (double friction : new double[] {0.2, 0.5, 0.9}) {
+            double angle = Math.atan(friction) - 0.005;
+            try (World world = onSlope(friction, angle)) {
+                long b = box(world, -0.25 * Math.sin(angle), 0.25 * Math.cos(angle), angle, 0.5, 0.25, ROUNDING);
+                run(world, 60);
+                double from = along(world, b, angle);
+                run(world, 240);
+                assertThat(along(world, b, angle) - from).isCloseTo(0, within(1e-5));
+            }
+        }
+    }
+
+    @Test
+    void aBoxSlidesOnASlopeAboveTheAngleOfFriction() {
+        for (double friction : new double[] {0.2, 0.5, 0.9}) {
+            double angle = Math.atan(friction) + 0.005;
+            try (World world = onSlope(friction, angle)) {
+                long b = box(world, -0.25 * Math.sin(angle), 0.25 * Math.cos(angle), angle, 0.5, 0.25, ROUNDING);
+                run(world, 60);
+                double from = along(world, b, angle);
+                double v =
+                        world.bodies().vx(b) * Math.cos(angle) + world.bodies().vy(b) * Math.sin(angle);
+                run(world, 240);
+                double exact = 4 * v - 8 * 10 * (Math.sin(angle) - friction * Math.cos(angle));
+                assertThat((along(world, b, angle) - from) / exact).isCloseTo(1, within(0.01));
+            }
+        }
+    }
+
+    @Test
+    void aBoxSlidesToRest() {
+        for (double friction : new double[] {0.2, 0.6}) {
+            try (World world = onFloor(friction, 0)) {
+                long b = box(world, 0, 0.25, 0, 0.5, 0.25, ROUNDING);
+                run(world, 30);
+                double from = world.bodies().x(b);
+                world.bodies().setVelocity(b, 6, 0);
+                run(world, 600);
+                assertThat((world.bodies().x(b) - from) / (36 / (20 * friction)))
+                        .isCloseTo(1, within(0.005));
+            }
+        }
+    }
+
+    @Test
+    void aSlimBoxTipsAtItsAngle() {
+        for (double more : new double[] {-0.01, 0.01}) {
+            double angle = Math.atan(0.25 / 0.9) + more;
+            try (World world = onSlope(3, angle)) {
+                long b = box(world, -0.9 * Math.sin(angle), 0.9 * Math.cos(angle), angle, 0.3, 0.9, ROUNDING);
+                run(world, 240);
+                assertThat(world.bodies().angle(b) - angle > 1).isEqualTo(more > 0);
+            }
+        }
+    }
+
+    @Test
+    void aDiscOfFourArcsRollsDown() {
+        try (World world = onSlope(1, 0.2)) {
+            Outline disc = Outline.of(Chain.from(0.5f, 0).arcTo(0, 0, 2 * PI).close());
+            long b = world.bodies()
+                    .add(disc, (float) (-0.5 * Math.sin(0.2)), (float) (0.5 * Math.cos(0.2)), 0, disc.area());
+            run(world, 240);
+            assertThat(along(world, b, 0.2) / (-0.5 * 10 * Math.sin(0.2) * 16 / 1.5))
+                    .isCloseTo(1, within(0.002));
+        }
+    }
+
+    @Test
+    void beltsCarryBodies() {
+        try (World world = world(0.6, 0, 10)) {
+            world.kind(3).setBeltSpeed(2);
+            world.terrain().addChain(Chain.of(200, 0, -200, 0), 3, null);
+            long b = crate(world, 0, 0.5);
+            run(world, 240);
+            assertThat(world.bodies().vx(b)).isCloseTo(2, within(0.01f));
+        }
+    }
+
+    // ---- bounces
+    // -----------------------------------------------------------------------------------------------------------
+
+    @Test
+    void aBoxThatFallsFlatComesBackAsHigh() {
+        for (double e : new double[] {0.5, 1}) {
+            try (World world = onFloor(0, e)) {
+                long b = crate(world, 0, 3.5);
+                double high = 0;
+                boolean up = false;
+                for (int k = 0; k < 150 && !(up && world.bodies().vy(b) < 0); k++) {
+                    run(world, 1);
+                    up |= world.bodies().vy(b) > 0;
+                    high = up ? Math.max(high, world.bodies().y(b)) : 0;
+                }
+                assertThat((high - 0.5) / (3 * e * e)).isCloseTo(1, within(0.02));
+                assertThat(world.bodies().angularVelocity(b)).isCloseTo(0, within(1e-4f));
+            }
+        }
+    }
+
+    @Test
+    void anElasticBoxOnItsCornerKeepsItsEnergy() {
+        try (World world = onFloor(0, 1)) {
+            long b = box(world, 0, 3.5, 0.4, 0.5, 0.5, ROUNDING);
+            double before = energy(world, b);
+            run(world, 1200);
+            assertThat(energy(world, b) / before).isCloseTo(1, within(0.01));
+        }
+    }
+
+    @Test
+    void aCircleThatHitsAFreeBoxTurnsIt() {
+        for (int e = 0; e <= 1; e++) {
+            try (World world = world(0, e, 0)) {
+                long b = box(world, 0, 0, 0, 1, 0.5, ROUNDING);
+                long c = circle(world, 0.7, 3, 0.3, 2);
+                world.setVelocity(c, 0, -4);
+                for (int k = 0; k < 120 && world.vy(c) < -3.9; k++) {
+                    run(world, 1);
+                }
+                double mass = world.bodies().mass(b);
+                double inertia = world.bodies().inertia(b);
+                double j = (1 + e) * 4 / (1 / mass + 1.0 / world.mass(c) + 0.49 / inertia);
+                assertThat(world.bodies().angularVelocity(b)).isCloseTo((float) (-0.7 * j / inertia), within(1e-4f));
+                assertThat(world.bodies().vy(b)).isCloseTo((float) (-j / mass), within(1e-4f));
+                assertThat(world.vy(c)).isCloseTo((float) (-4 + j / world.mass(c)), within(1e-4f));
+            }
+        }
+    }
+
+    @Test
+    void collisionsKeepMomenta() {
+        try (World world = world(0.5, 0.5, 0)) {
+            long b = box(world, 0, 0, 0.3, 1, 0.5, ROUNDING);
+            world.bodies().setVelocity(b, 0.1f, 0);
+            world.bodies().setAngularVelocity(b, 3);
+            long other = box(world, 2, -3, 0.1, 0.5, 0.5, ROUNDING);
+            world.bodies().setVelocity(other, -1, 2);
+            long c = circle(world, 0.7, 3, 0.3, 2);
+            world.setVelocity(c, 0, -4);
+            world.setAngularVelocity(c, 1);
+            double[] before = momenta(world);
+            for (int k = 0; k < 240; k++) {
+                run(world, 1);
+                double[] now = momenta(world);
+                for (int m = 0; m < 3; m++) {
+                    assertThat(now[m]).isCloseTo(before[m], within(5e-6));
+                }
+            }
+            assertThat(world.bodies().angularVelocity(b)).isNotCloseTo(3, within(0.1f));
+            assertThat(world.bodies().angularVelocity(other)).isNotCloseTo(0, within(0.1f));
+        }
+    }
+
+    /** Along x and y, and angular about the origin. */
+    private static double[] momenta(World world) {
+        double[] sum = new double[3];
+        for (int id = 0; id < world.bodies().idLimit(); id++) {
+            long b = world.bodies().handle(id);
+            Bodies bodies = world.bodies();
+            add(sum, bodies.mass(b), bodies.x(b), bodies.y(b), bodies.vx(b), bodies.vy(b));
+            sum[2] += (double) bodies.inertia(b) * bodies.angularVelocity(b);
+        }
+        for (int id = 0; id < world.idLimit(); id++) {
+            long c = world.handle(id);
+            add(sum, world.mass(c), world.x(c), world.y(c), world.vx(c), world.vy(c));
+            sum[2] += 0.5 * world.mass(c) * world.radius(c) * world.radius(c) * world.angularVelocity(c);
+        }
+        return sum;
+    }
+
+    private static void add(double[] sum, double m, double x, double y, double vx, double vy) {
+        sum[0] += m * vx;
+        sum[1] += m * vy;
+        sum[2] += m * (x * vy - y * vx);
+    }
+
+    // ---- games
+    // -------------------------------------------------------------------------------------------------------------
+
+    @Test
+    void dominoesFall() {
+        try (World world = onFloor(0.6, 0)) {
+            long[] all = new long[20];
+            for (int k = 0; k < all.length; k++) {
+                all[k] = box(world, k * 0.6, 0.5, 0, 0.08, 0.5, 0.02);
+            }
+            run(world, 120);
+            world.bodies().setVelocity(all[0], 1.25f, 0);
+            world.bodies().setAngularVelocity(all[0], -2.5f);
+            int[] fell = new int[all.length];
+            Arrays.fill(fell, -1);
+            for (int step = 0; step < 600; step++) {
+                run(world, 1);
+                for (int k = 0; k < all.length; k++) {
+                    fell[k] = fell[k] < 0 && world.bodies().angle(all[k]) < -0.1 ? step : fell[k];
+                }
+            }
+            for (long each : all) {
+                assertThat(world.bodies().angle(each)).isLessThan(-0.5f);
+            }
+            assertThat(14 * 0.6 / ((fell[19] - fell[5]) / 60.0)).isCloseTo(2.9, within(0.09));
+        }
+    }
+
+    @Test
+    void circlesFallOnCrates() {
+        try (World world = onFloor(0.6, 0)) {
+            wall(world, -7.5, 10, 0.5, 20);
+            wall(world, 7.5, 10, 0.5, 20);
+            long[] crates = new long[10];
+            for (int k = 0; k < crates.length; k++) {
+                crates[k] = box(world, -5.5 + k % 5 * 2.6, 1 + k / 5 * 2.2, 0, 0.9, 0.9, ROUNDING);
+            }
+            Random random = new Random(7);
+            List<Long> circles = new ArrayList<>();
+            for (int k = 0; k < 1000; k++) {
+                double x = -6.5 + k % 40 * 0.33 + 0.02 * random.nextDouble();
+                circles.add(circle(world, x, 6 + k / 40 * 0.4, 0.12 + 0.04 * random.nextDouble(), 1));
+            }
+            run(world, 600);
+            Bodies b = world.bodies();
+            for (long crate : crates) {
+                assertThat(Math.hypot(b.vx(crate), b.vy(crate))).isLessThan(1e-4);
+                double cos = Math.cos(b.angle(crate));
+                double sin = Math.sin(b.angle(crate));
+                for (long c : circles) {
+                    double dx = world.x(c) - b.x(crate);
+                    double dy = world.y(c) - b.y(crate);
+                    boolean inside = Math.abs(cos * dx + sin * dy) < 0.9 && Math.abs(cos * dy - sin * dx) < 0.9;
+                    assertThat(inside).isFalse();
+                }
+            }
+        }
+    }
+
+    @Test
+    void aSeeSawLeansToTheLongerArm() {
+        try (World world = onFloor(0.8, 0)) {
+            world.terrain()
+                    .addChain(Chain.of(-0.6f, 0.02f, 0.6f, 0.02f, 0, 1.02f).close());
+            long plank = box(world, 0, 1.1, 0, 3, 0.1, 0.02);
+            box(world, -2, 1.5, 0, 0.3, 0.3, ROUNDING);
+            box(world, 1.95, 1.5, 0, 0.3, 0.3, ROUNDING);
+            run(world, 600);
+            assertThat(world.bodies().angle(plank)).isCloseTo(0.349f, within(0.0035f));
+            assertThat(kinetic(world)).isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void aConcaveBodyHangsOnAPeg() {
+        try (World world = world(0.6, 0, 10)) {
+            wall(world, 0, 5, 0.2, 0.2);
+            Outline hook = Outline.polygon(0, 0, 1, 0, 1, 0.25f, 0.25f, 0.25f, 0.25f, 2, 0, 2)
+                    .round(0.03f);
+            long b = world.bodies().add(hook, 0.45f - hook.centroidX(), 5.6f - hook.centroidY(), PI, hook.area());
+            run(world, 900);
+            assertThat(world.bodies().y(b)).isCloseTo(4.69f, within(0.02f));
+            assertThat(kinetic(world)).isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void aBodySlidesOverJointsOfTilesAndLooseCrates() {
+        try (World world = world(0, 0, 10)) {
+            for (int k = 0; k < 60; k++) {
+                wall(world, k - 1, -0.5, 0.5, 0.5);
+            }
+            long b = box(world, 0, 0.3, 0, 0.4, 0.3, ROUNDING);
+            run(world, 60);
+            world.bodies().setVelocity(b, 4.7f, 0);
+            for (int k = 0; k < 600; k++) {
+                run(world, 1);
+                assertThat(world.bodies().vx(b)).isCloseTo(4.7f, within(0.047f));
+            }
+        }
+        try (World world = onFloor(0, 0)) {
+            for (int k = 0; k < 12; k++) {
+                crate(world, k, 0.5);
+            }
+            run(world, 60);
+            long b = box(world, 2, 1.3, 0, 0.4, 0.3, ROUNDING);
+            run(world, 120);
+            world.bodies().setVelocity(b, 3, 0);
+            for (int k = 0; k < 140; k++) {
+                run(world, 1);
+                assertThat(world.bodies().vx(b)).isCloseTo(3, within(0.03f));
+            }
+        }
+    }
+
+    @Test
+    void aThinPlankIsHitByAFastCircle() {
+        try (World world = world(0, 0, 0)) {
+            long plank = box(world, 0, 0, 0, 0.05, 1, 0.02);
+            long c = circle(world, -3.03, 0.9, 0.1, 1);
+            world.setVelocity(c, 100, 0);
+            run(world, 5);
+            double mass = world.bodies().mass(plank);
+            double inertia = world.bodies().inertia(plank);
+            double j = 100 / (1 / mass + 1.0 / world.mass(c) + 0.81 / inertia);
+            assertThat(world.bodies().vx(plank) / (j / mass)).isCloseTo(1, within(0.002));
+        }
+    }
+
+    // ---- terrain and walls
+    // ------------------------------------------------------------------------------------------------
+
+    @Test
+    void bodiesRestOnWallsAndFollowThem() {
+        try (World world = World.builder()
+                .bounds(0, 0, 20, 20)
+                .gravity(0, -10)
+                .friction(0.6f)
+                .backend(Backend.JVM)
+                .build()) {
+            long b = crate(world, 5, 0.5);
+            run(world, 60);
+            assertThat(world.bodies().y(b)).isCloseTo(0.5f, within(0.001f));
+            for (int k = 1; k <= 60; k++) {
+                world.setBounds(0, k / 60f, 20, 20);
+                run(world, 1);
+            }
+            run(world, 60);
+            assertThat(world.bodies().y(b)).isCloseTo(1.5f, within(0.001f));
+        }
+    }
+
+    @Test
+    void aLiftCarriesABody() {
+        try (World world = world(0.6, 0, 10)) {
+            TerrainBody lift = world.terrain().addBody(0, 0, 0);
+            lift.addSegment(-3, 0, 3, 0);
+            long b = crate(world, 0, 0.5);
+            run(world, 30);
+            lift.setVelocity(1, 2);
+            run(world, 60);
+            lift.setVelocity(0, 0);
+            run(world, 60);
+            assertThat(world.bodies().y(b)).isCloseTo(2.5f, within(0.01f));
+            assertThat(world.bodies().x(b)).isCloseTo(1.4f, within(0.05f)); // it flies for 0.4 s after the lift stops
+        }
+    }
+
+    @Test
+    void oneWayPiecesLetPassFromBelow() {
+        try (World world = world(0.6, 0, 10)) {
+            world.kind(2).setOneWay(true);
+            world.terrain().addChain(Chain.of(5, 2, -5, 2), 2, null);
+            long b = box(world, 0, 0, 0, 0.25, 0.25, 0.02);
+            world.bodies().setVelocity(b, 0, 9);
+            float high = 0;
+            for (int k = 0; k < 240; k++) {
+                run(world, 1);
+                high = Math.max(high, world.bodies().y(b));
+            }
+            assertThat(high).isCloseTo(4.05f, within(0.1f));
+            assertThat(world.bodies().y(b)).isCloseTo(2.25f, within(0.01f));
+        }
+    }
+
+    @Test
+    void aBowlHoldsABody() {
+        try (World world = world(0.1, 0, 10)) {
+            world.terrain().addChain(Chain.from(10, 0).arcTo(0, 0, -PI));
+            long b = box(world, 4, -5, 0, 0.4, 0.4, 0.04);
+            run(world, 1800);
+            assertThat(world.bodies().y(b)).isBetween(-9.7f, -9.3f);
+            assertThat(kinetic(world)).isLessThan(1e-6);
+        }
+    }
+
+    @Test
+    void bodiesMeetAcrossASeam() {
+        try (World world = World.builder()
+                .bounds(0, 0, 40, 40)
+                .edges(Edge.WRAP, Edge.WALL)
+                .backend(Backend.JVM)
+                .build()) {
+            long a = box(world, 39, 20, 0, 0.5, 0.5, ROUNDING);
+            long b = box(world, 2, 20, 0, 0.5, 0.5, ROUNDING);
+            world.bodies().setVelocity(a, 2, 0);
+            run(world, 120);
+            assertThat(world.bodies().vx(a)).isCloseTo(1, within(0.01f));
+            assertThat(world.bodies().vx(b)).isCloseTo(1, within(0.01f));
+        }
+    }
+
+    @Test
+    void kindsThatIgnoreEachOtherPass() {
+        try (World world = onFloor(0.6, 0)) {
+            world.setResponse(4, 5, Response.IGNORE);
+            Outline outline = Outline.box(1, 1);
+            long a = world.bodies().add(outline, 0, 0.5f, 0, 1, 4);
+            long b = world.bodies().add(outline, 0, 2, 0, 1, 5);
+            run(world, 120);
+            assertThat(world.bodies().y(a)).isCloseTo(0.5f, within(0.01f));
+            assertThat(world.bodies().y(b)).isCloseTo(0.5f, within(0.01f));
+        }
+    }
+
+    @Test
+    void anyNumberOfThreadsHasTheSameBits() {
+        assertThat(hashWith(2)).isEqualTo(hashWith(1));
+    }
+
+    private static long hashWith(int threads) {
+        try (World world = World.builder()
+                .bounds(0, 0, 40, 40)
+                .gravity(0, -10)
+                .friction(0.5f)
+                .backend(Backend.JVM)
+                .threads(threads)
+                .build()) {
+            for (int k = 0; k < 1200; k++) {
+                circle(world, 1 + k % 40 * 0.95, 12 + k / 40 * 0.9, 0.3 + k % 3 * 0.05, 1);
+            }
+            for (int k = 0; k < 20; k++) {
+                crate(world, 2 + k * 1.8, 2 + k % 3 * 1.5);
+            }
+            run(world, 120);
+            return world.hash();
+        }
+    }
+}
