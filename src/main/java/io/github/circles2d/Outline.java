@@ -206,6 +206,17 @@ public final class Outline {
         return shape;
     }
 
+    /** Whether the other is the same outline, drawn at the same place. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Outline outline && shape.equals(outline.shape);
+    }
+
+    @Override
+    public int hashCode() {
+        return shape.hashCode();
+    }
+
     @Override
     public String toString() {
         return "outline of " + pieces() + " pieces, area " + area();

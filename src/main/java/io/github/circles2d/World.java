@@ -1262,7 +1262,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Reads what presses a circle: other circles by id, then pieces of terrain by id, then walls. It is what the last step ended with, as {@link
+     * Reads what presses a circle: other circles by id, then pieces of terrain by id, then {@link Bodies} by id (at each of their corners and sides), then walls. It is what the last step ended with, as {@link
      * #readLoadsById} counts it, so it needs no {@link #report}; normals and depths are those of now. A bounce is over at once, and does not
      * count. Sensors press nobody.
      *
@@ -1279,8 +1279,8 @@ public final class World implements AutoCloseable {
      * the same to the bit on every back end.
      *
      * @param circle a circle
-     * @param partners takes the handles of circles and pieces ({@link #contains} and {@link Terrain#contains} tell them apart), and 0 for a
-     *     wall; only the first ones if it is too short
+     * @param partners takes the handles of circles, pieces and bodies ({@link #contains}, {@link Terrain#contains} and {@link Bodies#contains} tell
+     *     them apart), and 0 for a wall; only the first ones if it is too short
      * @param contacts takes {@link #CONTACT_STRIDE} elements each, likewise; may be null
      * @return how many there are, which may be more than the arrays take
      * @throws IllegalArgumentException if the handle is stale

@@ -94,7 +94,7 @@ class SamplesTest {
 
     /** Where the launcher has built the game, so that libGDX is there. */
     @ParameterizedTest
-    @ValueSource(strings = {"merge", "pinball"})
+    @ValueSource(strings = {"merge", "pinball", "platformer"})
     @Tag("long")
     void gamesWithLibgdxDoTheSame(String game) throws IOException {
         Path libgdx = Path.of("samples", game, "target/lib");
@@ -122,7 +122,7 @@ class SamplesTest {
     @Test
     void allReadTheirCommandLinesAlike() throws IOException {
         String swarm = Files.readString(source("swarm").resolve("Options.java"));
-        for (String game : List.of("hook", "merge", "pinball")) {
+        for (String game : List.of("hook", "merge", "pinball", "platformer")) {
             assertThat(Files.readString(source(game).resolve("Options.java")))
                     .isEqualToIgnoringWhitespace(swarm.replace("swarm", game)); // lines of long names break elsewhere
         }

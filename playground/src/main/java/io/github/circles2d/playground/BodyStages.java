@@ -56,17 +56,16 @@ final class BodyStages {
         }
     }
 
-    /** A tower of crates, and a heavy ball that comes rolling. */
+    /** A tower of crates, and a heavy ball that is thrown at it. */
     static void tower(World world) {
         Bodies bodies = world.bodies();
         Outline crate = Outline.box(6, 6);
         for (int row = 0; row < 12; row++) {
             for (int k = 0; k < 12 - row; k++) {
-                bodies.add(crate, 92 + 6.2f * k + 3.1f * row, 3 + 6 * row, 0, 0.3f * crate.area());
+                bodies.add(crate, 80 + 6.2f * k + 3.1f * row, 3 + 6 * row, 0, 0.3f * crate.area());
             }
         }
-        world.terrain().addSegment(0, 60, 60, 1, 0.8f, 0);
-        world.add(6, 64, 6, 90);
+        world.add(8, 30, 5, 300, 130, 22);
     }
 
     /** Shapes of all sorts in a drum that turns. */

@@ -18,7 +18,7 @@ final class StageNotes {
             Map.entry("blobs", "Soft rings fall down a stair of pegs."),
             Map.entry("cloth", "A curtain that tears where it is pulled too hard."),
             Map.entry("wrecking-ball", "A heavy ball on a chain swings into a wall of balls."),
-            Map.entry("tower", "A heavy ball rolls into a pyramid of crates. Draw bodies of your own with D."),
+            Map.entry("tower", "A heavy ball flies into a pyramid of crates. Draw bodies of your own with D."),
             Map.entry("crates", "Crates in a pit of balls: light ones stay on top, heavy ones sink."),
             Map.entry("dominoes", "A ball topples three rows of dominoes."),
             Map.entry("see-saw", "What falls on one end throws what is on the other."),

@@ -20,6 +20,7 @@ import io.github.circles2d.Terrain;
 import io.github.circles2d.opencl.OpenClException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.util.Locale;
 
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
 public final class Main extends ApplicationAdapter {
@@ -50,7 +51,7 @@ public final class Main extends ApplicationAdapter {
             if (options.frames() > 0) {
                 String format = "platformer: %d frames, x %.1f, hash %016x%n";
                 float x = main.game.world.x(main.game.hero);
-                System.out.printf(java.util.Locale.ROOT, format, options.frames(), x, main.game.world.hash());
+                System.out.printf(Locale.ROOT, format, options.frames(), x, main.game.world.hash());
             }
             if (options.frames() == 0 || !options.picture().isEmpty()) { // a picture needs a window, too
                 main.open();
@@ -119,8 +120,8 @@ public final class Main extends ApplicationAdapter {
 
     private void draw() {
         var positions = loop.positions(null);
-        float half = WIDTH / 2f / SCALE;
-        float middle = Math.min(Math.max(positions.get(0), half), Platformer.WIDTH - half); // of the camera
+        float half = WIDTH / 2f / SCALE, x = positions.get(0), y = positions.get(1);
+        float middle = Math.min(Math.max(x, half), Platformer.WIDTH - half); // of the camera
         ScreenUtils.clear(Color.valueOf("a8dadc"));
         shapes.getProjectionMatrix().setToOrtho2D(middle - half, -1, 2 * half, (float) HEIGHT / SCALE);
         shapes.begin(ShapeRenderer.ShapeType.Filled);
@@ -136,7 +137,7 @@ public final class Main extends ApplicationAdapter {
         for (int id = 1; id < game.world.idLimit(); id++) { // planks
             disc("9c6644", positions.get(2 * id), positions.get(2 * id + 1), 0.3f);
         }
-        hero(positions.get(0), positions.get(1));
+        hero(x, y);
         shapes.end();
         batch.begin();
         font.setColor(Color.valueOf("1d3557"));
@@ -168,14 +169,14 @@ public final class Main extends ApplicationAdapter {
             float x = poses[3 * id], y = poses[3 * id + 1];
             float cos = (float) Math.cos(poses[3 * id + 2]), sin = (float) Math.sin(poses[3 * id + 2]);
             float[] points = bodies.outline(bodies.handle(id)).points(0.02f);
-            for (float scale = 1; scale > 0.8f; scale -= 0.15f) { // a frame, and what is in it
+            float least = bodies.outline(bodies.handle(id)).equals(game.crate) ? 0.8f : 0.9f; // a plank has no frame
+            for (float scale = 1; scale > least; scale -= 0.15f) {
                 shapes.setColor(Color.valueOf(scale == 1 ? "7f5539" : "ddb892"));
                 for (int k = 0; k < points.length; k += 2) {
                     float px = scale * points[k], py = scale * points[k + 1];
                     float qx = scale * points[(k + 2) % points.length], qy = scale * points[(k + 3) % points.length];
-                    shapes.triangle(
-                            x, y, x + cos * px - sin * py, y + sin * px + cos * py, x + cos * qx - sin * qy,
-                            y + sin * qx + cos * qy);
+                    float toX = x + cos * px - sin * py, toY = y + sin * px + cos * py;
+                    shapes.triangle(x, y, toX, toY, x + cos * qx - sin * qy, y + sin * qx + cos * qy);
                 }
             }
         }
@@ -183,8 +184,7 @@ public final class Main extends ApplicationAdapter {
 
     private void hero(float x, float y) {
         disc("e63946", x, y, Platformer.RADIUS);
-        float look = game.left ? -0.12f : 0.12f;
-        for (float eye = -0.15f; eye < 0.2f; eye += 0.3f) {
+        for (float eye = -0.15f, look = game.left ? -0.12f : 0.12f; eye < 0.2f; eye += 0.3f) {
             disc("ffffff", x + look + eye, y + 0.12f, 0.13f);
             disc("1d3557", x + 1.4f * look + eye, y + 0.12f, 0.06f);
         }

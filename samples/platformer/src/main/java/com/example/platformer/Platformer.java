@@ -15,7 +15,7 @@ import java.nio.ByteBuffer;
 /** The rules: a hero runs, jumps and pushes crates to a flag; a rope bridge, a lift, a see-saw and floors to jump through are on the way. */
 final class Platformer implements Runnable {
     static final float STEP = 1 / 60f, RADIUS = 0.5f, WIDTH = 100, HEIGHT = 25, GROUND = 4, FLAG = 96;
-    static final int HERO = 1, FALLING = 2, FLOOR = 3, PLANK = 4, ICE = 5; // kinds
+    static final int HERO = 1, FALLING = 2, FLOOR = 3, PLANK = 4; // kinds
     private static final float RUN = 8, JUMP = 13;
     private static final int COYOTE = 6, DROP = 12; // steps in which a jump still works, and in which a floor lets through
 
@@ -32,37 +32,34 @@ final class Platformer implements Runnable {
     private float time; // of the lift; it is saved by the tag of the hero
 
     Platformer(Backend backend) {
-        world = World.builder()
-                .bounds(0, -10, WIDTH, HEIGHT)
-                .gravity(0, -30)
-                .friction(0.6f)
-                .backend(backend)
-                .build();
+        World.Builder builder = World.builder().bounds(0, -10, WIDTH, HEIGHT).gravity(0, -30);
+        world = builder.friction(0.6f).backend(backend).build();
         world.kind(HERO).setInertia(Inertia.NONE).setFriction(0).setRestitution(0);
         world.kind(FALLING).copyFrom(world.kind(HERO));
         world.kind(FLOOR).setOneWay(true);
         world.kind(PLANK).setInertia(Inertia.NONE);
         world.setResponse(FALLING, FLOOR, Response.IGNORE);
+        hero = world.add(4, GROUND + RADIUS, RADIUS, 1, 0, 0, HERO); // its id is 0
         Terrain terrain = world.terrain();
         // from right to left, so that the hero is above: the cliff, the place of the see-saw, the shaft of the lift, the pit below the bridge
         terrain.addChain(Chain.of(
                 WIDTH, 9, 88, 9, 88, GROUND, 66, GROUND, 66, 10, 61, 10, 61, 2, 55, 2, 55, 7, 52, 7, 52, GROUND, 30,
                 GROUND, 30, -8, 18, -8, 18, GROUND, 0, GROUND));
-        Ropes.bridge(world, Ropes.at(18, GROUND - 0.3f), Ropes.at(30, GROUND - 0.3f), 20, 0.3f, 0.6f, PLANK);
+        Ropes.bridge(world, Ropes.at(18, GROUND - 0.3f), Ropes.at(30, GROUND - 0.3f), 20, 0.3f, 0.6f, 0.02f, PLANK);
         for (int k = 0; k < 3; k++) {
-            terrain.addSegment(36, 8 + 3 * k, 44, 8 + 3 * k, 0.2f, FLOOR);
+            terrain.addSegment(44, 6.4f + 2.4f * k, 36, 6.4f + 2.4f * k, 0.2f, FLOOR); // to the left: it carries what is above
         }
-        lift = terrain.addBody(58, 6.5f, 0);
+        lift = terrain.addBody(58, 8.2f, 0);
         lift.addSegment(-2.6f, 0, 2.6f, 0, 0.3f, 0);
+        lift.addSegment(-2.6f, 0, -2.6f, -3, 0.3f, 0); // so that nobody gets below it
         terrain.addArc(77, GROUND, 1.2f, 0, (float) Math.PI, ArcSide.OUTER);
         Outline plank = Outline.box(14, 0.5f);
         world.bodies().add(plank, 77, GROUND + 1.5f, 0, 0.5f * plank.area());
         world.bodies().add(crate, 71.5f, GROUND + 2.6f, 0, 0.5f * crate.area()); // keeps the other end up
         world.bodies().add(crate, 47, GROUND + 0.8f, 0, 0.5f * crate.area()); // a step to the high ground
         for (int k = 0; k < 6; k++) { // a pile
-            world.bodies().add(crate, 39 + 1.7f * (k % 3), 14.8f + 1.61f * (k / 3), 0, 0.5f * crate.area());
+            world.bodies().add(crate, 39 + 1.7f * (k % 3), 12.1f + 1.61f * (k / 3), 0, 0.5f * crate.area());
         }
-        hero = world.add(4, GROUND + RADIUS, RADIUS, 1, 0, 0, HERO);
         world.bodies().report(true);
         save();
     }
@@ -70,13 +67,12 @@ final class Platformer implements Runnable {
     /** Before each step of the world. */
     @Override
     public void run() {
-        moveLift();
+        time += STEP;
+        world.setTag(hero, Float.floatToIntBits(time));
+        lift.moveTo(58, 8.2f + 1.5f * (float) StrictMath.sin(time), 0); // a sine never stops at once
         coyote = stands() ? COYOTE : coyote - 1;
         drop = down && coyote > 0 ? DROP : drop - 1;
-        int kind = drop > 0 ? FALLING : HERO;
-        if (world.kindOf(hero) != kind) {
-            world.setKind(hero, kind);
-        }
+        world.setKind(hero, drop > 0 ? FALLING : HERO);
         float vx = right == left ? 0 : right ? RUN : -RUN;
         float vy = world.vy(hero);
         if (jump && coyote > 0) {
@@ -88,13 +84,6 @@ final class Platformer implements Runnable {
             deaths++;
             load();
         }
-    }
-
-    /** By a sine, so that it never stops at once. */
-    private void moveLift() {
-        time += STEP;
-        world.setTag(hero, Float.floatToIntBits(time));
-        lift.moveTo(58, 6.5f + 3.2f * (float) StrictMath.sin(time), 0);
     }
 
     /** Whether the hero has something below: terrain, the bridge, a body. */
@@ -125,9 +114,10 @@ final class Platformer implements Runnable {
         return world.x(hero) > FLAG;
     }
 
-    /** A player without hands runs to the right, and jumps if it is stopped or the ground ends. */
+    /** A player without hands runs to the right, and jumps if it is stopped or the see-saw ends. */
     void playAlone(int frame) {
         right = !isAtTheFlag();
-        jump = right && frame % 7 == 0 && world.vx(hero) < RUN / 2;
+        boolean ends = Math.abs(world.x(hero) - 83) < 0.7f; // the see-saw does
+        jump = right && (ends || frame % 7 == 0 && world.vx(hero) < RUN / 2);
     }
 }

@@ -13,7 +13,7 @@ public final class RigidStep {
     public static final int BODY_WALL = 2;
     public static final int BODY_CIRCLE = 3;
 
-    /** Ints of a contact in {@link #contactKeys}: its type, a body, what it touches, and two that the solver gives a meaning. */
+    /** Ints of a contact in {@link #contactKeys}: its type, a body, what it touches, and where on both. */
     public static final int KEYS = 5;
 
     public static final int TYPE = 0;
@@ -21,6 +21,11 @@ public final class RigidStep {
 
     /** The other body, of a higher id; the id of a piece of terrain; the number of a wall; the id of a circle. */
     public static final int B = 2;
+
+    /** A part of the outline of each: see {@link #isLine} and {@link #numberOf}. */
+    public static final int FEATURE_OF_A = 3;
+
+    public static final int FEATURE_OF_B = 4;
 
     /** Floats of a contact in {@link #contactImpulses}: along the normal, and along the tangent. */
     public static final int IMPULSES = 2;
@@ -159,6 +164,15 @@ public final class RigidStep {
             contactKeys = newKeys;
             contactImpulses = newImpulses;
         }
+    }
+
+    public static boolean isLine(int feature) {
+        return (feature & 1) == 1;
+    }
+
+    /** Which line, or which corner. */
+    public static int numberOf(int feature) {
+        return feature >> 1;
     }
 
     /** Makes room for touches, and keeps those that there are. If there is none, nothing has changed. */

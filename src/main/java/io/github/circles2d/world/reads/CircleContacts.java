@@ -1,17 +1,21 @@
 package io.github.circles2d.world.reads;
 
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
 import java.util.Arrays;
 
-/** Reads what presses one circle, from the impulses that the next step starts from: circles, pieces of terrain, walls. */
+/** Reads what presses one circle, from the impulses that the next step starts from: circles, pieces of terrain, bodies, walls. */
 public final class CircleContacts {
     /** Elements of a contact. */
     public static final int STRIDE = 4;
@@ -61,6 +65,7 @@ public final class CircleContacts {
             look(Arrays.binarySearch(state.id, 0, state.circles, id));
             addCircles(id);
             addPieces(id);
+            addBodies(id);
             addWalls();
             return found;
         } finally {
@@ -121,6 +126,52 @@ public final class CircleContacts {
         float oy = CircleMath.shortWay(y - midY, bounds.periodY()) + (midY - rows[at + PieceRow.Y]);
         int shape = world.input.terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
         gap.measure(rows, at, shape, ox, oy, radius, side);
+    }
+
+    private void addBodies(int id) {
+        SavedRigids of = state.rigids;
+        for (int c = 0; c < of.contacts; c++) {
+            int at = RigidStep.KEYS * c;
+            float impulse = of.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL];
+            if (of.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE
+                    && of.contactKeys[at + RigidStep.B] == id
+                    && impulse > 0f) {
+                addBody(of, of.contactKeys[at + RigidStep.A], of.contactKeys[at + RigidStep.FEATURE_OF_A], impulse);
+            }
+        }
+    }
+
+    /** Measured as the outline lies when it is not turned. */
+    private void addBody(SavedRigids of, int body, int feature, float impulse) {
+        OutlineShape shape = of.outlines[of.outline[body]];
+        int angle = of.values[SavedRigids.VALUES * body + SavedRigids.ANGLE];
+        float cos = (float) Rotation.cos(angle);
+        float sin = (float) Rotation.sin(angle);
+        float dx = CircleMath.shortWay(x - of.real(body, SavedRigids.X), bounds.periodX());
+        float dy = CircleMath.shortWay(y - of.real(body, SavedRigids.Y), bounds.periodY());
+        float px = cos * dx + sin * dy;
+        float py = cos * dy - sin * dx;
+        float nx;
+        float ny;
+        float between;
+        if (RigidStep.isLine(feature)) {
+            float[] lines = shape.lines();
+            int line = OutlineShape.LINE_STRIDE * RigidStep.numberOf(feature);
+            nx = lines[line + OutlineShape.NX];
+            ny = lines[line + OutlineShape.NY];
+            between = CircleMath.dot(nx, ny, px - lines[line], py - lines[line + 1])
+                    - lines[line + OutlineShape.THICKNESS];
+        } else {
+            float[] corners = shape.corners();
+            int corner = OutlineShape.CORNER_STRIDE * RigidStep.numberOf(feature);
+            float cx = px - corners[corner];
+            float cy = py - corners[corner + 1];
+            float d = CircleMath.length(cx, cy);
+            nx = d == 0f ? 0f : cx / d;
+            ny = d == 0f ? 1f : cy / d;
+            between = d - corners[corner + OutlineShape.RADIUS];
+        }
+        add(world.rigids.ids.handle(body), cos * nx - sin * ny, sin * nx + cos * ny, radius - between, impulse);
     }
 
     /** What a wall has given is a speed, positive if it was the lower one. */

@@ -61,17 +61,16 @@ final class Stages {
         return name.equals("tower") || name.equals("crates");
     }
 
-    /** A tower of crates, and a heavy ball that comes rolling. */
+    /** A tower of crates, and a heavy ball that is thrown at it. */
     private static void tower(World world) {
         world.kind(0).setFriction(0.6f);
         Outline crate = Outline.box(6, 6);
         for (int row = 0; row < 12; row++) {
             for (int k = 0; k < 12 - row; k++) {
-                world.bodies().add(crate, 86 + 6.2f * k + 3.1f * row, 3 + 6 * row, 0, 0.3f * crate.area());
+                world.bodies().add(crate, 80 + 6.2f * k + 3.1f * row, 3 + 6 * row, 0, 0.3f * crate.area());
             }
         }
-        world.terrain().addSegment(0, 60, 60, 1, 0.8f, 0);
-        world.add(6, 66, 6, 90);
+        world.add(8, 30, 5, 300, 130, 22);
     }
 
     /** Crates among balls: light ones stay on top, heavy ones sink. */
