@@ -2196,21 +2196,6 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * The radii that circles are going to have. They tell {@link Backend#AUTO} for which radii the world is to be fast: the fastest
-         * back end for like radii may not be the fastest for mixed ones. By default AUTO expects like radii. The call has no effect on
-         * results, and circles may have other radii.
-         *
-         * @param least the least radius that is expected, greater than 0
-         * @param greatest the greatest radius that is expected, at least the least
-         * @return this
-         * @throws IllegalArgumentException if a value is out of range
-         */
-        public Builder radii(float least, float greatest) {
-            wish.expectRadii(least, greatest);
-            return this;
-        }
-
-        /**
          * Whether to measure the time of each stage. By default not.
          *
          * @param profiling true to measure
