@@ -131,8 +131,8 @@ public final class Kind {
     /**
      * Makes the kind a sensor, or solid. Circles of a sensor push no circle and are pushed by none, except by kinds to which the matrix
      * makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
-     * sensors ignore each other, and so do two static circles; the matrix can make sensors {@link Response#SENSE} each other. A piece of
-     * {@link Terrain} senses from both sides if it is a segment.
+     * sensors ignore each other; the matrix can make sensors {@link Response#SENSE} each other. Two static circles ignore each other, unless
+     * a kind {@linkplain #setSensesStatic asks} for what is static. A piece of {@link Terrain} senses from both sides if it is a segment.
      *
      * @param sensor true for a sensor
      * @return this
@@ -148,6 +148,30 @@ public final class Kind {
      */
     public boolean isSensor() {
         return kinds.get(KindField.SENSOR, number) != 0;
+    }
+
+    /**
+     * Says whether static circles of the kind sense static circles and pieces of a {@link TerrainBody}, too. A sensor that stays then notices a
+     * static circle that the game moves, and a lift. One of the two kinds has to ask for it; whether the two sense each other is decided as for
+     * circles that move ({@link #setSensor}, {@link Response#SENSE}). Pieces of a kind that asks sense static circles of any kind likewise.
+     *
+     * <p>Static circles never sense pieces that are fixed to the world: they would touch for ever. A body that stays counts as one that moves
+     * does. Each static circle of a kind that asks takes part in all steps that report such pairs; other static circles cost nothing more.
+     *
+     * @param senses true to sense static circles and bodies
+     * @return this
+     */
+    public Kind setSensesStatic(boolean senses) {
+        return set(KindField.SENSES_STATIC, senses ? 1 : 0);
+    }
+
+    /**
+     * Whether static circles of the kind sense static circles and pieces of bodies.
+     *
+     * @return false at first
+     */
+    public boolean sensesStatic() {
+        return kinds.get(KindField.SENSES_STATIC, number) != 0;
     }
 
     /**

@@ -145,6 +145,7 @@ final class MemoryCalls {
         change("kind.setCategory", (s, r) -> s.world.kind(r.nextInt(4)).setCategory(1 << r.nextInt(3)));
         change("kind.setMask", (s, r) -> s.world.kind(r.nextInt(4)).setMask(r.nextInt(8)));
         change("kind.setSensor", (s, r) -> s.world.kind(r.nextInt(4)).setSensor(r.nextBoolean()));
+        change("kind.setSensesStatic", (s, r) -> s.world.kind(r.nextInt(4)).setSensesStatic(r.nextBoolean()));
         change("kind.setRestitution", (s, r) -> s.world.kind(r.nextInt(4)).setRestitution(r.nextFloat()));
         change("kind.setGravityScale", (s, r) -> s.world.kind(r.nextInt(4)).setGravityScale(r.nextFloat()));
         change("kind.setDamping", (s, r) -> s.world.kind(r.nextInt(4)).setDamping(r.nextFloat()));

@@ -448,6 +448,8 @@ class ReferenceFuzzTest {
             int mask = random.nextInt(5) - 1;
             boolean sensor = random.nextInt(4) == 0;
             both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
+            boolean senses = random.nextBoolean();
+            both("setSensesStatic", c -> c.setSensesStatic(kind, senses));
             float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
             both("setKindRestitution", c -> c.setKindRestitution(kind, e));
         }

@@ -775,6 +775,9 @@ class WorldFuzzTest {
             int mask = random.nextInt() >> random.nextInt(32);
             ask(!isKind(kind), () -> {
                 world.kind(kind).setMask(mask).setCategory(random.nextInt(4)).setSensor(random.nextInt(3) == 0);
+                boolean senses = random.nextBoolean();
+                assertThat(world.kind(kind).setSensesStatic(senses).sensesStatic())
+                        .isEqualTo(senses);
                 assertThat(world.kind(kind).mask()).isEqualTo(mask);
             });
             ask(!isKind(kind) || !Float.isNaN(e) && !(e >= 0 && e <= 1), () -> {

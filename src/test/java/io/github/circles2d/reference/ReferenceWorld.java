@@ -160,7 +160,7 @@ public final class ReferenceWorld implements WorldCalls {
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
-            events.step(contacts, circles, kinds, arena, dt);
+            events.step(contacts, circles, terrain, kinds, parameters(dt));
             step.fallAsleep();
             for (int i = 0; i < velocities.length; i++) {
                 circles.get(i).arrive(velocities[i]);
@@ -428,6 +428,12 @@ public final class ReferenceWorld implements WorldCalls {
         kinds.set(kind, Kinds.CATEGORY, category);
         kinds.set(kind, Kinds.MASK, mask);
         kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+        wakeAll();
+    }
+
+    @Override
+    public void setSensesStatic(int kind, boolean senses) {
+        kinds.set(kind, Kinds.SENSES_STATIC, senses ? 1 : 0);
         wakeAll();
     }
 

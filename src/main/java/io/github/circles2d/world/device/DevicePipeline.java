@@ -284,6 +284,9 @@ public final class DevicePipeline implements Pipeline {
             settle();
             load(tuned, loaded.edges(), reader);
         }
+        if (reader != null) {
+            reader.compile(stages);
+        }
     }
 
     /** Whether the kernels of steps report what a reader takes. Others are compiled at the first report: that takes long, and few worlds report. */

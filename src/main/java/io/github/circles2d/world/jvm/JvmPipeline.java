@@ -175,6 +175,7 @@ public final class JvmPipeline implements Pipeline {
         if (constants.turning) {
             state.turning.surfaces = input.surfaces.rows;
         }
+        state.asking = recorder == null ? null : recorder.asking(reports);
         Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
         solver.record(touches);
@@ -192,7 +193,7 @@ public final class JvmPipeline implements Pipeline {
         if (state.sleepers != null) {
             waking.settle(constants, terrain, pieces);
         }
-        state.resting.settle(constants, jointStep);
+        state.resting.settle(constants, jointStep, reports.seekingVersion);
         makeRoom();
     }
 

@@ -25,6 +25,7 @@ import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.Walls;
@@ -111,6 +112,9 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
     int[] responses;
+
+    /** Of the last step: bits by kind, whether its static circles look at others, and so never rest; null if none do. */
+    long[] asking;
 
     /** What circles need to rotate; null as long as they cannot. */
     Turning turning;
@@ -375,6 +379,9 @@ public final class State implements ContactEvents.Sleepers {
 
     /** A field of a circle has changed. */
     private void changed(CircleField field, int circleId) {
+        if (asking != null && field == CircleField.KIND) {
+            wake(slotOf[circleId]);
+        }
         if (sleepers == null) {
             return;
         }
@@ -742,6 +749,19 @@ public final class State implements ContactEvents.Sleepers {
     /** Whether a circle has an infinite mass. */
     boolean isStatic(int slot) {
         return traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
+    }
+
+    /** Whether a circle is static, and looks at others that are. */
+    boolean asks(int slot) {
+        return asking != null && isStatic(slot) && !isAsleep(slot) && StepReports.asks(asking, kind(slot));
+    }
+
+    boolean isAsleep(int slot) {
+        return sleepers != null && sleepers.isAsleep(id[slot]);
+    }
+
+    private int kind(int slot) {
+        return fields.getInt(CircleField.KIND, id[slot]);
     }
 
     /** How far a circle may leave its free path if nothing is in its way. */

@@ -926,6 +926,7 @@ final class Twins implements AutoCloseable {
                 simulation.kinds.set(KindField.CATEGORY, kind, category);
                 simulation.kinds.set(KindField.SENSOR, kind, sensor);
             }
+            simulation.kinds.set(KindField.SENSES_STATIC, kind, mask & 1);
         }
     }
 

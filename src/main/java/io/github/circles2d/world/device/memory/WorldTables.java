@@ -138,6 +138,11 @@ final class WorldTables {
         define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
         define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
         define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
+        define(
+                text,
+                "TERRAIN_GROUND_NODES",
+                TerrainRoom.GROUND_NODES,
+                "number of those of the ground, which come first");
         define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
         define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
         define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
