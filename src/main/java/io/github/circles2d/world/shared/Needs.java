@@ -8,8 +8,9 @@ import io.github.circles2d.world.snapshots.SavedState;
 
 /**
  * What the pipeline must be ready for. Circles can rotate if something in the world may turn, grip or roll them; the world has terrain if there are
- * pieces. Steps of other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. Circles can
- * rotate until all of them go, or another state takes their place.
+ * pieces; circles move in another way than those of their kind once one has had a gravity scale, a damping or a greatest speed of its own. Steps
+ * of other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. Circles can rotate until
+ * all of them go, or another state takes their place.
  */
 public final class Needs {
     private final WorldParts world;
