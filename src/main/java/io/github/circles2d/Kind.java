@@ -72,8 +72,8 @@ public final class Kind {
      * as circles of the other kind meet each other. So a variant of a kind is one call and what differs:
      *
      * <pre>{@code
-     * world.kind(FROZEN).copyFrom(world.kind(ENEMY)).setDamping(20);
-     * world.setKind(enemy, FROZEN);
+     * world.kind(GHOST).copyFrom(world.kind(ENEMY)).setMask(0);
+     * world.setKind(enemy, GHOST);
      * }</pre>
      *
      * <p>Circles of this kind keep their restitution. A later change of the other kind does not change this one.
@@ -198,7 +198,7 @@ public final class Kind {
     }
 
     /**
-     * Sets the factor of gravity for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
+     * Sets the factor of gravity for circles of the kind that have none of their own ({@link World#setGravityScale}). Which impacts are too slow to bounce depends on the world's gravity,
      * whatever the kind.
      *
      * @param scale -1000 to 1000: 0 for circles that do not fall, negative for circles that rise. Gravity times this is cut to 1e9
@@ -220,7 +220,8 @@ public final class Kind {
     }
 
     /**
-     * Sets how fast circles of the kind lose their velocity, for example by the drag of air. In t seconds they lose about the share
+     * Sets how fast circles of the kind that have no damping of their own ({@link World#setDamping}) lose their velocity, for example by the
+     * drag of air. In t seconds they lose about the share
      * 1 - e^(-damping t) of it. A circle that a force drives comes to the speed force / (mass * damping).
      *
      * @param damping per second, 0 to 1e6
@@ -241,7 +242,7 @@ public final class Kind {
     }
 
     /**
-     * Sets the greatest speed of circles of the kind. A collision may make a circle faster for the rest of a sub-step. A velocity that is
+     * Sets the greatest speed of circles of the kind that have none of their own ({@link World#setGreatestSpeed}). A collision may make a circle faster for the rest of a sub-step. A velocity that is
      * set, or one that an impulse gives, is cut down in the next step.
      *
      * @param speed lengths per second, at least 0; infinite for none

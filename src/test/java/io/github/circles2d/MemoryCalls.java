@@ -99,6 +99,9 @@ final class MemoryCalls {
         change("applyForce", (s, r) -> s.world.applyForce(s.circle(r), any(r), any(r)));
         change("setFriction", (s, r) -> s.world.setFriction(s.circle(r), r.nextFloat()));
         change("setRollingResistance", (s, r) -> s.world.setRollingResistance(s.circle(r), r.nextFloat()));
+        change("setGravityScale", (s, r) -> s.world.setGravityScale(s.circle(r), r.nextFloat()));
+        change("setDamping", (s, r) -> s.world.setDamping(s.circle(r), r.nextFloat()));
+        change("setGreatestSpeed", (s, r) -> s.world.setGreatestSpeed(s.circle(r), r.nextFloat()));
         change("setAngle", (s, r) -> s.world.setAngle(s.circle(r), any(r)));
         change("setAngularVelocity", (s, r) -> s.world.setAngularVelocity(s.circle(r), any(r)));
         change("applyAngularImpulse", (s, r) -> s.world.applyAngularImpulse(s.circle(r), any(r)));

@@ -94,6 +94,12 @@ public interface WorldCalls {
 
     void setRollingResistance(long handle, float resistance);
 
+    void setGravityScale(long handle, float scale);
+
+    void setDamping(long handle, float damping);
+
+    void setGreatestSpeed(long handle, float speed);
+
     void setAngle(long handle, float radians);
 
     void setAngularVelocity(long handle, float angularVelocity);

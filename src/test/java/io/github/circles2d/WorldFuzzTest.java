@@ -239,7 +239,7 @@ class WorldFuzzTest {
             if (hasJoints && random.nextInt(2) == 0) {
                 changeJoints();
             }
-            switch (random.nextInt(38)) {
+            switch (random.nextInt(39)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -269,6 +269,7 @@ class WorldFuzzTest {
                 case 35 -> setSurface();
                 case 36 -> setKindSurface();
                 case 37 -> setWallSurface();
+                case 38 -> setOwnMotion();
                 default -> step();
             }
         }
@@ -661,6 +662,29 @@ class WorldFuzzTest {
             ask(!isKind(kind) || Float.isNaN(most) || most < 0, () -> {
                 world.kind(kind).setGreatestSpeed(most);
                 assertThat(world.kind(kind).greatestSpeed()).isEqualTo(most);
+            });
+        }
+
+        private void setOwnMotion() {
+            long handle = handle();
+            float scale = value(-1000, 1000);
+            float damping = value(0, 10);
+            float most = value(0, speed());
+            last = "setOwnMotion " + scale + " " + damping + " " + most;
+            ask(unknown(handle) || bad(scale) && !Float.isNaN(scale), () -> {
+                world.setGravityScale(handle, scale);
+                float ofKind = world.kind(world.kindOf(handle)).gravityScale();
+                assertThat(world.gravityScale(handle)).isEqualTo(Float.isNaN(scale) ? ofKind : scale + 0f);
+            });
+            ask(unknown(handle) || bad(damping) && !Float.isNaN(damping) || damping < 0, () -> {
+                world.setDamping(handle, damping);
+                float ofKind = world.kind(world.kindOf(handle)).damping();
+                assertThat(world.damping(handle)).isEqualTo(Float.isNaN(damping) ? ofKind : damping + 0f);
+            });
+            ask(unknown(handle) || most < 0, () -> {
+                world.setGreatestSpeed(handle, most);
+                float ofKind = world.kind(world.kindOf(handle)).greatestSpeed();
+                assertThat(world.greatestSpeed(handle)).isEqualTo(Float.isNaN(most) ? ofKind : most + 0f);
             });
         }
 

@@ -91,6 +91,18 @@ final class Kinds {
         return Float.intBitsToFloat(get(kind, field));
     }
 
+    float gravityScale(Circle c) {
+        return Float.isNaN(c.gravityScale) ? getFloat(c.kind, GRAVITY_SCALE) : c.gravityScale;
+    }
+
+    float damping(Circle c) {
+        return Float.isNaN(c.damping) ? getFloat(c.kind, DAMPING) : c.damping;
+    }
+
+    float greatestSpeed(Circle c) {
+        return Float.isNaN(c.greatestSpeed) ? getFloat(c.kind, GREATEST_SPEED) : c.greatestSpeed;
+    }
+
     int get(int kind, int field) {
         return values[kind][field];
     }

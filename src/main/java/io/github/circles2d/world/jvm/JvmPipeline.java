@@ -172,6 +172,7 @@ public final class JvmPipeline implements Pipeline {
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
+        state.ownMotion = constants.ownMotion;
         if (constants.turning) {
             state.turning.surfaces = input.surfaces.rows;
         }

@@ -99,6 +99,9 @@ public final class State implements ContactEvents.Sleepers {
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
 
+    /** Within a step: whether circles may have values of their own in place of those of {@link #kindMotion}. */
+    boolean ownMotion;
+
     /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain CircleMath#shortWay the short way}. */
     boolean wraps;
 
@@ -390,6 +393,7 @@ public final class State implements ContactEvents.Sleepers {
                 sleepers.restart(wake(slotOf[circleId]));
                 wakeNear(slotOf[circleId]);
             }
+            case GRAVITY_SCALE, DAMPING, GREATEST_SPEED -> sleepers.restart(wake(slotOf[circleId]));
             default -> sleepers.suspect(circleId); // its force
         }
     }
@@ -685,6 +689,26 @@ public final class State implements ContactEvents.Sleepers {
         return KindMotion.of(fields.getInt(CircleField.KIND, id[slot]));
     }
 
+    /** What a circle has of its own in place of its kind's, or NaN. */
+    float own(CircleField field, int slot) {
+        return ownMotion ? fields.getFloat(field, id[slot]) : Float.NaN;
+    }
+
+    private float gravityGain(int slot, int ofKind, float gravity, StepConstants k) {
+        float scale = own(CircleField.GRAVITY_SCALE, slot);
+        return Float.isNaN(scale) ? kindMotion[motionRow(slot) + ofKind] : Velocity.gravityGain(gravity, scale, k.h);
+    }
+
+    /** The share of a circle's velocity that a sub-step leaves; row: of its kind. */
+    float dampingFactor(int slot, int row, StepConstants k) {
+        float own = Velocity.dampingFactor(own(CircleField.DAMPING, slot), k.h);
+        return CircleMath.orOfKind(own, kindMotion[row + KindMotion.DAMPING_FACTOR]);
+    }
+
+    float greatestSpeed(int slot, int row) {
+        return CircleMath.orOfKind(own(CircleField.GREATEST_SPEED, slot), kindMotion[row + KindMotion.GREATEST_SPEED]);
+    }
+
     /** What gravity and a force add to a circle's speed along x in a sub-step. */
     float gainX(int slot, StepConstants k) {
         return gainX(slot, traits[CircleRow.of(slot) + INVERSE_MASS], k);
@@ -694,7 +718,7 @@ public final class State implements ContactEvents.Sleepers {
     float gainX(int slot, float w, StepConstants k) {
         return kindMotion == null
                 ? k.gravityStepX
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, w, k);
+                : gain(slot, gravityGain(slot, KindMotion.GAIN_X, k.gravityX, k), CircleField.FORCE_X, w, k);
     }
 
     /** What gravity and a force add to a circle's speed along y in a sub-step. */
@@ -706,7 +730,7 @@ public final class State implements ContactEvents.Sleepers {
     float gainY(int slot, float w, StepConstants k) {
         return kindMotion == null
                 ? k.gravityStepY
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, w, k);
+                : gain(slot, gravityGain(slot, KindMotion.GAIN_Y, k.gravityY, k), CircleField.FORCE_Y, w, k);
     }
 
     private float gain(int slot, float gravityGain, CircleField force, float w, StepConstants k) {

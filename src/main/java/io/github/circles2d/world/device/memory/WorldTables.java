@@ -47,10 +47,11 @@ final class WorldTables {
     private static final String TURNING = "TURNING";
     private static final String TERRAIN = "TERRAIN";
     private static final String SLEEPING = "SLEEPING";
+    private static final String OWN_MOTION = "OWN_MOTION";
     private static final String JOINTS = "JOINTS";
 
     /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
-    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, JOINTS);
+    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS);
 
     /** Macros that name all arrays, whether a kernel uses them or not. */
     static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
@@ -247,7 +248,11 @@ final class WorldTables {
     private static String featureOf(DeviceArray array) {
         return array.turns()
                 ? TURNING
-                : array.isOfTerrain() ? TERRAIN : array.isOfSleep() ? SLEEPING : array.isOfJoints() ? JOINTS : "";
+                : array.isOfTerrain()
+                        ? TERRAIN
+                        : array.isOfSleep()
+                                ? SLEEPING
+                                : array.isOfOwnMotion() ? OWN_MOTION : array.isOfJoints() ? JOINTS : "";
     }
 
     /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */
