@@ -92,6 +92,9 @@ class WorldAllocationTest {
         world.applyTorque(handles[18], 1e-3f);
         world.setFriction(handles[19], world.friction(handles[19]) + 1e-3f);
         world.setRollingResistance(handles[19], 0.1f);
+        world.setGravityScale(handles[19], world.gravityScale(handles[19]) + 1e-3f);
+        world.setDamping(handles[19], world.damping(handles[19]) + 1e-3f);
+        world.setGreatestSpeed(handles[19], world.greatestSpeed(handles[19]) < 1 ? Float.NaN : 0.5f);
         world.kind(1).setFriction(0.5f).setBeltSpeed(1).setInertia(Inertia.RING);
     }
 
