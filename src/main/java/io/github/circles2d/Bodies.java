@@ -27,7 +27,7 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>Masses</b> of bodies that touch may differ as 1 to 100. Beyond that heavy ones sink into light ones.
  *
  * <p><b>Only on the JVM</b> so far. A world of {@link Backend#AUTO} goes there with its first body; one that was built for a device refuses bodies, with an
- * {@link UnsupportedOperationException}, and goes on without. A world whose circles {@linkplain World.Builder#sleep sleep} takes no bodies. Queries, explosions
+ * {@link UnsupportedOperationException}, and goes on without. While there are bodies, no circle {@linkplain World.Builder#sleep sleeps}. Queries, explosions
  * and joints do not see bodies.
  *
  * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in
@@ -56,7 +56,6 @@ public final class Bodies {
      * @return the handle of the body
      * @throws IllegalArgumentException if a value is out of range; if the outline reaches from its centroid further than a radius may be in these bounds, or
      *     less far; or if there are 65,536 bodies
-     * @throws IllegalStateException if circles of the world sleep
      * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass) {
@@ -74,7 +73,6 @@ public final class Bodies {
      * @param kind the number of its kind, 0 to 255
      * @return the handle of the body
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float)}, or if there is no such kind
-     * @throws IllegalStateException if circles of the world sleep
      * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass, int kind) {

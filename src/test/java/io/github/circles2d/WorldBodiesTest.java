@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.opencl.TestDevices;
@@ -116,12 +116,54 @@ class WorldBodiesTest {
     }
 
     @Test
-    void aWorldWhoseCirclesSleepRefusesBodies() {
-        try (World world = WorldScenes.jvm().bounds(0, 0, 20, 10).sleep(true).build()) {
-            assertThatIllegalStateException()
-                    .isThrownBy(() -> world.bodies().add(CRATE, 4, 5, 0, 2))
-                    .withMessageContaining("sleep");
-            assertThat(world.bodies().size()).isZero();
+    void whileThereAreBodiesNoCircleSleeps() {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 20, 10)
+                .gravity(0, -10)
+                .sleep(true)
+                .build()) {
+            long ball = world.add(5, 0.5f, 0.5f, 1);
+            world.step(1 / 60f, 120);
+            assertThat(world.isAwake(ball)).isFalse();
+            long body = world.bodies().add(CRATE, 15, 0.5f, 0, 1);
+            assertThat(world.isAwake(ball)).isTrue();
+            ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(saved);
+            world.step(1 / 60f, 120);
+            assertThat(world.isAwake(ball)).isTrue();
+            long hash = world.hash();
+            world.restore(saved.flip());
+            world.step(1 / 60f, 120);
+            assertThat(world.hash()).isEqualTo(hash);
+            world.bodies().remove(body);
+            world.step(1 / 60f, 120);
+            assertThat(world.isAwake(ball)).isFalse();
+        }
+    }
+
+    @Test
+    void aCircleKnowsWhichBodiesPressIt() {
+        try (World world =
+                WorldScenes.jvm().bounds(0, 0, 20, 10).gravity(0, -10).friction(0.6f).build()) {
+            long below = world.bodies().add(Outline.box(4, 1), 10, 0.5f, 0, 4);
+            long ball = world.add(10.5f, 1.5f, 0.5f, 1);
+            long wedge = world.bodies().add(Outline.polygon(0, 0, 2, 0, 0, 2), 4, 0.7f, 0, 4);
+            world.step(1 / 60f, 60);
+            long[] partners = new long[4];
+            float[] contacts = new float[4 * World.CONTACT_STRIDE];
+            assertThat(world.contactsOf(ball, partners, contacts)).isEqualTo(1);
+            assertThat(partners[0]).isEqualTo(below);
+            assertThat(contacts[World.NORMAL_X]).isCloseTo(0, within(1e-3f));
+            assertThat(contacts[World.NORMAL_Y]).isCloseTo(1, within(1e-3f));
+            assertThat(contacts[World.DEPTH]).isBetween(0f, 0.02f);
+            assertThat(contacts[World.IMPULSE]).as("its weight").isCloseTo(10 / 60f, within(2e-3f));
+            assertThat(world.bodies().contains(partners[0])).isTrue();
+            world.teleport(ball, world.bodies().x(wedge) + 0.7f, world.bodies().y(wedge) + 0.7f);
+            world.step(1 / 60f, 20);
+            assertThat(world.contactsOf(ball, partners, contacts)).isEqualTo(1);
+            assertThat(partners[0]).isEqualTo(wedge);
+            assertThat(contacts[World.NORMAL_X]).as("of the slope").isCloseTo(0.707f, within(0.02f));
+            assertThat(contacts[World.NORMAL_Y]).isCloseTo(0.707f, within(0.02f));
         }
     }
 

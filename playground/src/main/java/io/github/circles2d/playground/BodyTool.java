@@ -76,7 +76,7 @@ final class BodyTool implements Tool {
         if (arena.contains(x, y)) {
             try {
                 sandbox.world().bodies().add(outline, x, y, 0, sandbox.grain().massOf(outline.area()));
-            } catch (IllegalStateException | UnsupportedOperationException e) { // of what sleeps; on a device
+            } catch (UnsupportedOperationException e) { // on a device
                 sandbox.say(e.getMessage());
             }
         }

@@ -88,9 +88,9 @@ final class Stages {
                 circles);
     }
 
-    /** A stage with bodies, which a world takes if none sleeps. */
+    /** A stage with bodies. */
     private static Stage pushed(String name, Consumer<World> circles) {
-        return own(name, builder -> builder.friction(0.6f).restitution(0.1f).sleep(false), circles);
+        return own(name, builder -> builder.friction(0.6f).restitution(0.1f), circles);
     }
 
     /** A pile between two ramps, and a basin. */

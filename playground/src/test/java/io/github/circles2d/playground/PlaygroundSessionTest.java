@@ -1,6 +1,7 @@
 package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.Joint;
@@ -321,13 +322,35 @@ class PlaygroundSessionTest {
     void softRingsAreFilledAndTheirSpringsAreHidden() {
         session.load(Stages.named("blobs"));
         frames(1);
-        assertThat(frame.blobs).isEqualTo(14);
-        assertThat(frame.blobEnd[13]).isEqualTo(frame.circles).isEqualTo(14 * 24);
+        assertThat(frame.blobs.count()).isEqualTo(14);
+        assertThat(frame.blobs.from(14)).isEqualTo(frame.circles).isEqualTo(14 * 24);
         assertThat(frame.joints).isZero();
         session.load(Stages.named("cloth"));
         frames(1);
-        assertThat(frame.blobs).isZero();
+        assertThat(frame.blobs.count()).isZero();
         assertThat(frame.joints).isEqualTo(session.world().joints().size());
+    }
+
+    @Test
+    void bodiesAreDrawnWhereTheyAreAndTheirEnergyCounts() {
+        session.load(Stages.named("dominoes"));
+        frames(1);
+        assertThat(frame.bodies.count()).isEqualTo(66);
+        long body = session.world().bodies().handle(0);
+        float x = 0;
+        float highest = 0;
+        for (int k = 0; k < frame.bodies.from(1); k++) {
+            x += frame.bodies.x(k) / frame.bodies.from(1);
+            highest = Math.max(highest, frame.bodies.y(k));
+        }
+        assertThat(x).isCloseTo(session.world().bodies().x(body), within(0.1f));
+        assertThat(highest).isCloseTo(session.world().bodies().y(body) + 4.5f, within(0.1f));
+        double before = frame.energy;
+        frames(400);
+        assertThat(frame.energy).as("dominoes have fallen").isLessThan(before);
+        session.load(Stages.named("pegs"));
+        frames(1);
+        assertThat(frame.bodies.count()).isZero();
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Outline;
 import io.github.circles2d.TerrainBody;
 import io.github.circles2d.World;
 import java.util.ArrayList;
@@ -331,6 +332,67 @@ class ToolsTest {
         run(cut, 30);
         assertThat(world().y(ball)).isLessThan(45);
         assertThat(world().y(other)).isCloseTo(50, within(0.05f));
+    }
+
+    private void readBodies() {
+        sandbox.bodies().read(world(), sandbox.loop(), new Shades(), PaintMode.PLAIN);
+    }
+
+    @Test
+    void aShapeThatIsDrawnAroundFallsAsABodyAndAClickGivesACrate() {
+        Tool tool = new BodyTool();
+        tool.press(sandbox, 60, 50, 1);
+        for (int k = 1; k <= 40; k++) { // a circle, nearly
+            double angle = k * 2 * Math.PI / 41;
+            tool.drag(sandbox, (float) (50 + 10 * Math.cos(angle)), (float) (50 + 10 * Math.sin(angle)));
+        }
+        List<Mark> marks = new ArrayList<>();
+        tool.mark(sandbox, marks);
+        assertThat(marks).hasSize(40);
+        tool.release(sandbox);
+        long disc = world().bodies().handle(0);
+        assertThat(world().bodies().x(disc)).isCloseTo(50, within(0.3f));
+        assertThat(world().bodies().outline(disc).area()).isBetween(290f, 314f);
+        tool.press(sandbox, 100, 20, 2);
+        tool.release(sandbox);
+        assertThat(world().bodies().size()).isEqualTo(2);
+        run(tool, 200);
+        assertThat(world().bodies().y(disc)).as("it lies").isBetween(9f, 11f);
+    }
+
+    @Test
+    void aLineThatEnclosesNothingIsNoBodyAndTheReasonIsSaid() {
+        Tool tool = new BodyTool();
+        tool.press(sandbox, 20, 50, 1);
+        for (int k = 1; k <= 30; k++) {
+            tool.drag(sandbox, 20 + k, 50);
+        }
+        tool.release(sandbox);
+        assertThat(world().bodies().size()).isZero();
+        assertThat(sandbox.takeNews()).startsWith("no body: ");
+        assertThat(sandbox.takeNews()).isEmpty();
+    }
+
+    @Test
+    void aBodyIsGrabbedThrownAndErased() {
+        Outline crate = Outline.box(8, 8);
+        long body = world().bodies().add(crate, 80, 4, 0, crate.area());
+        readBodies();
+        assertThat(sandbox.bodyAt(83, 7)).isEqualTo(body);
+        assertThat(sandbox.bodyAt(85, 7)).isZero();
+        Tool grab = new GrabTool();
+        grab.press(sandbox, 83, 7, 1);
+        grab.drag(sandbox, 40, 60);
+        run(grab, 200);
+        assertThat(world().bodies().x(body)).as("hangs below the mouse").isBetween(35f, 45f);
+        assertThat(world().bodies().y(body)).isBetween(50f, 60f);
+        grab.release(sandbox);
+        run(grab, 200);
+        assertThat(world().bodies().y(body)).isBetween(3.9f, 6f);
+        readBodies();
+        Tool eraser = new EraseTool();
+        eraser.press(sandbox, world().bodies().x(body), world().bodies().y(body), 1);
+        assertThat(world().bodies().contains(body)).isFalse();
     }
 
     @Test

@@ -49,8 +49,8 @@ public final class Main extends ApplicationAdapter {
                 main.loop.advance(1 / 60f, main.game);
             }
             if (options.frames() > 0) {
-                String format = "platformer: %d frames, x %.1f, hash %016x%n";
                 float x = main.game.world.x(main.game.hero);
+                String format = "platformer: %d frames, x %.1f, hash %016x%n";
                 System.out.printf(Locale.ROOT, format, options.frames(), x, main.game.world.hash());
             }
             if (options.frames() == 0 || !options.picture().isEmpty()) { // a picture needs a window, too
@@ -89,6 +89,7 @@ public final class Main extends ApplicationAdapter {
         batch = new SpriteBatch();
         font = new BitmapFont();
         font.getData().setScale(1.4f);
+        font.setColor(Color.valueOf("1d3557"));
         if (!options.picture().isEmpty()) {
             draw();
             Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, WIDTH, HEIGHT);
@@ -140,8 +141,7 @@ public final class Main extends ApplicationAdapter {
         hero(x, y);
         shapes.end();
         batch.begin();
-        font.setColor(Color.valueOf("1d3557"));
-        String state = game.isAtTheFlag() ? "You made it!" : "arrows: run, jump, drop;  F5, F9: save, load";
+        String state = x > Platformer.FLAG ? "You made it!" : "arrows: run, jump, drop;  F5, F9: save, load";
         font.draw(batch, state + (game.deaths > 0 ? "   deaths: " + game.deaths : ""), 16, HEIGHT - 16);
         batch.end();
     }
@@ -152,8 +152,8 @@ public final class Main extends ApplicationAdapter {
         if (pieces[row + Terrain.FORM] == Terrain.ARC) {
             disc("6c757d", pieces[row + Terrain.CENTRE_X], pieces[row + Terrain.CENTRE_Y], pieces[row + Terrain.RADIUS]);
         } else if (pieces[row + Terrain.FORM] == Terrain.SEGMENT) {
-            String colour = pieces[row + Terrain.KIND] == Platformer.FLOOR ? "bc6c25" : "495057";
-            bar(colour, x, y, toX, toY, pieces[row + Terrain.THICKNESS]);
+            boolean isFloor = pieces[row + Terrain.KIND] == Platformer.FLOOR;
+            bar(isFloor ? "bc6c25" : "495057", x, y, toX, toY, pieces[row + Terrain.THICKNESS]);
         } else if (y == toY) { // ground, down to the lower end of the picture, and grass on it
             shapes.setColor(Color.valueOf("774936"));
             shapes.rect(toX, -10, x - toX, y + 10);

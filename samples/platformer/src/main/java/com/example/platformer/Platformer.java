@@ -73,13 +73,10 @@ final class Platformer implements Runnable {
         coyote = stands() ? COYOTE : coyote - 1;
         drop = down && coyote > 0 ? DROP : drop - 1;
         world.setKind(hero, drop > 0 ? FALLING : HERO);
+        boolean jumps = jump && coyote > 0;
+        coyote = jumps ? 0 : coyote;
         float vx = right == left ? 0 : right ? RUN : -RUN;
-        float vy = world.vy(hero);
-        if (jump && coyote > 0) {
-            coyote = 0;
-            vy = JUMP;
-        }
-        world.setVelocity(hero, vx, vy);
+        world.setVelocity(hero, vx, jumps ? JUMP : world.vy(hero));
         if (world.y(hero) < -6) {
             deaths++;
             load();
@@ -110,13 +107,9 @@ final class Platformer implements Runnable {
         coyote = 0;
     }
 
-    boolean isAtTheFlag() {
-        return world.x(hero) > FLAG;
-    }
-
     /** A player without hands runs to the right, and jumps if it is stopped or the see-saw ends. */
     void playAlone(int frame) {
-        right = !isAtTheFlag();
+        right = world.x(hero) < FLAG;
         boolean ends = Math.abs(world.x(hero) - 83) < 0.7f; // the see-saw does
         jump = right && (ends || frame % 7 == 0 && world.vx(hero) < RUN / 2);
     }

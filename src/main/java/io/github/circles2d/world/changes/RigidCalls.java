@@ -78,10 +78,6 @@ public final class RigidCalls implements Calls.Effects {
     private long add(OutlineShape outline, int[] w) {
         RigidRules.room(table.ids.size());
         RigidRules.reach(outline, world.settings.bounds());
-        if (world.settings.sleeps()) {
-            throw new IllegalStateException(
-                    "a world whose circles sleep takes no bodies yet: build it without sleep(true)");
-        }
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }

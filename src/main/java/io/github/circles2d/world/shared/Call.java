@@ -293,7 +293,8 @@ public enum Call {
             CLEAR_TERRAIN,
             REMOVE_BODY,
             TELEPORT_BODY,
-            WAKE_ALL);
+            WAKE_ALL,
+            RIGID);
 
     static {
         for (Call call : values()) {

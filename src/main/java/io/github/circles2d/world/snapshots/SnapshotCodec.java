@@ -238,7 +238,7 @@ public final class SnapshotCodec {
         checkGrowth(s);
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
-        require(!(s.parameters().sleeps() && s.rigids.hasBodies()), "it has bodies, and circles that sleep");
+        require(!s.rigids.hasBodies() || !SleepSection.hasSleepers(s), "circles sleep beside bodies");
         return length;
     }
 

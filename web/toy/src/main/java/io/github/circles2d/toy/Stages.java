@@ -35,7 +35,7 @@ final class Stages {
                 .bounds(0, 0, 160, 100)
                 .gravity(0, -60)
                 .restitution(0.3f)
-                .sleep(!isOfBodies(name))
+                .sleep(true)
                 .build();
         switch (name) {
             case "hourglass" -> hourglass(world);
@@ -54,11 +54,6 @@ final class Stages {
             default -> throw new IllegalArgumentException("there is no stage " + name);
         }
         return world;
-    }
-
-    /** A world in which circles sleep takes no bodies. */
-    private static boolean isOfBodies(String name) {
-        return name.equals("tower") || name.equals("crates");
     }
 
     /** A tower of crates, and a heavy ball that is thrown at it. */
