@@ -117,6 +117,23 @@ class WorldSleepTest {
     }
 
     @Test
+    void aSetterThatChangesNothingWakesNobody() {
+        try (World world =
+                box().friction(0.5f).rollingResistance(0.05f).sleep(true).build()) {
+            heap(world);
+            long piece = world.terrain().addSegment(0, 10, 1, 10, 0, 1);
+            sleepAll(world);
+            world.kind(0).setDamping(world.kind(0).damping());
+            world.kind(0).setSleeps(true);
+            world.setResponse(0, 1, world.response(0, 1));
+            world.terrain().setKind(piece, 1);
+            assertThat(world.stats().awake()).isZero();
+            world.kind(1).setDamping(1);
+            assertThat(world.stats().awake()).isEqualTo(12);
+        }
+    }
+
+    @Test
     void aWorldThatHasMadeNoStepHasASnapshotToo() {
         try (World world = box().sleep(true).build();
                 World taker = box().sleep(true).build()) {

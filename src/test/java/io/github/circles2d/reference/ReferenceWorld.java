@@ -215,6 +215,12 @@ public final class ReferenceWorld implements WorldCalls {
         }
     }
 
+    private void wakeAllIf(boolean changes) {
+        if (changes) {
+            wakeAll();
+        }
+    }
+
     @Override
     public void wakeAll() {
         circles().stream().filter(Circle::isAsleep).forEach(Circle::wake);
@@ -417,8 +423,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setResponse(int kindA, int kindB, Response response) {
-        kinds.setResponse(kindA, kindB, response);
-        wakeAll();
+        wakeAllIf(kinds.setResponse(kindA, kindB, response));
     }
 
     @Override
@@ -428,10 +433,10 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPairs(int kind, int category, int mask, boolean sensor) {
-        kinds.set(kind, Kinds.CATEGORY, category);
-        kinds.set(kind, Kinds.MASK, mask);
-        kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.CATEGORY, category);
+        changes |= kinds.set(kind, Kinds.MASK, mask);
+        changes |= kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+        wakeAllIf(changes);
     }
 
     @Override
@@ -442,31 +447,30 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
-        kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
-        kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
-        kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
+        changes |= kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
+        changes |= kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
-        kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
-        kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
-        kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
+        changes |= kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
+        changes |= kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setTurning(int kind, Inertia inertia, float angularDamping) {
-        kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
-        kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
+        changes |= kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setKindRestitution(int kind, float e) {
-        kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e)));
     }
 
     @Override
@@ -476,8 +480,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setOneWay(int kind, boolean oneWay) {
-        kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0);
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0));
     }
 
     @Override
@@ -516,7 +519,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPieceKind(long piece, int kind) {
-        wakeAll();
+        wakeAllIf(terrain.piece(piece).kind != kind);
         terrain.piece(piece).kind = kind;
     }
 
@@ -699,9 +702,10 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
-        wakeAll();
         int number = wall.ordinal();
+        long before = surfaces.hash();
         surfaces = surfaces.withWall(number, friction, rollingResistance, Surfaces.turned(number, beltSpeed));
+        wakeAllIf(surfaces.hash() != before);
     }
 
     @Override
@@ -966,8 +970,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** Sets if circles of a kind fall asleep. */
     @Override
     public void setSleeps(int kind, boolean sleeps) {
-        kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1);
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1));
     }
 
     @Override
