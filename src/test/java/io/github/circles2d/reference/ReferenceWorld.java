@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
@@ -569,19 +570,19 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, long other, JointPlan plan) {
-        return joints.add(find(circle), find(other), null, null, plan, arena).handle;
+        return added(joints.add(find(circle), find(other), null, null, plan, arena));
     }
 
     @Override
     public long addJoint(long circle, float x, float y, JointPlan plan) {
-        return joints.add(find(circle), null, null, place(x, y), plan, arena).handle;
+        return added(joints.add(find(circle), null, null, place(x, y), plan, arena));
     }
 
     @Override
     public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
         boolean onGround = terrain.body(body).id == 0;
         float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
-        return joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
+        return added(joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena));
     }
 
     /** A zero is always +0. */
@@ -591,7 +592,12 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, JointPlan plan) {
-        return joints.add(find(circle), null, null, new float[2], plan, arena).handle;
+        return added(joints.add(find(circle), null, null, new float[2], plan, arena));
+    }
+
+    private static long added(ReferenceJoint joint) {
+        ReferenceJoints.wake(joint);
+        return joint.handle;
     }
 
     @Override
@@ -609,65 +615,80 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeJoint(long joint) {
+        ReferenceJoints.wake(joints.find(joint));
         joints.remove(joints.find(joint));
     }
 
     @Override
     public void clearJoints() {
+        wakeAll();
         joints.all().forEach(joints::remove);
+    }
+
+    /** Changes a joint. Its circles wake if it is another one then. */
+    private void set(long joint, Consumer<ReferenceJoint> change) {
+        ReferenceJoint found = joints.find(joint);
+        long before = found.hash();
+        change.accept(found);
+        if (found.hash() != before) {
+            ReferenceJoints.wake(found);
+        }
     }
 
     @Override
     public void setJointAnchor(long joint, float x, float y) {
-        ReferenceJoint found = joints.find(joint);
-        found.anchor = found.body != null ? new float[] {x + 0f, y + 0f} : place(x, y);
+        set(joint, found -> found.anchor = found.body != null ? new float[] {x + 0f, y + 0f} : place(x, y));
     }
 
     @Override
     public void setJointLength(long joint, float length) {
-        joints.find(joint).length = length + 0f;
+        set(joint, found -> found.length = length + 0f);
     }
 
     @Override
     public void setJointLimits(long joint, float least, float greatest) {
-        joints.find(joint).limit(least, greatest);
+        set(joint, found -> found.limit(least, greatest));
     }
 
     @Override
     public void setJointSpring(long joint, float frequency, float damping) {
-        joints.find(joint).frequency = frequency + 0f;
-        joints.find(joint).damping = damping + 0f;
+        set(joint, found -> {
+            found.frequency = frequency + 0f;
+            found.damping = damping + 0f;
+        });
     }
 
     @Override
     public void setJointSpeed(long joint, float speed) {
-        joints.find(joint).speed = speed + 0f;
+        set(joint, found -> found.speed = speed + 0f);
     }
 
     @Override
     public void setJointAngle(long joint, float angle) {
-        joints.find(joint).referenceOfA = (int) Angles.units(angle);
+        set(joint, found -> found.referenceOfA = (int) Angles.units(angle));
     }
 
     @Override
     public void setJointMaxForce(long joint, float force) {
-        joints.find(joint).mostForce = force + 0f;
+        set(joint, found -> found.mostForce = force + 0f);
     }
 
     @Override
     public void setJointMaxTorque(long joint, float torque) {
-        joints.find(joint).mostTorque = torque + 0f;
+        set(joint, found -> found.mostTorque = torque + 0f);
     }
 
     @Override
     public void setJointBreaking(long joint, float force, float torque) {
-        joints.find(joint).breakForce = force + 0f;
-        joints.find(joint).breakTorque = torque + 0f;
+        set(joint, found -> {
+            found.breakForce = force + 0f;
+            found.breakTorque = torque + 0f;
+        });
     }
 
     @Override
     public void setJointColliding(long joint, boolean collides) {
-        joints.find(joint).collides = collides;
+        set(joint, found -> found.collides = collides);
     }
 
     @Override
