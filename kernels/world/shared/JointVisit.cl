@@ -11,7 +11,10 @@ typedef struct {
     float4 m;     // as motion
     float2 began; // velocity as the sub-step began
     float share;  // by how much it counts as lighter
-    float inverseMass;
+    float inverseMass; // also of one that sleeps
+#ifdef SLEEPING
+    bool still; // whether it sleeps, and gets nothing
+#endif
 #ifdef TURNING
     float inverseInertia, radius, speed; // speed: surface speed
     float turned;                        // in this step, radians

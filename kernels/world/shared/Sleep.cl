@@ -56,6 +56,15 @@ float imbalanceOfStep(float imbalance, int subSteps, float radius, float dt) {
     return maxf(imbalance * (float) subSteps, SLEEP_LEAST_WAKING * radius / dt);
 }
 
+#ifdef JOINTS
+bool drives(int angular, float speed, float maxTorque, int anchor) {
+    return (angular == HOLD_TURN_SPEED && speed != 0.0f && maxTorque > 0.0f) || anchor != 0;
+}
+
+float ofSubStep(float sum, float warmScale, int subSteps) { return sum * warmScale / (float) subSteps; }
+float loadOfJoint(float x, float y, bool elastic) { return (elastic ? SLEEP_SPRING_LOADS : 1.0f) * lengthf(x, y); }
+#endif
+
 float passedOn(float speed, float impulse, float load, float inverseMass_, float otherInverseMass, float gainOfStep) {
     float passed = speed * minf(2.0f * impulse / load, 1.0f) * minf(inverseMass_ / otherInverseMass, 1.0f);
     return passed > SLEEP_PUSH * gainOfStep ? passed : 0.0f;

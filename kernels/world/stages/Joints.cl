@@ -1,4 +1,4 @@
-// uses: world/shared/JointVisit.cl world/stages/CrossSolver.cl
+// uses: world/shared/JointVisit.cl world/shared/Sleep.cl world/stages/CrossSolver.cl
 // The joints' part of stage Solver: passes between those over like and over cross contacts. A work-group visits a batch, colour by colour; joints in
 // no batch have a launch a colour. Then split joints see the circles as these have left them, and circles take the sums. The Java
 // classes JointPasses and SplitJoints do the same.
@@ -12,7 +12,7 @@ global int *jointSerial(const World *w, int joint) { return jointTable(w, w->joi
 global float4 *keptOf(const World *w, int joint) { return jointVectors(w, w->joints->state) + 2 * joint; }
 global float4 *workOf(const World *w, int place) { return jointVectors(w, w->joints->work) + 3 * place; }
 
-// Working slots of A and B, or NONE; A has none if the joint does nothing in the step.
+// Working slots of A and B, or NONE; A has none if the joint does nothing in the step, and B has one if it rests then.
 global int2 *endsOf(const World *w, int place) { return (global int2 *) jointTable(w, w->joints->ends) + place; }
 
 void takeTraits(const World *w, int joint, JointVisit *v) {
@@ -30,6 +30,24 @@ void takeSpring(const World *w, JointVisit *v) {
 
 // Once circles are sorted.
 int slotOfCircle(const World *w, int id) { return id == NONE ? NONE : workingSlotOf(w)[w->slotOf[id]]; }
+
+#ifdef SLEEPING
+// Whether a circle sleeps, and gets nothing. slot: or NONE.
+bool isStill(const World *w, int slot) { return slot != NONE && isAsleep(w->sleep[slot].REST); }
+
+// Whether a circle of a joint sleeps, and none that a step could move is awake.
+bool jointRests(const World *w, int2 ends) {
+    return (isStill(w, ends.x) || isStill(w, ends.y)) && w->traits[ends.x].INVERSE_MASS == 0.0f &&
+           (ends.y == NONE || w->traits[ends.y].INVERSE_MASS == 0.0f);
+}
+
+float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
+#ifdef TURNING
+float ownInverseInertia(const World *w, int slot) {
+    return ownInverseMass(w, slot) * w->surfaces[SURFACE_STRIDE * w->fields[w->id[slot]].kind + SURFACE_INERTIA];
+}
+#endif
+#endif
 
 // The circle may leave its free path.
 void freeFromPath(const World *w, int slot) {
@@ -51,6 +69,12 @@ void findJoint(const World *w, int place) {
     int2 ends = (int2)(NONE);
     if (*jointSerial(w, joint) != ~v.HOLD_SERIAL) {
         ends = (int2)(slotOfCircle(w, v.HOLDS_A), slotOfCircle(w, v.HOLDS_B));
+#ifdef SLEEPING
+        if (jointRests(w, ends)) {
+            *endsOf(w, place) = (int2)(NONE, 0);
+            return;
+        }
+#endif
         freeFromPath(w, ends.x);
         freeFromPath(w, ends.y);
     }
@@ -70,8 +94,15 @@ int2 splitEndsOf(const World *w, int place) {
 
 // Scales the impulses of the step before; a new joint has none. Once a step, which is not refused.
 void beginJoint(const World *w, int place) {
-    if (endsOf(w, place)->x == NONE) return;
+    int2 ends = *endsOf(w, place);
     int joint = jointAt(w, place);
+    if (ends.x == NONE) {
+        if (ends.y != NONE) { // it rests
+            keptOf(w, joint)[0] *= w->warmScale;
+            keptOf(w, joint)[1] *= w->warmScale;
+        }
+        return;
+    }
     JointVisit v;
     takeTraits(w, joint, &v);
     global int *serial = jointSerial(w, joint);
@@ -107,11 +138,19 @@ kernel void joints_begin(WORLD_PARAMETERS) {
     if (place < w.joints->count && !refused(&w)) beginJoint(&w, place);
 }
 
+// By how much an impulse moves an end.
+float givenMass(const JointEnd *e) {
+#ifdef SLEEPING
+    if (e->still) return 0.0f;
+#endif
+    return e->inverseMass;
+}
+
 // solving: with the velocity as the sub-step began, for springs.
 void takeCircle(const World *w, int slot, bool solving, JointEnd *e) {
     e->m = w->motion[slot];
     if (solving) {
-        float2 fall = e->inverseMass == 0.0f ? (float2)(0.0f) : gainOf(w, w->id[slot], e->inverseMass);
+        float2 fall = givenMass(e) == 0.0f ? (float2)(0.0f) : gainOf(w, w->id[slot], e->inverseMass);
         e->began = w->load[slot].BEFORE - fall;
     }
 }
@@ -172,6 +211,10 @@ void takeWork(const World *w, int place, JointVisit *v) {
     float4 line = work[0];
     float4 masses = work[1];
     float2 shares = work[2].xy;
+#ifdef SLEEPING
+    v->a.still = ((int) work[2].w & JOINT_STILL_A) != 0;
+    v->b.still = ((int) work[2].w & JOINT_STILL_B) != 0;
+#endif
     v->most = work[2].z;
     v->baseX = line.x;
     v->baseY = line.y;
@@ -187,7 +230,7 @@ void takeWork(const World *w, int place, JointVisit *v) {
     v->b.share = shares.y;
 }
 
-bool relaxesAt(const World *w, int place) { return workOf(w, place)[2].w != 0.0f; }
+bool relaxesAt(const World *w, int place) { return ((int) workOf(w, place)[2].w & JOINT_RELAXES) != 0; }
 
 // The same for the first time.
 void beginWork(const World *w, int place, int2 ends, float2 shares, JointVisit *v) {
@@ -204,11 +247,29 @@ void beginWork(const World *w, int place, int2 ends, float2 shares, JointVisit *
     masses.z = w->inverseInertia[ends.x];
     masses.w = hasB ? w->inverseInertia[ends.y] : 0.0f;
 #endif
+    int flags = relaxes(v) ? JOINT_RELAXES : 0;
+#ifdef SLEEPING
+    // A circle that sleeps is pulled as if it would give way.
+    if (isStill(w, ends.x)) {
+        flags |= JOINT_STILL_A;
+        masses.x = ownInverseMass(w, ends.x);
+#ifdef TURNING
+        masses.z = ownInverseInertia(w, ends.x);
+#endif
+    }
+    if (isStill(w, ends.y)) {
+        flags |= JOINT_STILL_B;
+        masses.y = ownInverseMass(w, ends.y);
+#ifdef TURNING
+        masses.w = ownInverseInertia(w, ends.y);
+#endif
+    }
+#endif
     global float4 *work = workOf(w, place);
     work[0] = (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), 1.0f, 0.0f);
     work[1] = masses;
     float radius = hasB ? minf(a.RADIUS, b.RADIUS) : a.RADIUS;
-    work[2] = (float4)(shares.x, shares.y, greatestPush(radius, w->k.inverseH), relaxes(v) ? 1.0f : 0.0f);
+    work[2] = (float4)(shares.x, shares.y, greatestPush(radius, w->k.inverseH), (float) flags);
     takeWork(w, place, v);
 }
 
@@ -221,8 +282,8 @@ void keepJoint(const World *w, int place, const JointVisit *v) {
 
 // Gives it to the velocities.
 void giveToCircles(const World *w, int2 ends, const JointVisit *v) {
-    float wA = v->a.inverseMass;
-    float wB = v->b.inverseMass;
+    float wA = givenMass(&v->a);
+    float wB = givenMass(&v->b);
     if (wA != 0.0f) w->motion[ends.x].VELOCITY = (float2)(v->a.m.VX - wA * v->pushX, v->a.m.VY - wA * v->pushY);
     if (wB != 0.0f) w->motion[ends.y].VELOCITY = (float2)(v->b.m.VX + wB * v->pushX, v->b.m.VY + wB * v->pushY);
 #ifdef TURNING
@@ -235,7 +296,7 @@ void giveToCircles(const World *w, int2 ends, const JointVisit *v) {
 
 // Gives it to the sums that the circles begin the next sub-step with.
 void giveToLoads(const World *w, int2 ends, const JointVisit *v) {
-    if (v->a.inverseMass != 0.0f) {
+    if (givenMass(&v->a) != 0.0f) {
         global float *sum = (global float *) (w->load + ends.x) + IMPULSES_AT;
         sum[0] -= v->pushX;
         sum[1] -= v->pushY;
@@ -243,7 +304,7 @@ void giveToLoads(const World *w, int2 ends, const JointVisit *v) {
         if (turnsEnds(v)) w->spinImpulse[ends.x] += spinOfA(v);
 #endif
     }
-    if (v->b.inverseMass != 0.0f) {
+    if (givenMass(&v->b) != 0.0f) {
         global float *sum = (global float *) (w->load + ends.y) + IMPULSES_AT;
         sum[0] += v->pushX;
         sum[1] += v->pushY;
@@ -256,10 +317,10 @@ void giveToLoads(const World *w, int2 ends, const JointVisit *v) {
 // Marks circles that the joint cannot bring to where they should be as loaded in the next sub-step.
 void loadEnds(const World *w, int2 ends, const JointVisit *v) {
     float strain = strainOf(v);
-    if (v->a.inverseMass != 0.0f && jointLoads(strain, w->circle[ends.x].RADIUS)) {
+    if (givenMass(&v->a) != 0.0f && jointLoads(strain, w->circle[ends.x].RADIUS)) {
         ((global float *) (w->load + ends.x))[LOADED_NEXT_AT] = 1.0f;
     }
-    if (v->b.inverseMass != 0.0f && jointLoads(strain, w->circle[ends.y].RADIUS)) {
+    if (givenMass(&v->b) != 0.0f && jointLoads(strain, w->circle[ends.y].RADIUS)) {
         ((global float *) (w->load + ends.y))[LOADED_NEXT_AT] = 1.0f;
     }
 }
@@ -294,11 +355,11 @@ void giveToSums(const World *w, int place, int2 ends, const JointVisit *v, bool 
         spinB = (speeds ? v->b.inverseInertia : 1.0f) * spinOfB(v);
     }
 #endif
-    if (v->a.inverseMass != 0.0f) {
+    if (givenMass(&v->a) != 0.0f) {
         float by = speeds ? v->a.inverseMass : 1.0f;
         addToSum(w, numbers.x, ends.x, speeds, -(by * v->pushX), -(by * v->pushY), spinA);
     }
-    if (v->b.inverseMass != 0.0f) {
+    if (givenMass(&v->b) != 0.0f) {
         float by = speeds ? v->b.inverseMass : 1.0f;
         addToSum(w, numbers.y, ends.y, speeds, by * v->pushX, by * v->pushY, spinB);
     }

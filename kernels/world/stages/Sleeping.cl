@@ -5,11 +5,13 @@
 // Who sleeps has the inverse mass 0, in traits and in sight: other stages need not know. Waking works on working slots, so a step that is
 // refused has woken nobody. All sums are whole numbers, and all else is a maximum.
 //
-// heavySum: of one that sleeps, sums of impulses x, y, and of normal ones.
+// heavySum: of one that sleeps, sums of impulses x, y, of those that carry it, and of those along its surface.
 
 #ifdef SLEEPING
 bool sleeps(const World *w, int slot) { return isAsleep(w->sleep[slot].REST); }
+#ifndef JOINTS
 float ownInverseMass(const World *w, int slot) { return inverseMass(w->circle[slot].MASS); }
+#endif
 
 // What gravity and a force add to a circle's speed in a sub-step, if nothing holds it.
 float ownGain(const World *w, int slot) {
@@ -21,6 +23,14 @@ float gainOfStep(const World *w, int slot) { return ownGain(w, slot) * (float) w
 
 int responseAt(const World *w, int slot, int other) {
     return w->k.filtering == 0 ? PAIR_SOLID : responseOf(w, w->id[slot], w->id[other]);
+}
+
+// Whether two circles would meet, if one of them moves.
+bool wouldMeet(const World *w, int slot, int other) {
+#ifdef JOINTS
+    if (areParted(w, w->id[slot], w->id[other])) return false;
+#endif
+    return responseAt(w, slot, other) == PAIR_SOLID;
 }
 
 bool areNear(const World *w, int slot, int other) {
@@ -64,9 +74,21 @@ void wakeForSure(const World *w, int slot) {
     wakeBy(w, slot, strong(gainOfStep(w, slot), w->circle[slot].RADIUS, w->k.dt));
 }
 
+#ifdef JOINTS
+// PRESSING of one that sleeps and that joints turn, until it is known.
+#define JOINT_TURNED 1
+
+// WAKING_SPEED behind a step: of a circle that a joint drives, and of one whose joint has broken
+#define HELD_DRIVEN 1
+#define HELD_TORN 2
+#endif
+
+// PRESSING of one that woke in a ring.
+#define WOKEN_IN(ring) (-1 - (ring))
+
 // ---- what presses those that sleep
 
-void press(const World *w, int slot, const Meeting *m, float j, float f) {
+void press(const World *w, int slot, const Meeting *m, float j, float f, float rolling_) {
     if (!sleeps(w, slot)) return;
     float4 c = w->circle[slot];
     float scale = scaleOf(impulseRange(c.RADIUS, w->k.inverseH, inverseMass(c.MASS)));
@@ -75,6 +97,7 @@ void press(const World *w, int slot, const Meeting *m, float j, float f) {
     addFixed(sums, toFixed(side * (m->nx * j - m->ny * f), scale));
     addFixed(sums + 1, toFixed(side * (m->ny * j + m->nx * f), scale));
     addFixed(sums + 2, toFixed(j, scale));
+    addFixed(sums + 3, toFixed(-f + side * rolling_ / c.RADIUS, scale));
 }
 
 // The circle of higher id of a cached impulse, or NONE if it is another one now.
@@ -92,15 +115,17 @@ void pressByImpulses(const World *w, int slot) {
         int other = partnerOf(w, entry);
         if (other != NONE && (sleeps(w, slot) || sleeps(w, other))) {
             bool still = w->traits[slot].INVERSE_MASS == 0.0f && w->traits[other].INVERSE_MASS == 0.0f;
-            if (still || (responseAt(w, slot, other) == PAIR_SOLID && areNear(w, slot, other))) {
+            if (still || (wouldMeet(w, slot, other) && areNear(w, slot, other))) {
                 Meeting m = meetingOf(w, slot, other);
                 float j = as_float(entry.CACHED_IMPULSE) * w->warmScale;
                 float f = 0.0f;
+                float rolling_ = 0.0f;
 #ifdef TURNING
                 f = w->rowCache[k].FRICTION_IMPULSE * w->warmScale;
+                rolling_ = w->rowCache[k].ROLLING_IMPULSE * w->warmScale;
 #endif
-                press(w, slot, &m, j, f);
-                press(w, other, &m, j, f);
+                press(w, slot, &m, j, f, rolling_);
+                press(w, other, &m, j, f, rolling_);
             }
         }
         k = entry.CACHED_NEXT;
@@ -110,7 +135,7 @@ void pressByImpulses(const World *w, int slot) {
 // ---- who is about to push them
 
 void hitSleeper(const World *w, int slot, int sleeper) {
-    if (!areNear(w, slot, sleeper) || responseAt(w, slot, sleeper) != PAIR_SOLID) return;
+    if (!areNear(w, slot, sleeper) || !wouldMeet(w, slot, sleeper)) return;
     Meeting m = meetingOf(w, slot, sleeper);
     float2 v = w->motion[slot].VELOCITY;
     float along = dotf(m.nx, m.ny, v.x, v.y);
@@ -174,28 +199,154 @@ kernel void sleeping_press(WORLD_PARAMETERS) {
 }
 
 #ifdef JOINTS
-// A circle of a joint that has not broken: wakes as the step begins, and does not fall asleep behind it.
-void holdCircle(const World *w, int id, bool begins) {
-    if (id == NONE) return;
-    if (!begins) {
-        w->waking[w->slotOf[id]].WAKING_SPEED = 1;
-        return;
-    }
-    int slot = slotOfCircle(w, id);
-    if (sleeps(w, slot)) wakeForSure(w, slot);
+// Takes what a joint is. Returns whether it has begun, and has not broken.
+bool takeHeld(const World *w, int joint, JointVisit *v) {
+    takeTraits(w, joint, v);
+    if (*jointSerial(w, joint) != v->HOLD_SERIAL) return false;
+    global const float4 *row = jointVectors(w, w->joints->rows) + 3 * joint;
+    for (int k = 0; k < 3; k++) v->row[k] = row[k];
+    v->kept[0] = keptOf(w, joint)[0];
+    v->kept[1] = keptOf(w, joint)[1];
+    return true;
 }
 
-// Index space: places in the order of joints. begins: see holdCircle.
-kernel void sleeping_hold(WORLD_PARAMETERS, int begins) {
+bool drivesEnds(const JointVisit *v) { return drives(angularOf(v), v->ROW_SPEED, v->ROW_MAX_TORQUE, v->HOLD_ANCHOR); }
+
+// Whether a circle of infinite mass moves so that a joint takes along what it holds. turns: whether the circle does.
+bool takesAlong(const JointVisit *v, float4 c, float2 velocity, bool turns) {
+    return inverseMass(c.MASS) == 0.0f &&
+           (velocity.x != 0.0f || velocity.y != 0.0f || (turns && (angularOf(v) != 0 || holds(v, HOLD_ACROSS))));
+}
+
+// What a joint did in a sub-step of the last step, as this one goes on from it.
+float jointSubStep(const World *w, float sum) { return ofSubStep(sum, w->warmScale, w->k.subSteps); }
+
+float jointLoad(const World *w, const JointVisit *v) {
+    return loadOfJoint(jointSubStep(w, v->KEPT_SUM_X), jointSubStep(w, v->KEPT_SUM_Y), holds(v, HOLD_ELASTIC));
+}
+
+// From slot a to slot b. Returns how far they are apart.
+float wayOfJoint(const World *w, int a, int b, float2 *n) {
+    float4 ca = w->circle[a];
+    float4 cb = w->circle[b];
+    float4 ma = w->motion[a];
+    float4 mb = w->motion[b];
+    float x = ACROSS_X(w, cb.x - ca.x) + (mb.DX - ma.DX);
+    float y = ACROSS_Y(w, cb.y - ca.y) + (mb.DY - ma.DY);
+    float d = lengthf(x, y);
+    *n = d > 0.0f ? (float2)(x / d, y / d) : (float2)(0.0f);
+    return d;
+}
+
+// Adds what a joint gives to a circle that sleeps. both: an angular impulse on both circles.
+void pressByJoint(const World *w, const JointVisit *v, int slot, bool isA, float both) {
+    float4 c = w->circle[slot];
+    float scale = scaleOf(impulseRange(c.RADIUS, w->k.inverseH, inverseMass(c.MASS)));
+    float x = jointSubStep(w, v->KEPT_SUM_X);
+    float y = jointSubStep(w, v->KEPT_SUM_Y);
+    float twist = jointSubStep(w, v->KEPT_SUM_ANGULAR);
+    global long *sums = (global long *) (w->heavySum + slot);
+    addFixed(sums, toFixed(isA ? -x : x, scale));
+    addFixed(sums + 1, toFixed(isA ? -y : y, scale));
+    addFixed(sums + 2, toFixed(jointLoad(w, v), scale));
+    addFixed(sums + 3, toFixed((isA ? both + twist : both - twist) / c.RADIUS, scale));
+    if (angularOf(v) != 0 || holds(v, HOLD_ACROSS)) w->waking[slot].PRESSING = JOINT_TURNED;
+}
+
+float pull(const World *w, int sleeper, int slot, float approach, float gap, float impulse) {
+    return hit(approach, gap, ownInverseMass(w, sleeper), ownInverseMass(w, slot), 0.0f, impulse, gainOfStep(w, sleeper),
+               w->circle[sleeper].RADIUS, w->k.dt);
+}
+
+// By a joint of a circle that is awake. d, n: from A to B.
+void pullSleeper(const World *w, const JointVisit *v, int sleeper, int slot, bool isA, float d, float2 n) {
+    float2 velocity = w->motion[slot].VELOCITY;
+    float along = dotf(n.x, n.y, velocity.x, velocity.y);
+    float apart = isA ? along : -along;
+    float impulse = jointLoad(w, v);
+    if (holds(v, HOLD_RIGID)) {
+        float speed = fabs(apart);
+#ifdef TURNING
+        if (holds(v, HOLD_ACROSS)) {
+            speed = lengthf(velocity.x, velocity.y) + 0.5f * d * fabs(as_float(w->turn[slot].ANGULAR_VELOCITY));
+        }
+#endif
+        wakeBy(w, sleeper, pull(w, sleeper, slot, speed, 0.0f, impulse));
+    }
+    if (holds(v, HOLD_LOWER)) wakeBy(w, sleeper, pull(w, sleeper, slot, -apart, d - v->ROW_MIN_LENGTH, impulse));
+    if (holds(v, HOLD_UPPER)) wakeBy(w, sleeper, pull(w, sleeper, slot, apart, v->ROW_MAX_LENGTH - d, impulse));
+}
+
+bool turnsNow(const World *w, int slot) {
+#ifdef TURNING
+    return as_float(w->turn[slot].ANGULAR_VELOCITY) != 0.0f;
+#else
+    return false;
+#endif
+}
+
+// What a joint does to a circle that sleeps. other: the slot of what it holds it to, or NONE.
+void holdSleeper(const World *w, const JointVisit *v, int slot, int other, bool isA, float both, float d, float2 n) {
+    pressByJoint(w, v, slot, isA, both);
+    if (drivesEnds(v)) wakeForSure(w, slot);
+    if (other == NONE) return;
+    if (w->traits[other].INVERSE_MASS != 0.0f) {
+        pullSleeper(w, v, slot, other, isA, d, n);
+    } else if (takesAlong(v, w->circle[other], w->motion[other].VELOCITY, turnsNow(w, other))) {
+        wakeForSure(w, slot);
+    }
+}
+
+void holdEnds(const World *w, int joint) {
+    JointVisit v;
+    if (!takeHeld(w, joint, &v)) return;
+    int a = slotOfCircle(w, v.HOLDS_A);
+    int b = slotOfCircle(w, v.HOLDS_B);
+    if (!isStill(w, a) && !isStill(w, b)) return;
+    float2 n = (float2)(0.0f);
+    float d = b == NONE ? 0.0f : wayOfJoint(w, a, b, &n);
+    float both = holds(&v, HOLD_ACROSS) ? -0.5f * d * (v.KEPT_ACROSS * w->warmScale) : 0.0f;
+    if (isStill(w, a)) holdSleeper(w, &v, a, b, true, both, d, n);
+    if (isStill(w, b)) holdSleeper(w, &v, b, a, false, both, d, n);
+}
+
+// Joints as the step begins. Index space: places in the order of joints.
+kernel void sleeping_hold(WORLD_PARAMETERS) {
     World w = WORLD;
     int place = (int) get_global_id(0);
-    if (place >= w.joints->count || (begins ? !haveSleepers(&w) || gridIsEmpty(&w) : refused(&w))) return;
-    int joint = jointAt(&w, place);
+    if (place < w.joints->count && haveSleepers(&w) && !gridIsEmpty(&w)) holdEnds(&w, jointAt(&w, place));
+}
+
+// Marks a circle that does not fall asleep behind the step, or one that wakes behind it. id: or NONE.
+void markHeld(const World *w, int id, int as) {
+    if (id != NONE) atomic_max((volatile global int *) (w->waking + w->slotOf[id]), as);
+}
+
+bool takesAlongBehind(const World *w, const JointVisit *v, int id) {
+    if (id == NONE) return false;
+    int slot = w->slotOf[id];
+    bool turns = false;
+#ifdef TURNING
+    turns = as_float(w->homeTurn[slot].ANGULAR_VELOCITY) != 0.0f;
+#endif
+    return takesAlong(v, w->homeCircle[slot], w->homeMotion[slot].VELOCITY, turns);
+}
+
+// Joints behind the step: some have broken in it. Index space: places in the order of joints.
+kernel void sleeping_held(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int place = (int) get_global_id(0);
+    if (place >= w.joints->count || refused(&w)) return;
     JointVisit v;
-    takeTraits(&w, joint, &v);
-    if (*jointSerial(&w, joint) == ~v.HOLD_SERIAL) return;
-    holdCircle(&w, v.HOLDS_A, begins != 0);
-    holdCircle(&w, v.HOLDS_B, begins != 0);
+    if (!takeHeld(&w, jointAt(&w, place), &v)) {
+        if (endsOf(&w, place)->x == NONE) return;
+        markHeld(&w, v.HOLDS_A, HELD_TORN);
+        markHeld(&w, v.HOLDS_B, HELD_TORN);
+        return;
+    }
+    bool drives_ = drivesEnds(&v);
+    if (drives_ || takesAlongBehind(&w, &v, v.HOLDS_B)) markHeld(&w, v.HOLDS_A, HELD_DRIVEN);
+    if (drives_ || takesAlongBehind(&w, &v, v.HOLDS_A)) markHeld(&w, v.HOLDS_B, HELD_DRIVEN);
 }
 #endif
 
@@ -210,7 +361,7 @@ bool wallsMoveNear(const World *w, int axis, float x, float r, float min_, float
 }
 
 typedef struct {
-    long x, y, load;
+    long x, y, load, spin;
 } Pressed;
 
 // j, f: impulses along an outward normal and along the tangent.
@@ -218,6 +369,10 @@ void addPressed(Pressed *p, float scale, float nx, float ny, float j, float f) {
     p->x += toFixed(nx * j - ny * f, scale);
     p->y += toFixed(ny * j + nx * f, scale);
     p->load += toFixed(j, scale);
+}
+
+void addSpin(Pressed *p, float scale, RowImpulses i, float own) {
+    p->spin += toFixed((i.ROLLING_IMPULSE - i.FRICTION_IMPULSE) / own, scale);
 }
 
 // own: inverse mass.
@@ -230,6 +385,8 @@ void pressByWalls(const World *w, int slot, float own, float scale, Pressed *p) 
     RowImpulses ofY = rows.odd;
     along[0] = wall[0] > 0.0f ? ofX.FRICTION_IMPULSE : -ofX.FRICTION_IMPULSE;
     along[1] = wall[1] > 0.0f ? -ofY.FRICTION_IMPULSE : ofY.FRICTION_IMPULSE;
+    addSpin(p, scale, ofX, own);
+    addSpin(p, scale, ofY, own);
 #endif
     p->x += toFixed(wall[0] / own, scale);
     p->y += toFixed(wall[0] == 0.0f ? 0.0f : along[0] / own, scale);
@@ -265,14 +422,16 @@ bool pressByPieces(const World *w, int slot, float own, float scale, Pressed *p)
         if (!isConstraint(w->piece[k]) || !(push.PUSH_NORMAL > 0.0f)) continue;
         float4 g = w->measured[k];
         addPressed(p, scale, g.MEASURED_X, g.MEASURED_Y, push.PUSH_NORMAL / own, w->pieceRows[k].FRICTION_IMPULSE / own);
+        addSpin(p, scale, w->pieceRows[k], own);
     }
     return moves;
 }
 #endif
 
 // Is awake from now on, also to what describes it. Returns whether it is fast.
-bool wakeSlot(const World *w, int slot) {
+bool wakeSlot(const World *w, int slot, int ring) {
     float4 c = w->circle[slot];
+    w->waking[slot].PRESSING = WOKEN_IN(ring);
     float4 m = w->motion[slot];
     float own = inverseMass(c.MASS);
     w->sleep[slot] = (int4)(0, as_int(0.0f - m.DX), as_int(0.0f - m.DY), 0);
@@ -291,7 +450,7 @@ bool wakes(const World *w, int slot) {
     float scale = scaleOf(range);
     long4 sums = w->heavySum[slot];
     w->heavySum[slot] = (long4)(0);
-    Pressed p = {sums.x, sums.y, sums.z};
+    Pressed p = {sums.x, sums.y, sums.z, sums.w};
     pressByWalls(w, slot, own, scale, &p);
     bool moved = wallsMoveNear(w, 0, c.x, c.RADIUS, w->k.minX, w->k.maxX) || wallsMoveNear(w, 1, c.y, c.RADIUS, w->k.minY, w->k.maxY);
 #ifdef TURNING
@@ -314,6 +473,11 @@ bool wakes(const World *w, int slot) {
     float y = g.y + own * fromFixed(p.y, unit);
     if (sleep.OFFSET == SLEEP_NO_OFFSET) sleep.OFFSET = strict ? 0 : offset(x, y, gain_);
     float imbalance = lengthf(x - offsetX(sleep.OFFSET, gain_), y - offsetY(sleep.OFFSET, gain_));
+#if defined(JOINTS) && defined(TURNING)
+    if (w->waking[slot].PRESSING == JOINT_TURNED) {
+        imbalance = maxf(imbalance, SLEEP_SHARE_OF_SPIN * fabs(ownInverseInertia(w, slot) * fromFixed(p.spin, unit)));
+    }
+#endif
     float speed = as_float(w->waking[slot].WAKING_SPEED);
     if (moved) speed = maxf(speed, strong(gain_ * (float) w->k.subSteps, c.RADIUS, w->k.dt));
     int rest = SLEEP_ASLEEP;
@@ -337,7 +501,7 @@ kernel void sleeping_wake(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) fast = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (slot < circles && haveSleepers(&w) && !gridIsEmpty(&w) && sleeps(&w, slot) && wakes(&w, slot)) {
-        if (wakeSlot(&w, slot)) fast = 1;
+        if (wakeSlot(&w, slot, 0)) fast = 1;
         w.woken[atomic_inc(&status[WOKEN_COUNT])].x = slot;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -346,21 +510,55 @@ kernel void sleeping_wake(WORLD_PARAMETERS) {
 
 // ---- how far that wakes others
 
-// What of the speed that woke a circle reaches one that sleeps, which is listed at its first.
-void passOn(const World *w, int slot, int sleeper, global int *list, local int *count) {
-    Meeting m = meetingOf(w, slot, sleeper);
-    if (!(m.separation < MARGIN * m.radii) || responseAt(w, slot, sleeper) != PAIR_SOLID) return;
-    float speed = as_float(w->waking[slot].WAKING_SPEED);
-    float own = ownInverseMass(w, sleeper);
-    float other = ownInverseMass(w, slot);
-    float impulse = impulseOfMeeting(w, &m);
-    float gain_ = gainOfStep(w, sleeper);
-    float passed = impulse > 0.0f ? passedOn(speed, impulse, as_float(w->waking[sleeper].PRESSING), own, other, gain_)
-                                  : passedFreely(speed, m.separation, own, other, gain_, w->k.dt);
+float passImpulse(const World *w, int slot, int sleeper, float impulse) {
+    return passedOn(as_float(w->waking[slot].WAKING_SPEED), impulse, as_float(w->waking[sleeper].PRESSING),
+                    ownInverseMass(w, sleeper), ownInverseMass(w, slot), gainOfStep(w, sleeper));
+}
+
+float passFreely(const World *w, int slot, int sleeper, float separation) {
+    return passedFreely(as_float(w->waking[slot].WAKING_SPEED), separation, ownInverseMass(w, sleeper), ownInverseMass(w, slot),
+                        gainOfStep(w, sleeper), w->k.dt);
+}
+
+// One that sleeps is listed at its first.
+void reach(const World *w, int sleeper, float passed, global int *list, local int *count) {
     if (!(passed > 0.0f)) return;
     int before = atomic_max((volatile global int *) (w->waking + sleeper), as_int(passed));
     if (before == 0) list[2 * atomic_inc(count)] = sleeper;
 }
+
+// What of the speed that woke a circle reaches one that sleeps.
+void passOn(const World *w, int slot, int sleeper, global int *list, local int *count) {
+    Meeting m = meetingOf(w, slot, sleeper);
+    if (!(m.separation < MARGIN * m.radii) || !wouldMeet(w, slot, sleeper)) return;
+    float impulse = impulseOfMeeting(w, &m);
+    reach(w, sleeper, impulse > 0.0f ? passImpulse(w, slot, sleeper, impulse) : passFreely(w, slot, sleeper, m.separation), list, count);
+}
+
+#ifdef JOINTS
+void passOnByJoint(const World *w, const JointVisit *v, int slot, int sleeper, global int *list, local int *count) {
+    float impulse = jointLoad(w, v);
+    if (impulse > 0.0f) {
+        reach(w, sleeper, passImpulse(w, slot, sleeper, impulse), list, count);
+        return;
+    }
+    float2 n;
+    float d = wayOfJoint(w, slot, sleeper, &n);
+    if (holds(v, HOLD_RIGID)) reach(w, sleeper, passFreely(w, slot, sleeper, 0.0f), list, count);
+    if (holds(v, HOLD_LOWER)) reach(w, sleeper, passFreely(w, slot, sleeper, d - v->ROW_MIN_LENGTH), list, count);
+    if (holds(v, HOLD_UPPER)) reach(w, sleeper, passFreely(w, slot, sleeper, v->ROW_MAX_LENGTH - d), list, count);
+}
+
+// By a joint, if one of its circles woke in the ring before, and the other sleeps.
+void passOnBetween(const World *w, int joint, int ring, global int *list, local int *count) {
+    JointVisit v;
+    if (!takeHeld(w, joint, &v) || v.HOLDS_B == NONE) return;
+    int a = slotOfCircle(w, v.HOLDS_A);
+    int b = slotOfCircle(w, v.HOLDS_B);
+    if (w->waking[a].PRESSING == WOKEN_IN(ring - 1) && sleeps(w, b)) passOnByJoint(w, &v, a, b, list, count);
+    if (w->waking[b].PRESSING == WOKEN_IN(ring - 1) && sleeps(w, a)) passOnByJoint(w, &v, b, a, list, count);
+}
+#endif
 
 void passOnAround(const World *w, int slot, global int *list, local int *count) {
     float4 c = w->circle[slot];
@@ -379,10 +577,10 @@ void passOnAround(const World *w, int slot, global int *list, local int *count) 
 }
 
 // Of those that a ring has reached. Returns whether it is awake, and fast.
-bool wakeReached(const World *w, global int *listed) {
+bool wakeReached(const World *w, global int *listed, int ring) {
     int slot = *listed;
     float speed = as_float(w->waking[slot].WAKING_SPEED);
-    if (speed > SLEEP_LEAST_HIT * w->circle[slot].RADIUS / w->k.dt) return wakeSlot(w, slot);
+    if (speed > SLEEP_LEAST_HIT * w->circle[slot].RADIUS / w->k.dt) return wakeSlot(w, slot, ring);
     w->waking[slot].WAKING_SPEED = 0;
     *listed = NONE;
     return false;
@@ -408,10 +606,15 @@ kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping
         for (int i = item; i < woken; i += SLEEPING_GROUP) {
             if (from[2 * i] != NONE) passOnAround(&w, from[2 * i], to, &count);
         }
+#ifdef JOINTS
+        for (int place = item; woken > 0 && place < w.joints->count; place += SLEEPING_GROUP) {
+            passOnBetween(&w, jointAt(&w, place), ring, to, &count);
+        }
+#endif
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         woken = count;
         for (int i = item; i < woken; i += SLEEPING_GROUP) {
-            if (wakeReached(&w, to + 2 * i)) fast = 1;
+            if (wakeReached(&w, to + 2 * i, ring)) fast = 1;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -480,6 +683,17 @@ bool isRestless(const World *w, int slot) {
 
 void restCircle(const World *w, int slot) {
     float4 t = w->homeTraits[slot];
+#ifdef JOINTS
+    if (w->waking[slot].WAKING_SPEED == HELD_TORN) {
+        float4 m = w->homeMotion[slot];
+        t.INVERSE_MASS = inverseMass(w->homeCircle[slot].MASS);
+        w->homeTraits[slot].INVERSE_MASS = t.INVERSE_MASS;
+        float2 drift_ = t.INVERSE_MASS == 0.0f ? (float2)(0.0f) : (float2)(0.0f - m.DX, 0.0f - m.DY);
+        w->homeSleep[slot] = (int4)(0, as_int(drift_.x), as_int(drift_.y), 0);
+        w->status[RESTLESS] = 1;
+        return;
+    }
+#endif
     if (t.INVERSE_MASS == 0.0f) {
         if (isRestless(w, slot)) w->status[RESTLESS] = 1;
         return;

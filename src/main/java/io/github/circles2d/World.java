@@ -2124,7 +2124,7 @@ public final class World implements AutoCloseable {
          * Lets circles that lie still fall asleep, and wake when something moves them: steps then cost what is awake, not what there is. By
          * default false. A circle falls asleep if it has hardly moved for a second. It wakes when something is about to push it, when it loses
          * what carries it, when gravity or its force change, or a call changes it. Until then its velocity is 0. {@link
-         * Kind#setSleeps} keeps circles of a kind awake; those that a joint holds, that grow or have a torque never sleep, nor do any without
+         * Kind#setSleeps} keeps circles of a kind awake; those that a motor drives, that grow or have a torque never sleep, nor do any without
          * gravity and damping. The guide's chapter on sleep says more. Devices make the same steps, but cost about what they cost without sleep unless all sleep.
          *
          * @param sleep true if circles may fall asleep

@@ -258,6 +258,13 @@ record GoldenScene(
                 new GoldenScene("asleep-lift", heap(), GoldenSleep::lift, Surfaces.of(0.5f, 0f), GoldenSleep::ground)
                         .sleeping(),
                 new GoldenScene("asleep-rope", heap(), GoldenSleep::pull, Surfaces.of(0.5f, 0f), GoldenSleep::rope)
+                        .sleeping(),
+                new GoldenScene(
+                                "asleep-joints",
+                                heap(),
+                                GoldenSleep::changeJoints,
+                                Surfaces.of(0.5f, 0.02f),
+                                GoldenSleep::joints)
                         .sleeping());
     }
 

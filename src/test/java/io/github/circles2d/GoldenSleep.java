@@ -141,4 +141,49 @@ final class GoldenSleep {
             run.calls().applyImpulse(run.readHandles()[142], 0f, 4f);
         }
     }
+
+    /** A bridge over the heap, with a wheel that a motor turns; a soft body and a bar of welded circles in the heap. */
+    static void joints(WorldCalls world) {
+        world.setMotion(0, 1f, 1f, 100f);
+        long[] handles = new long[world.size()];
+        world.readHandles(handles);
+        long before = 0;
+        for (int k = 0; k < 8; k++) {
+            long bead = world.add(0.15f + 0.1f * k, 0.8f, 0.02f, 2f, 0f, 0f);
+            if (k == 0) {
+                world.addJoint(bead, 0.05f, 0.8f, JointPlan.of(Kind.DISTANCE));
+            } else {
+                world.addJoint(
+                        before,
+                        bead,
+                        JointPlan.of(k == 4 ? Kind.LIMITS : Kind.DISTANCE).withLimits(0f, 0.11f));
+            }
+            before = bead;
+        }
+        world.addJoint(before, 0.95f, 0.8f, JointPlan.of(Kind.SPRING, 2f, 1f));
+        for (int k = 0; k < 6; k++) {
+            world.addJoint(handles[k], handles[k + 1], JointPlan.of(Kind.SPRING, 3f, 0.7f));
+            world.addJoint(
+                    handles[20 + k], handles[21 + k], JointPlan.of(Kind.WELD).breakingAt(60f, 60f));
+        }
+        world.addJoint(handles[40], JointPlan.of(Kind.MOTOR, 0.5f, 1f));
+    }
+
+    /** A ball falls on the bridge, or a joint changes, breaks or goes. */
+    static void changeJoints(GoldenScene.Run run) {
+        int n = number(run);
+        WorldCalls world = run.calls();
+        switch (n) {
+            case 0 -> {}
+            case 2 -> world.setJointSpeed(joint(21), 0f);
+            case 3 -> world.setJointLength(joint(5), 0.08f);
+            case 4 -> world.setJointSpring(joint(8), 5f, 1f);
+            case 5 -> world.removeJoint(joint(3));
+            default -> world.add(0.42f + 0.1f * n % 0.3f, 0.95f, 0.025f, 5f, 0f, -0.5f);
+        }
+    }
+
+    private static long joint(int id) {
+        return 1L << 32 | 1 << 30 | id;
+    }
 }

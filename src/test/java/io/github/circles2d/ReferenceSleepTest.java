@@ -28,10 +28,19 @@ class ReferenceSleepTest {
 
     @Test
     void heapsSleepAndWakeAsTheReferencesDo() {
+        run(false);
+    }
+
+    @Test
+    void whatJointsHoldSleepsAndWakesAsTheReferencesDo() {
+        run(true);
+    }
+
+    private static void run(boolean jointed) {
         int asleep = 0;
         int woken = 0;
         for (int k = 0; k < PROGRAMS; k++) {
-            Program program = new Program(SEED + k);
+            Program program = new Program(SEED + k, jointed);
             program.run();
             asleep += program.fellAsleep;
             woken += program.woke;
@@ -46,6 +55,7 @@ class ReferenceSleepTest {
         private final boolean mixed;
         private final boolean wraps;
         private final boolean terrain;
+        private final boolean jointed;
         private final Surfaces surfaces;
         private World world;
         private ReferenceWorld reference;
@@ -59,8 +69,9 @@ class ReferenceSleepTest {
         int fellAsleep;
         int woke;
 
-        Program(long seed) {
+        Program(long seed, boolean jointed) {
             this.seed = seed;
+            this.jointed = jointed;
             random = new SplittableRandom(seed);
             mixed = random.nextInt(3) == 0;
             wraps = random.nextInt(4) == 0;
@@ -87,9 +98,19 @@ class ReferenceSleepTest {
                 for (int k = 0; k < count; k++) {
                     add(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
                 }
+                if (jointed) {
+                    both("setMotion", c -> c.setMotion(0, 1f, 2f, 50f));
+                    for (int k = 0; k < count; k++) {
+                        addJoint();
+                    }
+                }
                 step(0.1f, 25);
                 for (int k = 0; k < 25; k++) {
-                    disturb();
+                    if (jointed && random.nextBoolean()) {
+                        changeJoints();
+                    } else {
+                        disturb();
+                    }
                     step(random.nextInt(3) == 0 ? 0.1f : 1 / 60f, 1 + random.nextInt(12));
                     if (random.nextInt(3) == 0) {
                         step(0.1f, 14);
@@ -227,6 +248,85 @@ class ReferenceSleepTest {
             }
         }
 
+        private void changeJoints() {
+            int limit = world.joints().idLimit();
+            long joint = limit == 0 ? 0 : world.joints().handle(random.nextInt(limit));
+            if (joint == 0) {
+                addJoint();
+                return;
+            }
+            float a = little();
+            switch (random.nextInt(14)) {
+                case 0 -> both("removeJoint", c -> c.removeJoint(joint));
+                case 1 -> both("setJointColliding", c -> c.setJointColliding(joint, a > 0f));
+                case 2 -> both("setJointBreaking", c -> c.setJointBreaking(joint, 200f * Math.abs(a), 100f));
+                case 3 -> ifAllowed("setJointLength", c -> c.setJointLength(joint, 1f + a));
+                case 4 -> ifAllowed("setJointLimits", c -> c.setJointLimits(joint, 0.5f, 2f + a));
+                case 5 -> ifAllowed("setJointSpring", c -> c.setJointSpring(joint, 4f + 10f * a, 0.5f));
+                case 6 -> ifAllowed("setJointSpeed", c -> c.setJointSpeed(joint, a > 0f ? a : 0f));
+                case 7 -> ifAllowed("setJointAngle", c -> c.setJointAngle(joint, a));
+                case 8 -> ifAllowed("setJointMaxTorque", c -> c.setJointMaxTorque(joint, a > 0f ? 10f : 0f));
+                case 9 -> ifAllowed("setJointAnchor", c -> c.setJointAnchor(joint, 5f + a, a > 0f ? 5f : 6f));
+                default -> addJoint();
+            }
+        }
+
+        private void addJoint() {
+            long one = some();
+            long other = some();
+            JointPlan plan = plan();
+            float x = world.x(one) + little();
+            float a = little();
+            switch (random.nextInt(6)) {
+                case 0 -> ifAllowed("addJoint at a place", c -> c.addJoint(one, x, 6f, plan));
+                case 1 -> ifAllowed("addJoint alone", c -> c.addJoint(one, plan));
+                case 2 -> {
+                    if (terrain) {
+                        long body = bodies.get(0);
+                        ifAllowed("addJoint on a body", c -> c.addJointToBody(one, body, a, 0.2f, plan));
+                    }
+                }
+                default -> {
+                    if (one != other) {
+                        ifAllowed("addJoint", c -> c.addJoint(one, other, plan));
+                    }
+                }
+            }
+        }
+
+        private JointPlan plan() {
+            JointPlan.Kind[] kinds = JointPlan.Kind.values();
+            JointPlan.Kind kind = kinds[random.nextInt(kinds.length)];
+            float much = 1f + 4f * (float) random.nextDouble();
+            float[] numbers =
+                    switch (kind) {
+                        case SPRING, SOFT_PIN -> new float[] {much, 0.7f};
+                        case MOUSE -> new float[] {much, 0.7f, 20f * much};
+                        case MOTOR -> new float[] {random.nextInt(3) == 0 ? much : 0f, 2f * much};
+                        case SERVO -> new float[] {little(), much, 0.7f, 4f * much};
+                        case FRICTION -> new float[] {much, much};
+                        default -> new float[0];
+                    };
+            JointPlan plan = JointPlan.of(kind, numbers);
+            if (kind == JointPlan.Kind.LIMITS) {
+                plan = plan.withLimits(random.nextInt(3) == 0 ? 0.8f : 0f, much);
+            }
+            plan = random.nextInt(5) == 0 ? plan.breakingAt(30f * much, 30f * much) : plan;
+            return random.nextInt(3) == 0 ? plan.colliding(true) : plan;
+        }
+
+        /** Makes a call if World does not refuse it. */
+        private void ifAllowed(String what, Consumer<WorldCalls> call) {
+            try {
+                call.accept(WorldCalls.of(world));
+            } catch (IllegalArgumentException e) {
+                return;
+            }
+            call.accept(reference);
+            calls.add(call);
+            compare(what);
+        }
+
         private void saveOrRestore() {
             if (snapshot == null || random.nextBoolean()) {
                 snapshot = ByteBuffer.allocate(world.snapshotBytes());
@@ -245,6 +345,7 @@ class ReferenceSleepTest {
             bodies.addAll(bodiesOfSnapshot);
             calls.forEach(call -> call.accept(reference));
             reference.takeEvents();
+            reference.takeJointEvents();
             world.events();
             compare("restore");
         }

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -113,6 +114,23 @@ class WorldSleepTest {
             assertThatThrownBy(() -> world.wake(42)).isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(() -> world.isAwake(42)).isInstanceOf(IllegalArgumentException.class);
             assertThatThrownBy(() -> world.readAwakeById(new long[0])).hasMessageContaining("awake has room for 0");
+        }
+    }
+
+    @Test
+    void aSetterThatChangesNothingWakesNobody() {
+        try (World world =
+                box().friction(0.5f).rollingResistance(0.05f).sleep(true).build()) {
+            heap(world);
+            long piece = world.terrain().addSegment(0, 10, 1, 10, 0, 1);
+            sleepAll(world);
+            world.kind(0).setDamping(world.kind(0).damping());
+            world.kind(0).setSleeps(true);
+            world.setResponse(0, 1, world.response(0, 1));
+            world.terrain().setKind(piece, 1);
+            assertThat(world.stats().awake()).isZero();
+            world.kind(1).setDamping(1);
+            assertThat(world.stats().awake()).isEqualTo(12);
         }
     }
 
@@ -303,6 +321,236 @@ class WorldSleepTest {
             world.setAngularVelocity(ball, speed);
             world.step(DT, 200);
             assertThat(world.angularVelocity(ball)).isEqualTo(speed);
+        }
+    }
+
+    // ---- joints
+    // ----------------------------------------------------------------------------------------------------------
+
+    private static World.Builder wide() {
+        return WorldScenes.jvm().bounds(-50, -50, 50, 50).gravity(0, -10).sleep(true);
+    }
+
+    /** A chain from (0, 0) on, to the right or down; returns the circles. */
+    private static long[] chain(World world, int links, boolean level, Joint joint) {
+        long[] beads = new long[links];
+        for (int k = 0; k < links; k++) {
+            float way = 0.5f * (k + 1);
+            beads[k] = world.add(level ? way : 0, level ? 0 : -way, 0.25f, 1);
+            if (k == 0) {
+                world.joints().add(beads[0], 0, 0, joint);
+            } else {
+                world.joints().add(beads[k - 1], beads[k], joint);
+            }
+        }
+        return beads;
+    }
+
+    private static long[] bridge(World world) {
+        world.kind(0).setDamping(1);
+        long[] beads = chain(world, 20, true, Joint.rope(0.55f));
+        world.joints().add(beads[19], 10.5f, 0, Joint.rope(0.55f));
+        return beads;
+    }
+
+    private static void sleepsLong(World world) {
+        for (int k = 0; k < 3_000 && world.stats().awake() > 0; k++) {
+            world.step(DT);
+        }
+        assertThat(world.stats().awake()).isZero();
+    }
+
+    @Test
+    void aBridgeSleepsWhereItWouldHangAnyway() {
+        try (World world = wide().build();
+                World awake = wide().sleep(false).build()) {
+            long[] beads = bridge(world);
+            bridge(awake);
+            sleepsLong(world);
+            world.step(DT);
+            long hash = world.hash();
+            world.step(DT, 600);
+            assertThat(world.hash()).isEqualTo(hash);
+            awake.step(DT, 3_000);
+            for (long bead : beads) {
+                assertThat(world.y(bead)).isCloseTo(awake.y(bead), within(0.02f));
+            }
+            assertThat(world.joints().force(world.joints().handle(0)))
+                    .isCloseTo(awake.joints().force(awake.joints().handle(0)), within(3f));
+        }
+    }
+
+    @Test
+    void aBallOnABridgeWakesItAndItSagsAsItWouldAnyway() {
+        try (World world = wide().build();
+                World awake = wide().sleep(false).build()) {
+            long[] beads = bridge(world);
+            bridge(awake);
+            sleepsLong(world);
+            awake.step(DT, 1_500);
+            world.add(5, 3, 0.4f, 10, 0, 0, 1);
+            awake.add(5, 3, 0.4f, 10, 0, 0, 1);
+            world.step(DT, 60);
+            awake.step(DT, 60);
+            assertThat(world.isAwake(beads[0])).isTrue();
+            assertThat(world.isAwake(beads[19])).isTrue();
+            assertThat(world.y(beads[9])).isCloseTo(awake.y(beads[9]), within(0.05f));
+        }
+    }
+
+    @Test
+    void whatHappensToAJointWakesItsCircles() {
+        List<BiConsumer<World, Long>> changes = List.of(
+                (world, joint) -> world.joints().remove(joint),
+                (world, joint) -> world.joints().removeAll(new long[] {joint}),
+                (world, joint) -> world.joints().clear(),
+                (world, joint) -> world.joints().setLength(joint, 0.6f),
+                (world, joint) -> world.joints().setBreaking(joint, 1, 1),
+                (world, joint) -> world.joints().setColliding(joint, true),
+                (world, joint) -> world.remove(world.joints().circle(joint)),
+                (world, joint) -> world.joints().add(world.joints().other(joint), Joint.motor(0, 1)));
+        for (BiConsumer<World, Long> change : changes) {
+            try (World world = wide().build()) {
+                long[] beads = chain(world, 3, false, Joint.distance(0.5f));
+                sleepsLong(world);
+                world.joints().setLength(world.joints().handle(2), 0.5f);
+                assertThat(world.stats().awake()).as("nothing has changed").isZero();
+                change.accept(world, world.joints().handle(2));
+                assertThat(world.isAwake(beads[2])).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void aJointThatBreaksWakesBothEnds() {
+        try (World world = wide().build()) {
+            long[] beads = chain(world, 5, false, Joint.distance(0.5f));
+            long last = world.joints().handle(4);
+            sleepsLong(world);
+            world.joints().setBreaking(last, 11, 11);
+            sleepsLong(world);
+            world.applyImpulse(beads[4], 0, -3);
+            world.step(DT, 2);
+            assertThat(world.joints().contains(last)).isFalse();
+            assertThat(world.isAwake(beads[3])).isTrue();
+            world.step(DT, 60);
+            assertThat(world.y(beads[4])).isLessThan(-6f);
+        }
+    }
+
+    @Test
+    void aRopeWithSlackWakesTheOtherEndAsItGetsTaut() {
+        try (World world = wide().bounds(-50, 0, 50, 50).friction(0.5f).build()) {
+            long one = world.add(-2, 0.5f, 0.5f, 1);
+            long other = world.add(2, 0.5f, 0.5f, 1);
+            world.joints().add(one, other, Joint.rope(6));
+            sleepsLong(world);
+            world.setVelocity(other, 12, 0);
+            world.setAngularVelocity(other, -24);
+            for (int k = 0; k < 60 && !world.isAwake(one); k++) {
+                assertThat(world.x(one)).isCloseTo(-2f, within(1e-3f));
+                world.step(DT);
+            }
+            assertThat(world.x(other) - world.x(one)).isCloseTo(6f, within(0.05f));
+            assertThat(world.vx(one) + world.vx(other)).as("momentum").isCloseTo(12f, within(1f));
+        }
+    }
+
+    @Test
+    void motorsKeepTheirCirclesAwakeAndBrakesDoNot() {
+        try (World world = wide().bounds(-50, 0, 50, 50).friction(0.5f).build()) {
+            long driven = world.add(-5, 0.5f, 0.5f, 1);
+            long braked = world.add(5, 0.5f, 0.5f, 1);
+            long motor = world.joints().add(driven, Joint.motor(0.001f, 10));
+            world.joints().add(braked, Joint.motor(0, 10));
+            world.step(DT, 200);
+            assertThat(world.isAwake(driven)).isTrue();
+            assertThat(world.isAwake(braked)).isFalse();
+            world.joints().setSpeed(motor, 0);
+            sleepsLong(world);
+            world.joints().setSpeed(motor, 4);
+            world.step(DT, 60);
+            assertThat(Math.abs(world.angularVelocity(driven))).isCloseTo(4f, within(0.1f));
+        }
+    }
+
+    @Test
+    void aMouseJointSleepsUntilItsTargetMoves() {
+        try (World world = wide().build()) {
+            long ball = world.add(0, 0, 0.5f, 1);
+            long mouse = world.joints().add(ball, 0, 0, Joint.mouse(4, 1, 1000));
+            sleepsLong(world);
+            for (int k = 0; k < 100; k++) {
+                world.joints().setAnchor(mouse, 0, 0);
+                world.step(DT);
+                assertThat(world.isAwake(ball)).isFalse();
+            }
+            for (int k = 0; k < 100; k++) {
+                world.joints().setAnchor(mouse, 0.01f * k, 0);
+                world.step(DT);
+            }
+            assertThat(world.x(ball)).isBetween(0.7f, 1f);
+        }
+    }
+
+    @Test
+    void anAnchorOnABodyThatMovesWakes() {
+        try (World world = wide().build()) {
+            TerrainBody lift = world.terrain().addBody(0, 5, 0);
+            long ball = world.add(0, 3, 0.5f, 1);
+            world.joints().add(ball, lift, 0, 0, Joint.distance(2));
+            sleepsLong(world);
+            lift.setVelocity(0, 0.01f);
+            world.step(DT, 100);
+            assertThat(world.isAwake(ball)).isTrue();
+            lift.setVelocity(0, 0);
+            sleepsLong(world);
+            assertThat(world.y(ball)).isCloseTo(3 + 100 * 0.01f * DT, within(0.005f));
+        }
+    }
+
+    /** Twelve circles and one in the middle, held by springs, in a heap on the ground. */
+    private static long[] blob(World world) {
+        long[] ring = new long[13];
+        ring[12] = world.add(0, 2, 0.3f, 1);
+        for (int k = 0; k < 12; k++) {
+            double angle = k * Math.PI / 6;
+            ring[k] = world.add((float) Math.cos(angle), 2 + (float) Math.sin(angle), 0.25f, 1);
+        }
+        for (int k = 0; k < 12; k++) {
+            Joint spring = Joint.spring(5, 0.7f);
+            world.joints().add(ring[k], ring[(k + 1) % 12], spring);
+            world.joints().add(ring[12], ring[k], spring);
+            world.joints().add(ring[k], ring[(k + 3) % 12], spring);
+        }
+        return ring;
+    }
+
+    @Test
+    void aSoftBodySleepsAndABeamOfWeldsDoes() {
+        try (World world = wide().bounds(-50, 0, 50, 50)
+                        .friction(0.5f)
+                        .rollingResistance(0.05f)
+                        .build();
+                World beam = wide().build()) {
+            long[] ring = blob(world);
+            sleepsLong(world);
+            world.step(DT, 300);
+            assertThat(world.stats().awake()).isZero();
+            world.applyImpulse(ring[3], 0, -20);
+            world.step(DT, 10);
+            assertThat(world.stats().awake()).isEqualTo(13);
+            long support = beam.add(0, 0, 0.25f, Float.POSITIVE_INFINITY);
+            long[] beads = new long[5];
+            for (int k = 0; k < 5; k++) {
+                beads[k] = beam.add(0.5f * (k + 1), 0, 0.25f, 1);
+                beam.joints().add(k == 0 ? support : beads[k - 1], beads[k], Joint.weld());
+            }
+            sleepsLong(beam);
+            beam.applyTorque(beads[4], 20);
+            beam.step(DT, 1);
+            beam.step(DT, 5);
+            assertThat(beam.stats().awake()).as("a torque reaches the support").isEqualTo(5);
         }
     }
 }

@@ -95,7 +95,7 @@ final class JointVisit {
     }
 
     private boolean turns() {
-        return joint.angular != Angular.NONE || joint.keepsDirection;
+        return joint.turns();
     }
 
     private boolean isAlong() {
@@ -162,12 +162,13 @@ final class JointVisit {
         return c == null ? 0f : c.turn.speed;
     }
 
+    /** Also of one that sleeps, which is pulled as if it would give way. */
     private static float inverseMass(Circle c) {
-        return c == null ? 0f : c.inverseMass();
+        return c == null ? 0f : c.ownInverseMass();
     }
 
     private static float inverseInertia(Circle c) {
-        return c == null ? 0f : c.turn.inverseInertia;
+        return c == null ? 0f : c.turn.ownInverseInertia;
     }
 
     private float[] velocityOfAnchor(int boundary) {

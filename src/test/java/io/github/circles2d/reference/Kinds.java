@@ -83,8 +83,11 @@ final class Kinds {
         return fields;
     }
 
-    void set(int kind, int field, int value) {
+    /** Returns whether the value is another one than before. */
+    boolean set(int kind, int field, int value) {
+        boolean changes = values[kind][field] != value;
         values[kind][field] = value;
+        return changes;
     }
 
     float getFloat(int kind, int field) {
@@ -121,9 +124,12 @@ final class Kinds {
         return KINDS * Math.min(a, b) + Math.max(a, b);
     }
 
-    void setResponse(int a, int b, Response response) {
+    /** Returns whether the response is another one than before. */
+    boolean setResponse(int a, int b, Response response) {
+        Response before = matrix.getOrDefault(pair(a, b), Response.BY_MASK);
         matrix.put(pair(a, b), response);
         matrix.values().removeAll(Set.of(Response.BY_MASK));
+        return before != response;
     }
 
     /** Whether two circles that are near may be a contact. */

@@ -185,6 +185,55 @@ final class ReferenceJoint {
         return a == c || b == c;
     }
 
+    /** The circle that it holds another one to; null if it is a place. */
+    Circle otherThan(Circle c) {
+        return c == a ? b : a;
+    }
+
+    /** Whether it has an angular part, or keeps its direction. */
+    boolean turns() {
+        return angular != Angular.NONE || keepsDirection;
+    }
+
+    // ---- sleep
+    // ---------------------------------------------------------------------------------------------------
+
+    /** Whether a circle of it sleeps, and none that a step could move is awake: steps leave it out. */
+    boolean rests() {
+        boolean sleeps = a.isAsleep() || b != null && b.isAsleep();
+        return sleeps && a.isStatic() && (b == null || b.isStatic());
+    }
+
+    /** What a step does to a joint that rests. */
+    void keep(float warmScale) {
+        along *= warmScale;
+        across *= warmScale;
+        least *= warmScale;
+        greatest *= warmScale;
+        turning *= warmScale;
+        sum[0] *= warmScale;
+        sum[1] *= warmScale;
+        sumOfTurning *= warmScale;
+    }
+
+    /** Whether it moves one of its circles whatever the others do: by a motor, or since what it holds it to moves by itself. */
+    boolean drives(Circle c) {
+        if (angular == Angular.SPEED && speed != 0f && mostTorque > 0f || body != null && body.motion != null) {
+            return true;
+        }
+        Circle o = otherThan(c);
+        return o != null
+                && o.hasInfiniteMass()
+                && (o.velocity[0] != 0f || o.velocity[1] != 0f || turns() && o.angularVelocity != 0f);
+    }
+
+    /** From A to B, or to the anchor, with displacements. */
+    float[] offset(Arena arena) {
+        float[] way = b == null ? arena.way(a.base, anchorPlace(arena)) : a.wayTo(b);
+        float[] to = b == null ? new float[2] : b.displacement;
+        return Numbers.plus(way, Numbers.minus(to, a.displacement));
+    }
+
     /** Whether it may break. */
     private boolean isBreakable() {
         return breakForce < Float.POSITIVE_INFINITY || breakTorque < Float.POSITIVE_INFINITY;

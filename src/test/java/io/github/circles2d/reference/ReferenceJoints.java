@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** The joints between circles, and between circles and places. */
 final class ReferenceJoints {
@@ -35,9 +36,19 @@ final class ReferenceJoints {
         return joints.stream().filter(Objects::nonNull).toList();
     }
 
-    /** Whether some joint holds a circle. */
-    boolean hold(Circle c) {
-        return all().stream().anyMatch(joint -> joint.a == c || joint.b == c);
+    /** Of a circle, in the order of their ids. */
+    List<ReferenceJoint> of(Circle c) {
+        return all().stream().filter(joint -> joint.isOf(c)).toList();
+    }
+
+    /** Whether a joint keeps two circles from colliding. */
+    boolean part(Circle c, Circle o) {
+        return of(c).stream().anyMatch(joint -> joint.isOf(o) && !joint.collides);
+    }
+
+    /** Whether a joint drives a circle. */
+    boolean drive(Circle c) {
+        return of(c).stream().anyMatch(joint -> joint.drives(c));
     }
 
     ReferenceJoint find(long handle) {
@@ -87,15 +98,24 @@ final class ReferenceJoints {
                         other.colour == colour && (other.isOf(joint.a) || joint.b != null && other.isOf(joint.b)));
     }
 
+    /** Its circles wake if a call changes something of it. */
+    static void wake(ReferenceJoint joint) {
+        joint.a.wake();
+        if (joint.b != null) {
+            joint.b.wake();
+        }
+    }
+
     void remove(ReferenceJoint joint) {
         joints.set(joint.id, null);
     }
 
     /** Removes the joints of a circle that goes. */
     void removed(Circle gone) {
-        all().stream()
-                .filter(joint -> joint.isOf(gone))
-                .forEach(joint -> go(joint, JointEvents.Reason.CIRCLE_REMOVED, 0f, 0f));
+        all().stream().filter(joint -> joint.isOf(gone)).forEach(joint -> {
+            wake(joint);
+            go(joint, JointEvents.Reason.CIRCLE_REMOVED, 0f, 0f);
+        });
     }
 
     /** Removes the joints of bodies of terrain that go. */
@@ -126,7 +146,9 @@ final class ReferenceJoints {
 
     void begin(List<Circle> circles, StepParameters k, float warmScale) {
         circles.forEach(c -> c.beginJoints(k));
+        all().stream().filter(ReferenceJoint::rests).forEach(joint -> joint.keep(warmScale));
         visits = all().stream()
+                .filter(joint -> !joint.rests())
                 .map(joint -> new JointVisit(joint, k, warmScale))
                 .sorted(Comparator.comparingInt((JointVisit visit) -> visit.joint.colour)
                         .thenComparingInt(visit -> visit.joint.id))
@@ -216,13 +238,18 @@ final class ReferenceJoints {
         takeAll(Circle::takeJointImpulses);
     }
 
-    /** Ends a step: some break. */
-    void end(float dt) {
-        visits.stream()
+    /** Ends a step: some break. Returns the circles of these. */
+    List<Circle> end(float dt) {
+        List<ReferenceJoint> broken = visits.stream()
                 .filter(JointVisit::breaks)
                 .map(visit -> visit.joint)
                 .sorted(Comparator.comparingInt(joint -> joint.id))
-                .forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));
+                .toList();
+        broken.forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));
         visits = List.of();
+        return broken.stream()
+                .flatMap(joint -> Stream.of(joint.a, joint.b))
+                .filter(Objects::nonNull)
+                .toList();
     }
 }

@@ -16,6 +16,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
@@ -212,6 +213,12 @@ public final class ReferenceWorld implements WorldCalls {
             if (c.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
                 c.wake();
             }
+        }
+    }
+
+    private void wakeAllIf(boolean changes) {
+        if (changes) {
+            wakeAll();
         }
     }
 
@@ -417,8 +424,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setResponse(int kindA, int kindB, Response response) {
-        kinds.setResponse(kindA, kindB, response);
-        wakeAll();
+        wakeAllIf(kinds.setResponse(kindA, kindB, response));
     }
 
     @Override
@@ -428,10 +434,10 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPairs(int kind, int category, int mask, boolean sensor) {
-        kinds.set(kind, Kinds.CATEGORY, category);
-        kinds.set(kind, Kinds.MASK, mask);
-        kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.CATEGORY, category);
+        changes |= kinds.set(kind, Kinds.MASK, mask);
+        changes |= kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+        wakeAllIf(changes);
     }
 
     @Override
@@ -442,31 +448,30 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
-        kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
-        kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
-        kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
+        changes |= kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
+        changes |= kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
-        kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
-        kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
-        kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
+        changes |= kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
+        changes |= kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setTurning(int kind, Inertia inertia, float angularDamping) {
-        kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
-        kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
-        wakeAll();
+        boolean changes = kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
+        changes |= kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
+        wakeAllIf(changes);
     }
 
     @Override
     public void setKindRestitution(int kind, float e) {
-        kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e)));
     }
 
     @Override
@@ -476,8 +481,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setOneWay(int kind, boolean oneWay) {
-        kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0);
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0));
     }
 
     @Override
@@ -516,7 +520,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPieceKind(long piece, int kind) {
-        wakeAll();
+        wakeAllIf(terrain.piece(piece).kind != kind);
         terrain.piece(piece).kind = kind;
     }
 
@@ -566,19 +570,19 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, long other, JointPlan plan) {
-        return joints.add(find(circle), find(other), null, null, plan, arena).handle;
+        return added(joints.add(find(circle), find(other), null, null, plan, arena));
     }
 
     @Override
     public long addJoint(long circle, float x, float y, JointPlan plan) {
-        return joints.add(find(circle), null, null, place(x, y), plan, arena).handle;
+        return added(joints.add(find(circle), null, null, place(x, y), plan, arena));
     }
 
     @Override
     public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
         boolean onGround = terrain.body(body).id == 0;
         float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
-        return joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena).handle;
+        return added(joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena));
     }
 
     /** A zero is always +0. */
@@ -588,7 +592,12 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, JointPlan plan) {
-        return joints.add(find(circle), null, null, new float[2], plan, arena).handle;
+        return added(joints.add(find(circle), null, null, new float[2], plan, arena));
+    }
+
+    private static long added(ReferenceJoint joint) {
+        ReferenceJoints.wake(joint);
+        return joint.handle;
     }
 
     @Override
@@ -606,65 +615,80 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeJoint(long joint) {
+        ReferenceJoints.wake(joints.find(joint));
         joints.remove(joints.find(joint));
     }
 
     @Override
     public void clearJoints() {
+        wakeAll();
         joints.all().forEach(joints::remove);
+    }
+
+    /** Changes a joint. Its circles wake if it is another one then. */
+    private void set(long joint, Consumer<ReferenceJoint> change) {
+        ReferenceJoint found = joints.find(joint);
+        long before = found.hash();
+        change.accept(found);
+        if (found.hash() != before) {
+            ReferenceJoints.wake(found);
+        }
     }
 
     @Override
     public void setJointAnchor(long joint, float x, float y) {
-        ReferenceJoint found = joints.find(joint);
-        found.anchor = found.body != null ? new float[] {x + 0f, y + 0f} : place(x, y);
+        set(joint, found -> found.anchor = found.body != null ? new float[] {x + 0f, y + 0f} : place(x, y));
     }
 
     @Override
     public void setJointLength(long joint, float length) {
-        joints.find(joint).length = length + 0f;
+        set(joint, found -> found.length = length + 0f);
     }
 
     @Override
     public void setJointLimits(long joint, float least, float greatest) {
-        joints.find(joint).limit(least, greatest);
+        set(joint, found -> found.limit(least, greatest));
     }
 
     @Override
     public void setJointSpring(long joint, float frequency, float damping) {
-        joints.find(joint).frequency = frequency + 0f;
-        joints.find(joint).damping = damping + 0f;
+        set(joint, found -> {
+            found.frequency = frequency + 0f;
+            found.damping = damping + 0f;
+        });
     }
 
     @Override
     public void setJointSpeed(long joint, float speed) {
-        joints.find(joint).speed = speed + 0f;
+        set(joint, found -> found.speed = speed + 0f);
     }
 
     @Override
     public void setJointAngle(long joint, float angle) {
-        joints.find(joint).referenceOfA = (int) Angles.units(angle);
+        set(joint, found -> found.referenceOfA = (int) Angles.units(angle));
     }
 
     @Override
     public void setJointMaxForce(long joint, float force) {
-        joints.find(joint).mostForce = force + 0f;
+        set(joint, found -> found.mostForce = force + 0f);
     }
 
     @Override
     public void setJointMaxTorque(long joint, float torque) {
-        joints.find(joint).mostTorque = torque + 0f;
+        set(joint, found -> found.mostTorque = torque + 0f);
     }
 
     @Override
     public void setJointBreaking(long joint, float force, float torque) {
-        joints.find(joint).breakForce = force + 0f;
-        joints.find(joint).breakTorque = torque + 0f;
+        set(joint, found -> {
+            found.breakForce = force + 0f;
+            found.breakTorque = torque + 0f;
+        });
     }
 
     @Override
     public void setJointColliding(long joint, boolean collides) {
-        joints.find(joint).collides = collides;
+        set(joint, found -> found.collides = collides);
     }
 
     @Override
@@ -699,9 +723,10 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
-        wakeAll();
         int number = wall.ordinal();
+        long before = surfaces.hash();
         surfaces = surfaces.withWall(number, friction, rollingResistance, Surfaces.turned(number, beltSpeed));
+        wakeAllIf(surfaces.hash() != before);
     }
 
     @Override
@@ -966,8 +991,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** Sets if circles of a kind fall asleep. */
     @Override
     public void setSleeps(int kind, boolean sleeps) {
-        kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1);
-        wakeAll();
+        wakeAllIf(kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1));
     }
 
     @Override

@@ -48,6 +48,12 @@ final class Sleep {
 
     private static final float FREE_WEIGHTS = 2f;
 
+    /** How many times what a spring carries counts. */
+    private static final float SPRING_LOADS = 4f;
+
+    /** How much the balance of its surface counts if joints turn it. */
+    private static final float SHARE_OF_SPIN = 0.5f;
+
     /** Radii a step. */
     private static final float ROUNDING = 1e-7f;
 
@@ -72,8 +78,8 @@ final class Sleep {
     /** How a circle that sleeps meets another one. The normal points from the one of lower id to the other. */
     private record Meeting(float[] normal, float separation, float radii, Impulses impulses) {}
 
-    /** What presses a circle: the sum of all impulses, and of the magnitudes of the normal ones. */
-    private record Pressed(float x, float y, float load) {}
+    /** What presses a circle: the sum of all impulses, of the magnitudes of those that carry it, and of those along its surface. */
+    private record Pressed(float x, float y, float load, float spin) {}
 
     private final List<Circle> circles;
     private final ReferenceTerrain terrain;
@@ -83,6 +89,8 @@ final class Sleep {
 
     /** The impulses of the step before, as this step goes on from them. */
     private final Map<Contact.Pair, Impulses> impulses = new HashMap<>();
+
+    private float warmScale;
 
     Sleep(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
         this.circles = circles;
@@ -96,7 +104,8 @@ final class Sleep {
     // ---------------------------------------------------------------------------------------------------
 
     /** Wakes circles before anything else of the step. */
-    void wake(Map<Contact.Pair, Impulses> impulseCache, float warmScale) {
+    void wake(Map<Contact.Pair, Impulses> impulseCache, float scale) {
+        warmScale = scale;
         impulseCache.forEach((pair, each) -> impulses.put(pair, each.times(warmScale)));
         Map<Circle, Pressed> pressed = new HashMap<>();
         for (Circle c : circles) {
@@ -121,6 +130,12 @@ final class Sleep {
                 float speed = 0f;
                 for (Circle o : c.isAsleep() ? woken : List.<Circle>of()) {
                     speed = max(speed, passedOn(c, o, pressed.get(c).load()));
+                    for (ReferenceJoint joint : joints.of(c)) {
+                        if (joint.isOf(o)) {
+                            speed = max(
+                                    speed, passedBy(joint, c, o, pressed.get(c).load()));
+                        }
+                    }
                 }
                 if (speed > LEAST_HIT * c.radius / k.dt()) {
                     c.wakingSpeed = speed;
@@ -146,7 +161,8 @@ final class Sleep {
             return false;
         }
         Response response = kinds.response(c.kind, o.kind);
-        return response == Response.SOLID || alsoSensed && response == Response.SENSE;
+        return response == Response.SOLID && (alsoSensed || !joints.part(c, o))
+                || alsoSensed && response == Response.SENSE;
     }
 
     private Meeting meeting(Circle c, Circle o) {
@@ -161,13 +177,19 @@ final class Sleep {
 
     /** The greatest speed with which something is about to push a circle that sleeps; 0 if nothing is. */
     private float wakingSpeed(Circle c) {
-        boolean woken = joints.hold(c) || c.actingTorque != 0f || wallsMoveNear(c) || terrain.movesNear(c, kinds);
+        boolean woken = joints.drive(c) || c.actingTorque != 0f || wallsMoveNear(c) || terrain.movesNear(c, kinds);
         float speed = 0f;
         for (Circle o : circles) {
             if (o.hasInfiniteMass()) {
                 woken |= o.pathLength > 0f && couldMeet(c, o, true) && comesNear(o, c);
             } else if (!o.isAsleep() && couldMeet(c, o, false) && c.isNear(o)) {
                 speed = max(speed, hitBy(c, o));
+            }
+        }
+        for (ReferenceJoint joint : joints.of(c)) {
+            Circle o = joint.otherThan(c);
+            if (o != null && !o.isStatic()) {
+                speed = max(speed, pulledBy(c, o, joint));
             }
         }
         return woken ? max(speed, strong(c)) : speed;
@@ -202,10 +224,56 @@ final class Sleep {
         if (!(v > 0f) || !(m.separation() < v * k.dt())) {
             return 0f;
         }
+        return hit(
+                c,
+                o,
+                v,
+                m.separation(),
+                max(c.restitution, o.restitution),
+                m.impulses().normal());
+    }
+
+    private float hit(Circle c, Circle o, float v, float separation, float restitution, float impulse) {
+        if (!(v > 0f) || !(separation < v * k.dt())) {
+            return 0f;
+        }
         float share = c.ownInverseMass() / (c.ownInverseMass() + o.ownInverseMass());
-        float speed = share * (1f + max(c.restitution, o.restitution)) * v;
-        float most = (m.impulses().normal() > 0f ? PUSH : HIT) * gainOfStep(c);
+        float speed = share * (1f + restitution) * v;
+        float most = (impulse > 0f ? PUSH : HIT) * gainOfStep(c);
         return speed > most && speed > LEAST_HIT * c.radius / k.dt() ? speed : 0f;
+    }
+
+    /** What a circle that is awake is about to add by a joint to the speed of one that sleeps; 0 if too little. */
+    private float pulledBy(Circle c, Circle o, ReferenceJoint joint) {
+        float[] d = joint.offset(k.arena());
+        float distance = length(d);
+        float[] n = distance > 0f ? new float[] {d[0] / distance, d[1] / distance} : new float[2];
+        float apart = o == joint.b ? dot(n, o.velocity) : -dot(n, o.velocity);
+        float j = loadOf(joint);
+        float speed = 0f;
+        if (joint.rigid) {
+            float v = joint.keepsDirection
+                    ? length(o.velocity) + 0.5f * distance * Math.abs(o.angularVelocity)
+                    : Math.abs(apart);
+            speed = hit(c, o, v, 0f, 0f, j);
+        }
+        if (joint.hasLeast) {
+            speed = max(speed, hit(c, o, -apart, distance - joint.leastLength, 0f, j));
+        }
+        if (joint.hasGreatest) {
+            speed = max(speed, hit(c, o, apart, joint.greatestLength - distance, 0f, j));
+        }
+        return speed;
+    }
+
+    /** Of a sub-step, as this step goes on from the last one. */
+    private float ofSubStep(float sum) {
+        return sum * warmScale / k.subSteps();
+    }
+
+    /** What a joint carries; a spring counts more. */
+    private float loadOf(ReferenceJoint joint) {
+        return (joint.elastic ? SPRING_LOADS : 1f) * length(ofSubStep(joint.sum[0]), ofSubStep(joint.sum[1]));
     }
 
     /** By how much a circle is out of balance in a step, as a speed, if that is enough to wake it. Counts the steps in a row. */
@@ -219,6 +287,9 @@ final class Sleep {
             c.turned = strict || gain == 0f ? 0 : parts(x, gain) & 0xffff | parts(y, gain) << 16;
         }
         float b = length(x - (short) c.turned / PARTS * gain, y - (c.turned >> 16) / PARTS * gain);
+        if (joints.of(c).stream().anyMatch(ReferenceJoint::turns)) {
+            b = max(b, SHARE_OF_SPIN * Math.abs(c.turn.ownInverseInertia * pressed.spin()));
+        }
         float byLoad = SHARE_OF_LOAD * max(w * pressed.load() - FREE_WEIGHTS * gain, 0f);
         float most = strict ? STRICT * gain : FLOOR * gain + min(byLoad, MOST_BY_LOAD * gain);
         if (!(b > most + ROUNDING * c.radius / k.dt())) {
@@ -260,6 +331,7 @@ final class Sleep {
                 sum.add(0, side * (m.normal()[0] * j - m.normal()[1] * f));
                 sum.add(1, side * (m.normal()[1] * j + m.normal()[0] * f));
                 sum.add(2, j);
+                sum.add(3, -f + side * m.impulses().rolling() / c.radius);
             }
         }
         for (int a = 0; a < 2; a++) {
@@ -267,6 +339,7 @@ final class Sleep {
             sum.add(a, c.wallImpulse[a] / w);
             sum.add(1 - a, c.wallImpulse[a] == 0f ? 0f : along / w);
             sum.add(2, Math.abs(c.wallImpulse[a]) / w);
+            sum.add(3, (c.wallRolling[a] - c.wallFriction[a]) / w);
         }
         for (PieceContact contact : terrain.contactsAtRest(c, kinds, k)) {
             float j = contact.normalImpulse / w;
@@ -275,9 +348,23 @@ final class Sleep {
             sum.add(0, normal[0] * j - normal[1] * f);
             sum.add(1, normal[1] * j + normal[0] * f);
             sum.add(2, j);
+            sum.add(3, (contact.rolling - contact.friction) / w);
         }
+        joints.of(c).forEach(joint -> add(sum, c, joint));
         float[] taken = sum.take();
-        return new Pressed(taken[0], taken[1], taken[2]);
+        return new Pressed(taken[0], taken[1], taken[2], taken[3]);
+    }
+
+    private void add(FixedSum sum, Circle c, ReferenceJoint joint) {
+        float x = ofSubStep(joint.sum[0]);
+        float y = ofSubStep(joint.sum[1]);
+        float twist = ofSubStep(joint.sumOfTurning);
+        float both = joint.keepsDirection ? -0.5f * length(joint.offset(k.arena())) * (joint.across * warmScale) : 0f;
+        boolean isA = c == joint.a;
+        sum.add(0, isA ? -x : x);
+        sum.add(1, isA ? -y : y);
+        sum.add(2, loadOf(joint));
+        sum.add(3, (isA ? both + twist : both - twist) / c.radius);
     }
 
     /** What of the speed that woke a circle reaches one that sleeps; 0 if too little. */
@@ -286,24 +373,42 @@ final class Sleep {
         if (!couldMeet(c, o, false) || !(m.separation() < Circle.MARGIN * m.radii())) {
             return 0f;
         }
-        float w = c.ownInverseMass();
-        float wo = o.ownInverseMass();
         float j = m.impulses().normal();
+        return j > 0f ? passedOn(c, o, j, load) : passedFreely(c, o, m.separation());
+    }
+
+    private float passedOn(Circle c, Circle o, float j, float load) {
+        float speed = o.wakingSpeed * min(2f * j / load, 1f) * min(c.ownInverseMass() / o.ownInverseMass(), 1f);
+        return speed > PUSH * gainOfStep(c) ? speed : 0f;
+    }
+
+    private float passedFreely(Circle c, Circle o, float separation) {
+        float w = c.ownInverseMass();
+        float speed = o.wakingSpeed * (2f * w / (w + o.ownInverseMass()));
+        return separation < o.wakingSpeed * k.dt() && speed > HIT * gainOfStep(c) ? speed : 0f;
+    }
+
+    /** The same by a joint. */
+    private float passedBy(ReferenceJoint joint, Circle c, Circle o, float load) {
+        float j = loadOf(joint);
         if (j > 0f) {
-            float speed = o.wakingSpeed * min(2f * j / load, 1f) * min(w / wo, 1f);
-            return speed > PUSH * gainOfStep(c) ? speed : 0f;
+            return passedOn(c, o, j, load);
         }
-        float speed = o.wakingSpeed * (2f * w / (w + wo));
-        return m.separation() < o.wakingSpeed * k.dt() && speed > HIT * gainOfStep(c) ? speed : 0f;
+        float distance = length(joint.offset(k.arena()));
+        float speed = joint.rigid ? passedFreely(c, o, 0f) : 0f;
+        speed = joint.hasLeast ? max(speed, passedFreely(c, o, distance - joint.leastLength)) : speed;
+        return joint.hasGreatest ? max(speed, passedFreely(c, o, joint.greatestLength - distance)) : speed;
     }
 
     // ---- who falls asleep
     // --------------------------------------------------------------------------------------------
 
-    /** After the step. */
-    void fallAsleep() {
+    /** After the step. torn: circles whose joints have broken in it. */
+    void fallAsleep(List<Circle> torn) {
         for (Circle c : circles) {
-            if (!c.isStatic()) {
+            if (torn.contains(c)) {
+                c.wake();
+            } else if (!c.isStatic()) {
                 rest(c);
             }
         }
@@ -318,7 +423,7 @@ final class Sleep {
                 : drift * min(damping * TIME, 1f);
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds.get(c.kind, Kinds.AWAKE) == 0
-                && !joints.hold(c)
+                && !joints.drive(c)
                 && c.actingTorque == 0f
                 && Math.abs(c.angularVelocity) * k.dt() < TURN_OF_STEP;
         boolean rests = mayRest

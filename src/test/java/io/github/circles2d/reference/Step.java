@@ -25,6 +25,9 @@ final class Step {
     /** Those of circles of different levels. */
     private final List<Contact> crossContacts = new ArrayList<>();
 
+    /** Circles whose joints have broken in the step. */
+    private List<Circle> torn = List.of();
+
     /** Circles are in the order of their ids. */
     Step(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
         this.circles = circles;
@@ -68,13 +71,13 @@ final class Step {
         circles.forEach(this::finalizePositions);
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache, warmScale);
-        joints.end(k.dt());
+        torn = joints.end(k.dt());
     }
 
     /** Lets circles fall asleep, after the step. */
     void fallAsleep() {
         if (k.sleep()) {
-            new Sleep(circles, terrain, joints, k, kinds).fallAsleep();
+            new Sleep(circles, terrain, joints, k, kinds).fallAsleep(torn);
         }
     }
 

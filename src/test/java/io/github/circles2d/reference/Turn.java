@@ -11,6 +11,10 @@ final class Turn {
     final float rollingResistance;
     final float belt;
     final float inverseInertia;
+
+    /** The same, also of one that sleeps. */
+    final float ownInverseInertia;
+
     final float radius;
 
     /** What is left of the speed after a sub-step's damping. */
@@ -39,6 +43,7 @@ final class Turn {
         rollingResistance = rollingResistance(c.rollingResistance, c.kind, kinds, surfaces);
         belt = kinds.getFloat(c.kind, Kinds.BELT_SPEED);
         inverseInertia = c.inverseMass() * kinds.inverseInertia(c.kind);
+        ownInverseInertia = c.ownInverseMass() * kinds.inverseInertia(c.kind);
         radius = c.radius;
         dampingFactor = 1f / (1f + kinds.getFloat(c.kind, Kinds.ANGULAR_DAMPING) * h);
         gain = c.actingTorque == 0f ? 0f : limitSpeed(c.actingTorque / radius * inverseInertia * h);

@@ -3,6 +3,7 @@ package io.github.circles2d.world.changes;
 import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.joints.GoneJoints;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
@@ -104,6 +105,26 @@ public final class JointCalls implements Calls.Effects {
         }
     }
 
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    /** Makes room for {@link #wake}. */
+    private void expectToWake(int more) {
+        if (world.settings.sleeps()) {
+            world.pending.expect(2 * more);
+        }
+    }
+
+    /** The circles of a joint wake that comes, goes or changes. There is room. */
+    private void wake(int joint) {
+        if (world.settings.sleeps()) {
+            world.commands.set(Commands.WAKE, table.a(joint), 0, 0);
+            if (table.b(joint) != JointRow.NONE) {
+                world.commands.set(Commands.WAKE, table.b(joint), 0, 0);
+            }
+        }
+    }
+
     /** Checks a joint that is to come, and makes room for it. */
     private void prepare(Call call, int[] w, JointForm of) {
         if (call == Call.ANCHORED_JOINT) {
@@ -121,6 +142,7 @@ public final class JointCalls implements Calls.Effects {
         }
         int joint = world.joints.add(of, w[0], w[1], real(w[2]), real(w[3]));
         complete(of, joint);
+        wake(joint);
         return table.ids.handle(joint);
     }
 
@@ -223,6 +245,7 @@ public final class JointCalls implements Calls.Effects {
         if (form.springs()) {
             table.ensureSpring(); // all have the same
         }
+        expectToWake(more);
         if (form.looks()) {
             circles = world.last.circles();
             angles = world.last.angles();
@@ -233,6 +256,7 @@ public final class JointCalls implements Calls.Effects {
     private int addOne(JointForm form, int a, int b) {
         int joint = world.joints.add(form, a, b);
         complete(form, joint);
+        wake(joint);
         return joint;
     }
 
@@ -269,6 +293,7 @@ public final class JointCalls implements Calls.Effects {
             for (int k = 0; k < n; k++) {
                 findLeaving(k, them[k]);
             }
+            expectToWake(n);
             world.copies.forgetSaved();
             for (int k = 0; k < n; k++) {
                 words[0] = found[k];
@@ -276,6 +301,7 @@ public final class JointCalls implements Calls.Effects {
             }
             world.guard.changing = true;
             for (int k = 0; k < n; k++) {
+                wake(found[k]);
                 table.remove(found[k]);
             }
             world.guard.changing = false;
@@ -332,15 +358,23 @@ public final class JointCalls implements Calls.Effects {
                 if (setting == JointSetting.SPRING) {
                     table.ensureSpring();
                 }
+                expectToWake(1);
                 world.calls.begin(call, w);
-                world.joints.set(w[0], setting, real(w[2]), real(w[3]));
+                if (world.joints.set(w[0], setting, real(w[2]), real(w[3]))) {
+                    wake(w[0]);
+                }
             }
             case REMOVE_JOINT -> {
+                expectToWake(1);
                 world.calls.begin(call, w);
+                wake(w[0]);
                 table.remove(w[0]);
             }
             default -> {
                 world.calls.begin(call, w);
+                if (world.settings.sleeps()) {
+                    world.commands.wakeAll();
+                }
                 table.clear();
             }
         }

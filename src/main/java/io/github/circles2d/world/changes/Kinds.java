@@ -76,10 +76,12 @@ public final class Kinds implements Calls.Effects {
 
     @Override
     public long make(Call call, int[] words) {
-        world.calls.begin(call, words);
         if (call == Call.KIND) {
-            world.kinds.set(KindField.ofNumber(words[1]), words[0], words[2]);
+            KindField field = KindField.ofNumber(words[1]);
+            world.calls.begin(call, words, world.kinds.get(field, words[0]) != words[2]);
+            world.kinds.set(field, words[0], words[2]);
         } else {
+            world.calls.begin(call, words, world.kinds.setting(words[0], words[1]) != words[2]);
             world.kinds.setSetting(words[0], words[1], words[2]);
         }
         return 0;

@@ -263,7 +263,7 @@ public final class Pieces implements Calls.Effects {
                 world.terrain.remove(w[0]);
             }
             default -> {
-                world.calls.begin(call, w);
+                world.calls.begin(call, w, table.kindOf(w[0]) != w[1]);
                 world.terrain.setKind(w[0], w[1]);
             }
         }

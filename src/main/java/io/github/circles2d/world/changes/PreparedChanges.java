@@ -4,7 +4,9 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
@@ -23,6 +25,11 @@ public final class PreparedChanges {
 
     /** Positions of static circles, which travel there. */
     private int travelling;
+
+    /** Ids of circles that joints held to those that go. */
+    private int[] partner = new int[0];
+
+    private int partners;
 
     /** The circles that are to be removed. Only valid if the call removes circles. */
     private final IdSet leaving = new IdSet();
@@ -137,7 +144,9 @@ public final class PreparedChanges {
             world.needs.askToTurn();
         }
         boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        partners = 0;
         commands.admitChanges(ofPipelines ? count : changeAll());
+        wakePartners();
         world.guard.changing = false;
     }
 
@@ -149,6 +158,32 @@ public final class PreparedChanges {
             leavingToo += world.joints.departures().countOf(commands.preparedId(k));
         }
         world.joints.departures().ensure(leavingToo);
+        if (world.settings.sleeps()) {
+            commands.ensure(count + leavingToo);
+            if (partner.length < leavingToo) {
+                partner = new int[leavingToo + (leavingToo >> 1)];
+            }
+        }
+    }
+
+    /** Takes note of those that joints hold to a circle that goes. */
+    private void findPartners(int id) {
+        JointTable table = world.joints.table;
+        for (int place = table.firstOfCircle(id); place >= 0; place = table.nextOfCircle(place)) {
+            int joint = JointTable.jointAt(place);
+            int other = table.a(joint) == id ? table.b(joint) : table.a(joint);
+            if (other != JointRow.NONE) {
+                partner[partners++] = other;
+            }
+        }
+    }
+
+    private void wakePartners() {
+        for (int k = 0; k < partners; k++) {
+            if (handles.lives(partner[k])) {
+                commands.set(Commands.WAKE, partner[k], 0, 0);
+            }
+        }
     }
 
     private void writeToLog(int k) {
@@ -185,6 +220,9 @@ public final class PreparedChanges {
                 }
             }
             case Commands.REMOVE -> {
+                if (world.settings.sleeps()) {
+                    findPartners(id);
+                }
                 world.joints.departures().removeOfCircle(id);
                 world.rigids.circleGoes(id);
                 handles.remove(id);

@@ -51,15 +51,21 @@ public final class JointAnchors {
         return poses == null ? bodies.y(body, x, y, terrain.bounds()) : bodies.y(poses, body, x, y, terrain.bounds());
     }
 
-    /** Gives a joint without another circle a place, in the world or on the body that it has. */
-    void set(int joint, float x, float y) {
+    /** Gives a joint without another circle a place, in the world or on the body that it has. Returns whether that is another one. */
+    boolean set(int joint, float x, float y) {
         if (table.places.body(joint) == AnchorPlaces.WORLD) {
             Bounds bounds = terrain.bounds();
-            table.setAnchor(joint, bounds.placeX(x + 0f), bounds.placeY(y + 0f));
-        } else {
-            table.places.set(joint, x, y);
-            changed();
+            float placeX = bounds.placeX(x + 0f);
+            float placeY = bounds.placeY(y + 0f);
+            boolean changes =
+                    placeX != table.value(joint, JointRow.ANCHOR_X) || placeY != table.value(joint, JointRow.ANCHOR_Y);
+            table.setAnchor(joint, placeX, placeY);
+            return changes;
         }
+        boolean changes = x != table.places.x(joint) || y != table.places.y(joint);
+        table.places.set(joint, x, y);
+        changed();
+        return changes;
     }
 
     /** An anchor has come, or is another one. */

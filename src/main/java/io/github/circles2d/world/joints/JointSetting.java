@@ -137,24 +137,22 @@ public enum JointSetting {
         return set ? form | flag : form & ~flag;
     }
 
-    /** Writes the values into a row, as {@link JointRow}. There is one zero. */
-    void write(float[] rows, int row, float a, float b) {
-        switch (this) {
-            case LENGTH -> rows[row + JointRow.LENGTH] = a + 0f;
-            case LIMITS -> {
-                rows[row + JointRow.MIN_LENGTH] = a + 0f;
-                rows[row + JointRow.MAX_LENGTH] = b + 0f;
-            }
-            case SPEED -> rows[row + JointRow.SPEED] = a + 0f;
-            case MAX_FORCE -> rows[row + JointRow.MAX_FORCE] = a + 0f;
-            case MAX_TORQUE -> rows[row + JointRow.MAX_TORQUE] = a + 0f;
-            case BREAKING -> {
-                rows[row + JointRow.BREAK_FORCE] = a + 0f;
-                rows[row + JointRow.BREAK_TORQUE] = b + 0f;
-            }
-            default -> {
-                // it is elsewhere
-            }
-        }
+    /** Writes the values into a row, as {@link JointRow}. There is one zero. Returns whether they are other ones than there were. */
+    boolean write(float[] rows, int row, float a, float b) {
+        return switch (this) {
+            case LENGTH -> write(rows, row + JointRow.LENGTH, a);
+            case LIMITS -> write(rows, row + JointRow.MIN_LENGTH, a) | write(rows, row + JointRow.MAX_LENGTH, b);
+            case SPEED -> write(rows, row + JointRow.SPEED, a);
+            case MAX_FORCE -> write(rows, row + JointRow.MAX_FORCE, a);
+            case MAX_TORQUE -> write(rows, row + JointRow.MAX_TORQUE, a);
+            case BREAKING -> write(rows, row + JointRow.BREAK_FORCE, a) | write(rows, row + JointRow.BREAK_TORQUE, b);
+            default -> false; // it is elsewhere
+        };
+    }
+
+    private static boolean write(float[] rows, int at, float value) {
+        boolean changes = rows[at] != value;
+        rows[at] = value + 0f;
+        return changes;
     }
 }

@@ -284,8 +284,8 @@ public final class JointTable {
         }
     }
 
-    /** All but {@link JointSetting#ANCHOR}. */
-    public void set(int joint, JointSetting setting, float x, float y) {
+    /** All but {@link JointSetting#ANCHOR}. Returns whether the joint is another one then. */
+    public boolean set(int joint, JointSetting setting, float x, float y) {
         int before = form(joint);
         int after = setting.traits(before, x, y);
         if (after != before) {
@@ -296,15 +296,18 @@ public final class JointTable {
                 renew(joint); // a limit that has gone pushes no more
             }
         }
-        setting.write(rows, JointRow.of(joint), x, y);
+        boolean changes = setting.write(rows, JointRow.of(joint), x, y) || after != before;
         changed(joint);
         if (setting == JointSetting.SPRING) {
+            changes = frequency(joint) != x || dampingRatio(joint) != y;
             int spring = springOf(after, x + 0f, y + 0f);
             springs.release(spring(joint));
             setTrait(joint, JointRow.SPRING, spring);
         } else if (setting == JointSetting.ANGLE) {
+            changes = trait(joint, JointRow.REFERENCE_A) != JointSetting.angle(x);
             setTrait(joint, JointRow.REFERENCE_A, JointSetting.angle(x));
         }
+        return changes;
     }
 
     public void remove(int joint) {

@@ -98,12 +98,9 @@ public final class JointTables {
         }
     }
 
-    public void set(int joint, JointSetting setting, float a, float b) {
-        if (setting == JointSetting.ANCHOR) {
-            anchors.set(joint, a, b);
-        } else {
-            table.set(joint, setting, a, b);
-        }
+    /** Returns whether the joint is another one then. */
+    public boolean set(int joint, JointSetting setting, float a, float b) {
+        return setting == JointSetting.ANCHOR ? anchors.set(joint, a, b) : table.set(joint, setting, a, b);
     }
 
     /** How joints go by themselves. */

@@ -17,18 +17,18 @@ import io.github.circles2d.world.model.StepConstants;
 final class FallingAsleep {
     private FallingAsleep() {}
 
-    /** Looks at some slots of circles that are awake; returns whether one of them sleeps now. */
-    static boolean find(State state, float[] kinds, int from, int to, StepConstants k) {
+    /** Looks at some slots of circles that are awake; returns whether one of them sleeps now. driven: by id, or null. */
+    static boolean find(State state, float[] kinds, boolean[] driven, int from, int to, StepConstants k) {
         boolean some = false;
         for (int slot = from; slot < to; slot++) {
             if (!state.isStatic(slot)) {
-                some |= look(state, kinds, slot, k);
+                some |= look(state, kinds, driven, slot, k);
             }
         }
         return some;
     }
 
-    private static boolean look(State state, float[] kinds, int slot, StepConstants k) {
+    private static boolean look(State state, float[] kinds, boolean[] driven, int slot, StepConstants k) {
         Sleepers all = state.sleepers;
         int s = CircleRow.of(slot);
         int id = state.id[slot];
@@ -49,7 +49,7 @@ final class FallingAsleep {
         float most = Sleep.drift(r, gain, k.inverseH, damping);
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds[kind + KindSleep.AWAKE] == 0f
-                && !state.resting.isHeld(id)
+                && (driven == null || !driven[id])
                 && state.fields.getFloat(CircleField.TORQUE, id) == 0f
                 && !(k.turning && Math.abs(state.turning.angularVelocity[slot]) * k.dt >= Sleep.TURN_OF_STEP);
         if (!mayRest || !Sleep.rests(driftX, driftY, turned, r, most)) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
@@ -20,6 +21,10 @@ final class JointPasses {
     private static final int RELAX_LAST = 3;
 
     final JointStates states = new JointStates();
+
+    /** Of a world whose circles sleep. */
+    final RestingJoints resting;
+
     private final State state;
     private final Team team;
     private final JointWorker[] workers;
@@ -49,6 +54,7 @@ final class JointPasses {
         this.state = state;
         this.team = team;
         split = new SplitJoints(state);
+        resting = new RestingJoints(state, states);
         workers = new JointWorker[team.most()];
         for (int worker = 0; worker < workers.length; worker++) {
             workers[worker] = new JointWorker(state, states);
@@ -56,14 +62,14 @@ final class JointPasses {
     }
 
     long bytes() {
-        return states.bytes() + split.bytes() + 4L * (work.length + slots.length) + jointed.length;
+        return states.bytes() + split.bytes() + resting.bytes() + 4L * (work.length + slots.length) + jointed.length;
     }
 
     /** Makes room for a step. */
     void ensure(JointStep step, StepConstants constants) {
-        joints = step;
+        states.ensure(step.joints);
+        joints = state.sleepers == null ? step : resting.awake(step);
         k = constants;
-        states.ensure(joints.joints);
         split.ensure(joints.splitCircles);
         if (JointWork.of(joints.count) > work.length) {
             int room = joints.count + (joints.count >> 1) + 16;
@@ -83,6 +89,9 @@ final class JointPasses {
 
     /** Begins the joints of a step, once their circles have slots, and finds out which circles they hold. */
     void begin() {
+        if (state.sleepers != null) {
+            resting.scale(k.warmScale);
+        }
         team.all(clear);
         team.all(begin);
     }
@@ -104,6 +113,17 @@ final class JointPasses {
     private void mark(int slot) {
         if (slot >= 0) {
             jointed[slot] = true;
+            if (slot >= state.awake) {
+                beginResting(slot);
+            }
+        }
+    }
+
+    /** Makes a circle ready of which no other stage takes notice, as those in slots before it. Several workers may do it. */
+    private void beginResting(int slot) {
+        Arrays.fill(state.load, CircleRow.of(slot), CircleRow.of(slot + 1), 0f);
+        if (k.turning) {
+            state.turning.begin(slot, slot + 1);
         }
     }
 
@@ -179,6 +199,9 @@ final class JointPasses {
         for (int place = 0; place < joints.count; place++) {
             if (workers[0].acts(place) && workers[0].visits.breaks(place)) {
                 states.breakJoint(joints.order[place]);
+                if (state.sleepers != null) {
+                    resting.tear(joints.order[place]);
+                }
             }
         }
     }

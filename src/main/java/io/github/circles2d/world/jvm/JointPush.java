@@ -2,8 +2,6 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.jvm.JointWork.INV_INERTIA_A;
 import static io.github.circles2d.world.jvm.JointWork.INV_INERTIA_B;
-import static io.github.circles2d.world.jvm.JointWork.INV_MASS_A;
-import static io.github.circles2d.world.jvm.JointWork.INV_MASS_B;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
@@ -57,8 +55,8 @@ final class JointPush {
         float[] m = state.motion;
         int a = view.a;
         int b = view.b;
-        float wA = view.work[view.o + INV_MASS_A];
-        float wB = view.work[view.o + INV_MASS_B];
+        float wA = view.givenMassA();
+        float wB = view.givenMassB();
         if (wA != 0f) {
             m[a + VX] -= wA * x;
             m[a + VY] -= wA * y;
@@ -82,14 +80,14 @@ final class JointPush {
         float[] load = state.load;
         int a = view.a;
         int b = view.b;
-        if (view.work[view.o + INV_MASS_A] != 0f) {
+        if (view.givenMassA() != 0f) {
             load[a + IMPULSE_X] -= x;
             load[a + IMPULSE_Y] -= y;
             if (view.turns()) {
                 state.turning.spin[a + SPIN_IMPULSE] += spinOfA();
             }
         }
-        if (view.work[view.o + INV_MASS_B] != 0f) {
+        if (view.givenMassB() != 0f) {
             load[b + IMPULSE_X] += x;
             load[b + IMPULSE_Y] += y;
             if (view.turns()) {
@@ -104,10 +102,10 @@ final class JointPush {
      */
     void loadCircles() {
         float strain = view.strain();
-        if (view.work[view.o + INV_MASS_A] != 0f && JointMath.jointLoads(strain, state.circle[view.a + RADIUS])) {
+        if (view.givenMassA() != 0f && JointMath.jointLoads(strain, state.circle[view.a + RADIUS])) {
             state.load[view.a + LOADED_NEXT] = 1f;
         }
-        if (view.work[view.o + INV_MASS_B] != 0f && JointMath.jointLoads(strain, state.circle[view.b + RADIUS])) {
+        if (view.givenMassB() != 0f && JointMath.jointLoads(strain, state.circle[view.b + RADIUS])) {
             state.load[view.b + LOADED_NEXT] = 1f;
         }
     }

@@ -60,6 +60,7 @@ final class JointView {
     int b;
 
     private int form;
+    private int still;
 
     // ---- what it has measured
 
@@ -102,6 +103,7 @@ final class JointView {
         form = joints.traits[traits + JointRow.FORM];
         a = CircleRow.of(slots[JointWork.slots(place) + JointWork.A]);
         b = CircleRow.of(slots[JointWork.slots(place) + JointWork.B]);
+        still = slots[JointWork.slots(place) + JointWork.STILL];
     }
 
     /** What stays as it is in a step. */
@@ -110,6 +112,9 @@ final class JointView {
         work[o + INV_MASS_B] = hasB() ? state.traits[b + INVERSE_MASS] : 0f;
         work[o + INV_INERTIA_A] = k.turning ? state.turning.spin[a + INVERSE_INERTIA] : 0f;
         work[o + INV_INERTIA_B] = k.turning && hasB() ? state.turning.spin[b + INVERSE_INERTIA] : 0f;
+        if (still != 0) {
+            takeOwnMasses();
+        }
         work[o + NORMAL_X] = 1f;
         work[o + NORMAL_Y] = 0f;
         float radius = state.circle[a + RADIUS];
@@ -122,6 +127,28 @@ final class JointView {
             work[o + BASE_Y] = across(joints.rows[row + JointRow.ANCHOR_Y] - state.circle[a + Y], state.periodY);
         }
         work[o + PUSH] = JointMath.greatestPush(radius, k.inverseH);
+    }
+
+    /** A circle that sleeps is pulled as if it would give way. */
+    private void takeOwnMasses() {
+        if ((still & JointWork.STILL_A) != 0) {
+            work[o + INV_MASS_A] = state.ownInverseMass(CircleRow.slot(a));
+            work[o + INV_INERTIA_A] = k.turning ? state.turning.ownInverseInertia(CircleRow.slot(a)) : 0f;
+        }
+        if ((still & JointWork.STILL_B) != 0) {
+            work[o + INV_MASS_B] = state.ownInverseMass(CircleRow.slot(b));
+            work[o + INV_INERTIA_B] = k.turning ? state.turning.ownInverseInertia(CircleRow.slot(b)) : 0f;
+        }
+    }
+
+    /** By how much an impulse moves A: 0 if it sleeps. */
+    float givenMassA() {
+        return (still & JointWork.STILL_A) != 0 ? 0f : work[o + INV_MASS_A];
+    }
+
+    /** By how much it moves B: 0 if it sleeps, or is an anchor. */
+    float givenMassB() {
+        return (still & JointWork.STILL_B) != 0 ? 0f : work[o + INV_MASS_B];
     }
 
     private float across(float d, float period) {

@@ -9,7 +9,7 @@ final class JointWork {
     static final int NORMAL_X = 2; // from A to B, as measured last
     static final int NORMAL_Y = 3;
     static final int DISTANCE = 4;
-    static final int INV_MASS_A = 5;
+    static final int INV_MASS_A = 5; // also of one that sleeps
     static final int INV_MASS_B = 6;
     static final int INV_INERTIA_A = 7; // what a surface speed gains by an impulse along the surface
     static final int INV_INERTIA_B = 8;
@@ -34,6 +34,7 @@ final class JointWork {
     static final int A = 0; // or NONE, if the joint does nothing in this step
     static final int B = 1; // or NONE
     static final int KIND = 2; // how it is visited
+    static final int STILL = 3; // STILL_A and STILL_B: which of them sleeps, and gets nothing
 
     static final int NONE = -1;
 
@@ -41,6 +42,10 @@ final class JointWork {
     static final int BOTH = 0; // with bias, and without
     static final int ALONE = 1; // an exact spring alone, which is visited with bias only
     static final int PLAIN = 2; // the same along the line between two circles, not split
+
+    // STILL
+    static final int STILL_A = 1;
+    static final int STILL_B = 2;
 
     private JointWork() {}
 

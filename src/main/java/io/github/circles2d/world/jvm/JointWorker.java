@@ -56,6 +56,8 @@ final class JointWorker {
         slots[at + JointWork.A] = state.slotOf[joints.traits[traits + JointRow.A]];
         int idB = joints.traits[traits + JointRow.B];
         slots[at + JointWork.B] = idB == JointRow.NONE ? JointWork.NONE : state.slotOf[idB];
+        slots[at + JointWork.STILL] =
+                still(slots[at + JointWork.A], JointWork.STILL_A) | still(slots[at + JointWork.B], JointWork.STILL_B);
         view.take(place);
         slots[at + JointWork.KIND] = kind(place);
         work[JointWork.of(place) + JointWork.SHARE_A] = 1f;
@@ -80,6 +82,10 @@ final class JointWorker {
         return true;
     }
 
+    private int still(int slot, int bit) {
+        return state.sleepers != null && slot >= 0 && state.sleepers.isAsleep(state.id[slot]) ? bit : 0;
+    }
+
     private int kind(int place) {
         if (view.relaxes()) {
             return BOTH;
@@ -88,6 +94,7 @@ final class JointWorker {
                 && view.has(JointRow.ELASTIC)
                 && view.angular() == 0
                 && view.hasB()
+                && slots[JointWork.slots(place) + JointWork.STILL] == 0
                 && place < joints.splitStart;
         return plain ? PLAIN : ALONE;
     }
@@ -95,6 +102,15 @@ final class JointWorker {
     /** Whether the joint of a place does something in this step. */
     boolean acts(int place) {
         return slots[JointWork.slots(place) + JointWork.A] >= 0;
+    }
+
+    /** As those of {@link JointView}, of the joint of the last visit. */
+    float givenMassA() {
+        return view.givenMassA();
+    }
+
+    float givenMassB() {
+        return view.givenMassB();
     }
 
     /** Whether it does something without bias, too, and keeps impulses. */

@@ -71,6 +71,9 @@ public final class JvmPipeline implements Pipeline {
     /** Null if circles never sleep. */
     private Waking waking;
 
+    /** By id, at the end of a step: whether a joint drives the circle; null without joints. */
+    private boolean[] driven;
+
     /** What decides which kinds fall asleep. */
     private float[] kindSleep;
 
@@ -209,7 +212,7 @@ public final class JvmPipeline implements Pipeline {
         if (state.sleepers != null) {
             waking.settle(constants, terrain, pieces);
         }
-        state.resting.settle(constants, jointStep, reports.seekingVersion);
+        state.resting.settle(constants, reports.seekingVersion);
         makeRoom();
     }
 
@@ -286,7 +289,7 @@ public final class JvmPipeline implements Pipeline {
     /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
     private boolean wake() {
         contacts.findResting();
-        boolean some = waking.wake(constants, terrain, pieces);
+        boolean some = waking.wake(constants, terrain, pieces, constants.joints ? joints.resting : null);
         if (some) {
             makeRoom();
             grid.build(constants);
@@ -295,7 +298,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     private void fallAsleep() {
+        driven = constants.joints ? joints.resting.findDriven() : null;
         team.all(fallAsleep);
+        if (constants.joints) {
+            joints.resting.end(contacts.impulseCache());
+        }
         if (someFellAsleep) {
             someFellAsleep = false;
             state.noteDrowsy();
@@ -305,7 +312,7 @@ public final class JvmPipeline implements Pipeline {
     private void fallAsleep(int worker) {
         int from = team.part(state.awake, worker);
         int to = team.part(state.awake, worker + 1);
-        if (FallingAsleep.find(state, kindSleep, from, to, constants)) {
+        if (FallingAsleep.find(state, kindSleep, driven, from, to, constants)) {
             someFellAsleep = true;
         }
     }

@@ -52,6 +52,9 @@ final class PairFilter {
 
     /** Whether two circles would meet, if one of them moves. */
     static boolean wouldMeet(State state, int id, int otherId) {
+        if (state.parting != null && areParted(state, id, otherId)) {
+            return false;
+        }
         return !state.filtering || response(state, id, otherId) == PairTable.SOLID;
     }
 

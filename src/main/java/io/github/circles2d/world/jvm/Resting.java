@@ -12,8 +12,6 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
-import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
@@ -69,11 +67,6 @@ final class Resting {
     private int usedCount;
     private int size;
 
-    /** By id: whether a joint holds the circle. Such circles do not rest, since joints know no others. */
-    private boolean[] held = new boolean[0];
-
-    private int heldVersion = -1;
-
     /** Which kinds do not let their circles rest, as was looked at last. */
     private long[] asking;
 
@@ -126,7 +119,7 @@ final class Resting {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (place.length + cell.length + rank.length + last.length + unsettled.length) + held.length;
+        long sum = 4L * (place.length + cell.length + rank.length + last.length + unsettled.length);
         for (int k = 0; k < usedCount; k++) {
             sum += 4L * members[used[k]].length;
         }
@@ -137,12 +130,11 @@ final class Resting {
     // --------------------------------------------------------------------------------------------------
 
     /** Before a step, of a version of what kinds sense: wakes the circles that it may change, and lets those rest that it does not. */
-    void settle(StepConstants k, JointStep joints, int ofKinds) {
+    void settle(StepConstants k, int ofKinds) {
         if (isOff) {
             return;
         }
         wakeAsking(ofKinds);
-        wakeHeld(k.joints ? joints : null);
         if (size > 0 && (!isInside(k.bounds) || state.wraps && arena != null && k.arena.differs(arena))) {
             wakeMoved(k);
         }
@@ -154,43 +146,6 @@ final class Resting {
                 if (state.isStatic(slot) && rests(slot, k)) {
                     state.rest(slot);
                 }
-            }
-        }
-    }
-
-    private void wakeHeld(JointStep joints) {
-        int version = joints == null ? NONE : joints.orderVersion;
-        if (version == heldVersion) {
-            return;
-        }
-        if (held.length < state.slotOf.length) {
-            held = new boolean[state.slotOf.length];
-        } else {
-            Arrays.fill(held, false);
-        }
-        heldVersion = version;
-        proposed = true;
-        if (state.sleepers != null) {
-            state.sleepers.suspectAll();
-        }
-        for (int n = 0; joints != null && n < joints.count; n++) {
-            int traits = JointRow.traits(joints.order[n]);
-            hold(joints.traits[traits + JointRow.A]);
-            hold(joints.traits[traits + JointRow.B]);
-        }
-    }
-
-    /** Whether a joint holds a circle. */
-    boolean isHeld(int id) {
-        return id < held.length && held[id];
-    }
-
-    private void hold(int id) {
-        if (id != JointRow.NONE && state.slotOf[id] >= 0) {
-            held[id] = true;
-            boolean sleeps = state.sleepers != null && state.sleepers.isAsleep(id);
-            if (state.slotOf[id] >= state.awake && !sleeps) {
-                state.wake(state.slotOf[id]);
             }
         }
     }
@@ -243,7 +198,6 @@ final class Resting {
                 && CircleMath.laps(state.circle[s + Y], k.arena.minY(), k.arena.periodY()) == 0f
                 && (state.turning == null || isZero(state.turning.angularVelocity[slot]))
                 && (state.pieces == null || state.pieces.count[slot] == 0)
-                && !isHeld(state.id[slot])
                 && !state.asks(slot);
     }
 

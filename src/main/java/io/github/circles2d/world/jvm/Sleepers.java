@@ -51,6 +51,9 @@ final class Sleepers {
     /** How many circles sleep. */
     int count;
 
+    /** Another one as soon as others sleep than before, or other circles are static. */
+    int version;
+
     // ---- impulses
 
     /** By id: one of the impulses of the circle. */
@@ -430,6 +433,7 @@ final class Sleepers {
         free = NONE;
         pressing = 0;
         count = 0;
+        version++;
         for (int k = 0; from.sleeps && k < from.circles; k++) {
             int id = from.id[k];
             set(id, from.rest[k], from.turned[k], from.drift[2 * k], from.drift[2 * k + 1]);

@@ -136,8 +136,8 @@ final class SplitJoints {
         int o = JointWork.of(place);
         int a = end(place, JointWork.A);
         int b = end(place, JointWork.B);
-        float wA = work[o + JointWork.INV_MASS_A];
-        float wB = work[o + JointWork.INV_MASS_B];
+        float wA = worker.givenMassA();
+        float wB = worker.givenMassB();
         if (wA != 0f) {
             float by = speeds ? wA : 1f;
             float bySpin = speeds ? work[o + JointWork.INV_INERTIA_A] : 1f;

@@ -353,6 +353,7 @@ public final class State implements ContactEvents.Sleepers {
                     circle[s + MASS] = a;
                     traits[s + INVERSE_MASS] = CircleMath.inverseMass(a);
                     forget(slot);
+                    noteSleep();
                 }
                 case Commands.RESTITUTION -> traits[s + RESTITUTION] = a;
                 case Commands.IMPULSE -> {
@@ -486,6 +487,7 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Circles of the awake slots that sleep are to rest from the next step on. */
     void noteDrowsy() {
+        noteSleep();
         for (int slot = 0; slot < awake; slot++) {
             if (sleepers.isAsleep(id[slot])) {
                 if (drowsyCount == drowsy.length) {
@@ -494,6 +496,13 @@ public final class State implements ContactEvents.Sleepers {
                 drowsy[drowsyCount++] = id[slot];
                 sleepers.count++;
             }
+        }
+    }
+
+    /** Others sleep than before, or other circles are static. */
+    private void noteSleep() {
+        if (sleepers != null) {
+            sleepers.version++;
         }
     }
 
@@ -672,6 +681,7 @@ public final class State implements ContactEvents.Sleepers {
             traits[CircleRow.of(to) + INVERSE_MASS] = ownInverseMass(to);
             sleepers.setRest(id[to], 0);
             sleepers.count--;
+            noteSleep();
             sleepers.giveBack(id[to], impulseCache);
         }
         proposeRest(to);

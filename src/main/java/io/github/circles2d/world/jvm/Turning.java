@@ -113,6 +113,12 @@ final class Turning {
         angularVelocity[slot] = Surface.afterAngularImpulse(angularVelocity[slot], impulse, r, inverse);
     }
 
+    /** That of a circle by its own mass, also if it sleeps. */
+    float ownInverseInertia(int slot) {
+        int kind = KindSurface.of(state.fields.getInt(CircleField.KIND, state.id[slot]));
+        return state.ownInverseMass(slot) * surfaces[kind + KindSurface.INERTIA];
+    }
+
     /** Makes circles ready for a step. */
     void begin(int from, int to) {
         for (int slot = from; slot < to; slot++) {

@@ -15,6 +15,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Sleep;
@@ -30,10 +31,13 @@ import java.util.Arrays;
  */
 final class Waking {
     // the sums of a circle
-    private static final int SUMS = 3;
+    private static final int SUMS = 4;
     private static final int SUM_X = 0;
     private static final int SUM_Y = 1;
     private static final int SUM_LOAD = 2;
+    private static final int SUM_SPIN = 3;
+
+    private static final int NO_JOINTS = -1;
 
     private final State state;
     private final Grid grid;
@@ -77,8 +81,14 @@ final class Waking {
 
     private float gravityStepY;
 
+    /** The order of joints in the last step that looked; {@link #NO_JOINTS} without joints. */
+    private int jointOrder = NO_JOINTS;
+
     // what the step has
     private StepConstants k;
+
+    /** Null without joints. */
+    private RestingJoints joints;
 
     // the normal between two circles, and how far their surfaces are apart
     private float nx;
@@ -136,12 +146,19 @@ final class Waking {
     // -------------------------------------------------------------------------------------------------------
 
     /** Wakes circles; returns whether there are any. */
-    boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
+    boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces, RestingJoints held) {
         k = constants;
+        joints = held;
         begin();
         lookAtBorder();
+        if (joints != null) {
+            lookAtPulled();
+        }
         int bordering = count;
         lookAtMovingStatics();
+        if (joints != null) {
+            lookAtDriven();
+        }
         lookAtMovingWalls();
         if (k.terrain && pieces != null) {
             lookAtMovingPieces(terrain, pieces);
@@ -152,6 +169,10 @@ final class Waking {
         rememberBorder(bordering);
         for (int n = 0; n < sleepers().suspects(); n++) {
             look(sleepers().suspectAt(n));
+        }
+        if (jointOrder != (joints == null ? NO_JOINTS : joints.order())) {
+            jointOrder = joints == null ? NO_JOINTS : joints.order();
+            sleepers().suspectAll();
         }
         boolean tilted = k.gravityStepX != gravityStepX || k.gravityStepY != gravityStepY;
         gravityStepX = k.gravityStepX;
@@ -283,27 +304,17 @@ final class Waking {
         int entry = contacts.impulseCache().find(lower, higher);
         float j = entry < 0 ? 0f : contacts.impulseCache().impulseNow(entry) * k.warmScale;
         if (j > 0f) {
-            float f = state.turning == null
-                    ? 0f
-                    : contacts.impulseCache().rowImpulseNow(entry, ContactRows.FRICTION) * k.warmScale;
-            press(slot, isLower, j, f);
+            press(slot, isLower, j, ofEntry(entry, ContactRows.FRICTION), ofEntry(entry, ContactRows.ROLLING));
         }
         float v =
                 CircleMath.dot(nx, ny, state.motion[CircleRow.of(awake) + VX], state.motion[CircleRow.of(awake) + VY]);
         float restitution = CircleMath.max(
                 state.traits[CircleRow.of(slot) + RESTITUTION], state.traits[CircleRow.of(awake) + RESTITUTION]);
-        push(
-                state.id[slot],
-                Sleep.hit(
-                        isLower ? -v : v,
-                        separation,
-                        state.ownInverseMass(slot),
-                        state.ownInverseMass(awake),
-                        restitution,
-                        j,
-                        gainOfStep(slot),
-                        radius(slot),
-                        k.dt));
+        push(state.id[slot], hit(slot, awake, isLower ? -v : v, separation, restitution, j));
+    }
+
+    private float ofEntry(int entry, int row) {
+        return state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
     }
 
     private float scale(int slot) {
@@ -311,17 +322,98 @@ final class Waking {
     }
 
     /** Adds the impulses of a contact, along the normal that has been found and its tangent, to the sums of a circle. */
-    private void press(int slot, boolean isLower, float j, float f) {
+    private void press(int slot, boolean isLower, float j, float f, float rolling) {
         float side = isLower ? -1f : 1f;
-        add(slot, side * (nx * j - ny * f), side * (ny * j + nx * f), j);
+        add(slot, side * (nx * j - ny * f), side * (ny * j + nx * f), j, -f + side * rolling / radius(slot));
     }
 
-    private void add(int slot, float x, float y, float load) {
+    private void add(int slot, float x, float y, float load, float spin) {
         float scale = scale(slot);
         int at = SUMS * state.id[slot];
         sums[at + SUM_X] += CrossRule.toFixed(x, scale);
         sums[at + SUM_Y] += CrossRule.toFixed(y, scale);
         sums[at + SUM_LOAD] += CrossRule.toFixed(load, scale);
+        sums[at + SUM_SPIN] += CrossRule.toFixed(spin, scale);
+    }
+
+    /** Circles that joints hold to those that are awake: these may pull at them. */
+    private void lookAtPulled() {
+        for (int n = 0; n < joints.bordering(); n++) {
+            int joint = joints.borderingAt(n);
+            int id = joints.sleeper(joint);
+            if (look(id) && joints.isThere(joint)) {
+                push(id, pulled(joint, id));
+            }
+        }
+    }
+
+    /** What a circle that is awake is about to add by a joint to the speed of one that sleeps; 0 if too little. */
+    private float pulled(int joint, int id) {
+        int slot = state.slotOf[id];
+        int awake = state.slotOf[joints.other(joint, id)];
+        float distance = joints.measure(joint);
+        float vx = state.motion[CircleRow.of(awake) + VX];
+        float vy = state.motion[CircleRow.of(awake) + VY];
+        float along = CircleMath.dot(joints.nx(), joints.ny(), vx, vy);
+        float apart = joints.isA(joint, id) ? along : -along;
+        float j = joints.load(joint, k);
+        float by = 0f;
+        if (joints.has(joint, JointRow.RIGID)) {
+            float v = Math.abs(apart);
+            if (joints.has(joint, JointRow.ACROSS)) {
+                v = CircleMath.length(vx, vy) + 0.5f * distance * Math.abs(state.turning.angularVelocity[awake]);
+            }
+            by = hit(slot, awake, v, 0f, 0f, j);
+        }
+        if (joints.has(joint, JointRow.LOWER)) {
+            float gap = distance - joints.value(joint, JointRow.MIN_LENGTH);
+            by = CircleMath.max(by, hit(slot, awake, -apart, gap, 0f, j));
+        }
+        if (joints.has(joint, JointRow.UPPER)) {
+            float gap = joints.value(joint, JointRow.MAX_LENGTH) - distance;
+            by = CircleMath.max(by, hit(slot, awake, apart, gap, 0f, j));
+        }
+        return by;
+    }
+
+    private float hit(int slot, int awake, float approach, float gap, float restitution, float j) {
+        return Sleep.hit(
+                approach,
+                gap,
+                state.ownInverseMass(slot),
+                state.ownInverseMass(awake),
+                restitution,
+                j,
+                gainOfStep(slot),
+                radius(slot),
+                k.dt);
+    }
+
+    /** Circles that a joint moves: by a motor, or since what holds them moves by itself. */
+    private void lookAtDriven() {
+        for (int n = 0; n < joints.driving(); n++) {
+            int joint = joints.drivingAt(n);
+            if (joints.isThere(joint)) {
+                wakeHeld(joints.a(joint));
+                wakeHeld(joints.b(joint));
+            }
+        }
+        for (int slot = 0; slot < state.awake; slot++) {
+            if (state.isStatic(slot)) {
+                int id = state.id[slot];
+                for (int entry = joints.first(id); entry < joints.first(id + 1); entry++) {
+                    if (joints.isThere(joints.joint(entry)) && joints.movesAlong(slot, joints.joint(entry))) {
+                        wakeHeld(joints.other(joints.joint(entry), id));
+                    }
+                }
+            }
+        }
+    }
+
+    private void wakeHeld(int id) {
+        if (id != JointRow.NONE && look(id)) {
+            push(id, strong(state.slotOf[id]));
+        }
     }
 
     private void lookAtMovingStatics() {
@@ -420,7 +512,8 @@ final class Waking {
             boolean isLower = id < state.id[other];
             meet(isLower ? slot : other, isLower ? other : slot);
             float f = state.turning == null ? 0f : all.row(press, ContactRows.FRICTION) * k.warmScale;
-            press(slot, isLower, all.normal(press) * k.warmScale, f);
+            float rolling = state.turning == null ? 0f : all.row(press, ContactRows.ROLLING) * k.warmScale;
+            press(slot, isLower, all.normal(press) * k.warmScale, f, rolling);
         }
         float w = state.ownInverseMass(slot);
         addWall(slot, w, 0);
@@ -430,22 +523,44 @@ final class Waking {
                 addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
             }
         }
+        for (int entry = joints == null ? 0 : joints.first(id);
+                joints != null && entry < joints.first(id + 1);
+                entry++) {
+            addJoint(id, slot, joints.joint(entry));
+        }
+    }
+
+    private void addJoint(int id, int slot, int joint) {
+        if (joints.isThere(joint)) {
+            boolean isA = joints.isA(joint, id);
+            float x = joints.sumX(joint, k);
+            float y = joints.sumY(joint, k);
+            float twist = joints.twist(joint, k);
+            float both = joints.both(joint, k);
+            add(
+                    slot,
+                    isA ? -x : x,
+                    isA ? -y : y,
+                    joints.load(joint, k),
+                    (isA ? both + twist : both - twist) / radius(slot));
+        }
     }
 
     private void addWall(int slot, float w, int axis) {
         float impulse = state.traits[CircleRow.of(slot) + WALL_X + axis];
-        if (impulse == 0f) {
-            return;
-        }
-        float f = 0f;
-        if (state.turning != null) {
-            float friction =
-                    state.turning.wallRows[ContactRows.ofWalls(slot) + ContactRows.ofWall(ContactRows.FRICTION, axis)];
-            f = (axis == 0) == impulse > 0f ? friction : -friction;
-        }
+        float friction = ofWall(slot, ContactRows.FRICTION, axis);
+        float rolling = ofWall(slot, ContactRows.ROLLING, axis);
+        float f = (axis == 0) == impulse > 0f ? friction : -friction;
         float along = impulse / w;
-        float across = f / w;
-        add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w);
+        float across = impulse == 0f ? 0f : f / w;
+        float spin = (rolling - friction) / w;
+        add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w, spin);
+    }
+
+    private float ofWall(int slot, int row, int axis) {
+        return state.turning == null
+                ? 0f
+                : state.turning.wallRows[ContactRows.ofWalls(slot) + ContactRows.ofWall(row, axis)];
     }
 
     private void addPiece(int slot, float w, float[] rows, int row) {
@@ -454,7 +569,9 @@ final class Waking {
             float f = rows[row + PieceContactRow.ROWS + ContactRows.FRICTION] / w;
             float x = rows[row + PieceContactRow.NX];
             float y = rows[row + PieceContactRow.NY];
-            add(slot, x * j - y * f, y * j + x * f, j);
+            float rolling = rows[row + PieceContactRow.ROWS + ContactRows.ROLLING];
+            float spin = (rolling - rows[row + PieceContactRow.ROWS + ContactRows.FRICTION]) / w;
+            add(slot, x * j - y * f, y * j + x * f, j, spin);
         }
     }
 
@@ -462,7 +579,7 @@ final class Waking {
     private void judge(int id) {
         int slot = state.slotOf[id];
         sumUp(id);
-        if (state.resting.isHeld(id) || state.fields.getFloat(CircleField.TORQUE, id) != 0f) {
+        if (state.fields.getFloat(CircleField.TORQUE, id) != 0f) {
             push(id, strong(slot));
         }
         push(id, outOfBalance(id, slot));
@@ -488,6 +605,10 @@ final class Waking {
         float y = gainY + w * CrossRule.fromFixed(sums[SUMS * id + SUM_Y], unit);
         int offset = sleepers().offset(id, x, y, gain, strict);
         float b = CircleMath.length(x - Sleep.offsetX(offset, gain), y - Sleep.offsetY(offset, gain));
+        if (joints != null && joints.turn(id)) {
+            float spin = CrossRule.fromFixed(sums[SUMS * id + SUM_SPIN], unit);
+            b = CircleMath.max(b, Sleep.SHARE_OF_SPIN * Math.abs(state.turning.ownInverseInertia(slot) * spin));
+        }
         if (!(b > Sleep.tolerance(strict, gain, w * load(id, slot), r, k.dt))) {
             sleepers().setRest(id, Sleep.ASLEEP);
             return 0f;
@@ -518,6 +639,9 @@ final class Waking {
             count = 0;
             for (int n = from; n < end; n++) {
                 passOn(woken[n]);
+                if (joints != null) {
+                    passOnByJoints(woken[n]);
+                }
             }
             for (int n = 0; n < count; n++) {
                 int id = list[n];
@@ -554,25 +678,70 @@ final class Waking {
         if (!(separation < Tuning.MARGIN * radii)) {
             return;
         }
-        float w = state.ownInverseMass(other);
-        float ofWoken = state.ownInverseMass(slot);
-        float gain = gainOfStep(other);
         int press = sleepers().find(id, otherId);
-        float passed;
-        if (press >= 0 && sleepers().normal(press) * k.warmScale > 0f) {
-            float j = sleepers().normal(press) * k.warmScale;
-            passed = Sleep.passedOn(speed[id], j, loadOf(otherId, other), w, ofWoken, gain);
-        } else {
-            passed = Sleep.passedFreely(speed[id], separation, w, ofWoken, gain, k.dt);
-        }
+        float j = press < 0 ? 0f : sleepers().normal(press) * k.warmScale;
+        reach(otherId, j > 0f ? passedOn(id, slot, otherId, other, j) : passedFreely(id, slot, other, separation));
+    }
+
+    private float passedOn(int id, int slot, int otherId, int other, float j) {
+        return Sleep.passedOn(
+                speed[id],
+                j,
+                loadOf(otherId, other),
+                state.ownInverseMass(other),
+                state.ownInverseMass(slot),
+                gainOfStep(other));
+    }
+
+    private float passedFreely(int id, int slot, int other, float gap) {
+        float w = state.ownInverseMass(other);
+        return Sleep.passedFreely(speed[id], gap, w, state.ownInverseMass(slot), gainOfStep(other), k.dt);
+    }
+
+    /** What has woken a circle reaches another one with a speed, if that is not 0. */
+    private void reach(int id, float passed) {
         if (passed > 0f) {
-            if (next[otherId] == 0f) {
+            if (next[id] == 0f) {
                 if (count == list.length) {
                     list = Arrays.copyOf(list, 2 * count);
                 }
-                list[count++] = otherId;
+                list[count++] = id;
             }
-            next[otherId] = CircleMath.max(next[otherId], passed);
+            next[id] = CircleMath.max(next[id], passed);
+        }
+    }
+
+    /** By the joints of a circle that has woken. */
+    private void passOnByJoints(int id) {
+        for (int entry = joints.first(id); entry < joints.first(id + 1); entry++) {
+            int joint = joints.joint(entry);
+            int other = joints.other(joint, id);
+            if (other != JointRow.NONE
+                    && joints.isThere(joint)
+                    && sleepers().isAsleep(other)
+                    && wokenIn[other] != step) {
+                passOn(joint, id, other);
+            }
+        }
+    }
+
+    private void passOn(int joint, int id, int otherId) {
+        int slot = state.slotOf[id];
+        int other = state.slotOf[otherId];
+        float j = joints.load(joint, k);
+        if (j > 0f) {
+            reach(otherId, passedOn(id, slot, otherId, other, j));
+            return;
+        }
+        float distance = joints.measure(joint);
+        if (joints.has(joint, JointRow.RIGID)) {
+            reach(otherId, passedFreely(id, slot, other, 0f));
+        }
+        if (joints.has(joint, JointRow.LOWER)) {
+            reach(otherId, passedFreely(id, slot, other, distance - joints.value(joint, JointRow.MIN_LENGTH)));
+        }
+        if (joints.has(joint, JointRow.UPPER)) {
+            reach(otherId, passedFreely(id, slot, other, joints.value(joint, JointRow.MAX_LENGTH) - distance));
         }
     }
 

@@ -50,6 +50,12 @@ public final class Sleep {
 
     public static final float FREE_WEIGHTS = 2f;
 
+    /** How many times what a spring carries counts in what presses a circle: it carries another share once its other end sleeps. */
+    public static final float SPRING_LOADS = 4f;
+
+    /** How much the balance of a surface counts that joints turn. */
+    public static final float SHARE_OF_SPIN = 0.5f;
+
     /** Radii a step. */
     public static final float ROUNDING = 1e-7f;
 
@@ -174,6 +180,21 @@ public final class Sleep {
     /** The speed that wakes a circle by what it is out of balance in a sub-step. */
     public static float imbalanceOfStep(float imbalance, int subSteps, float radius, float dt) {
         return CircleMath.max(imbalance * (float) subSteps, LEAST_WAKING * radius / dt);
+    }
+
+    /** Whether a joint moves its circles whatever they do: by a motor, or since its anchor moves. */
+    public static boolean drives(int angular, float speed, float maxTorque, int anchor) {
+        return angular == JointRow.TURN_SPEED && speed != 0f && maxTorque > 0f || anchor != 0;
+    }
+
+    /** An impulse that a joint has summed up in a step, as that of a sub-step of the next one. */
+    public static float ofSubStep(float sum, float warmScale, int subSteps) {
+        return sum * warmScale / (float) subSteps;
+    }
+
+    /** What a joint counts in what presses a circle, by its impulse of a sub-step. */
+    public static float loadOfJoint(float x, float y, boolean elastic) {
+        return (elastic ? SPRING_LOADS : 1f) * CircleMath.length(x, y);
     }
 
     /** What of the speed that woke a circle reaches one that it presses; 0 if too little. */

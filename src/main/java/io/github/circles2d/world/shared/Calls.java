@@ -106,10 +106,15 @@ public final class Calls {
      * before, has changed nothing and is not in the log.
      */
     public void begin(Call call, int[] w) {
+        begin(call, w, true);
+    }
+
+    /** The same; changes: whether the world is another one behind the call, which wakes nobody else. */
+    public void begin(Call call, int[] w, boolean changes) {
         world.copies.forgetSaved();
         log.write(call, w);
         world.guard.changing = true;
-        if (call.wakes() && world.settings.sleeps()) {
+        if (changes && call.wakes() && world.settings.sleeps()) {
             world.commands.wakeAll();
         }
     }

@@ -17,6 +17,11 @@ final class JointKernels {
     private static final int SOLVE = 1;
     private static final int RELAX = 2;
 
+    // bits of what a step knows of a joint
+    private static final int RELAXES = 1;
+    private static final int STILL_A = 2;
+    private static final int STILL_B = 4;
+
     private final JointUpload joints;
     private final Kernel find;
     private final Kernel begin;
@@ -41,7 +46,10 @@ final class JointKernels {
         return source.define("JOINT_GROUP", GROUP)
                 .define("JOINT_PREPARE", PREPARE)
                 .define("JOINT_SOLVE", SOLVE)
-                .define("JOINT_RELAX", RELAX);
+                .define("JOINT_RELAX", RELAX)
+                .define("JOINT_RELAXES", RELAXES)
+                .define("JOINT_STILL_A", STILL_A)
+                .define("JOINT_STILL_B", STILL_B);
     }
 
     /** Finds the circles of joints, once circles are sorted. */

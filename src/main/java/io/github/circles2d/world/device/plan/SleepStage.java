@@ -16,8 +16,10 @@ final class SleepStage {
     private final Kernel keep;
     private final Kernel end;
 
-    /** Null in a world without joints. */
+    /** Null in a world without joints, as the next. */
     private final Kernel hold;
+
+    private final Kernel held;
 
     private final JointUpload joints;
 
@@ -29,6 +31,7 @@ final class SleepStage {
         keep = kernels.staged("sleeping_keep");
         end = kernels.staged("sleeping_end");
         hold = haveJoints ? kernels.staged("sleeping_hold") : null;
+        held = haveJoints ? kernels.staged("sleeping_held") : null;
     }
 
     /** Adds the numbers that the kernels share with the host. */
@@ -39,7 +42,7 @@ final class SleepStage {
     /** Behind the grid. */
     void wake(int circles) {
         press.run(circles);
-        hold(true);
+        runOverJoints(hold);
         wake.run(circles);
         spread.run(GROUP, GROUP);
         keep.run(circles);
@@ -47,13 +50,13 @@ final class SleepStage {
 
     /** Behind the step and what it reports. */
     void end(int circles) {
-        hold(false);
+        runOverJoints(held);
         end.run(circles);
     }
 
-    private void hold(boolean begins) {
-        if (hold != null && joints.any()) {
-            hold.arg(StageKernels.own(0), begins ? 1 : 0).run(joints.count());
+    private void runOverJoints(Kernel kernel) {
+        if (kernel != null && joints.any()) {
+            kernel.run(joints.count());
         }
     }
 }
