@@ -485,6 +485,75 @@ class BodiesPhysicsTest {
         }
     }
 
+    /** Planks and boxes that turn fly at thin ground at all angles. */
+    @Test
+    void nothingPassesThinGround() {
+        Random random = new Random(77);
+        Outline[] outlines = {
+            Outline.box(0.1f, 2).round(0.02f),
+            Outline.box(1, 1).round(ROUNDING),
+            Outline.box(0.1f, 0.4f).round(0.01f)
+        };
+        for (int shot = 0; shot < 240; shot++) {
+            try (World world = world(0, shot % 4 < 2 ? 0 : 0.5, 0)) {
+                if (shot % 2 == 0) {
+                    world.terrain().addChain(Chain.of(40, 0, -40, 0));
+                } else {
+                    world.terrain().addSegment(-40, 0, 40, 0);
+                }
+                double v = new double[] {20, 50, 100, 200}[shot % 8 / 2];
+                double angle = (random.nextDouble() - 0.5) * 2.4;
+                Outline outline = outlines[shot % 3];
+                long b = world.bodies()
+                        .add(
+                                outline,
+                                (float) (-3 * Math.tan(angle)),
+                                3 + random.nextFloat(),
+                                7 * random.nextFloat(),
+                                outline.area());
+                world.bodies().setVelocity(b, (float) (v * Math.sin(angle)), (float) (-v * Math.cos(angle)));
+                world.bodies().setAngularVelocity(b, 20 * random.nextFloat() - 10);
+                for (int k = 0; k < 12; k++) {
+                    run(world, 1);
+                    assertThat(world.bodies().y(b)).isGreaterThan(0);
+                }
+            }
+        }
+    }
+
+    /** A heavy plank, 0.1 thick, stops circles of 0.1 and boxes of 0.2. */
+    @Test
+    void nothingPassesAThinPlank() {
+        Random random = new Random(78);
+        Outline plank = Outline.box(10, 0.1f).round(0.02f);
+        Outline small = Outline.box(0.2f, 0.2f).round(0.02f);
+        for (int shot = 0; shot < 200; shot++) {
+            try (World world = world(0, shot % 4 < 2 ? 0 : 0.5, 0)) {
+                world.bodies().add(plank, 0, 0, 0, 1e6f);
+                double v = new double[] {20, 50, 100}[shot % 3];
+                double angle = (random.nextDouble() - 0.5) * 1.2;
+                float x = (float) (-3 * Math.tan(angle) + (random.nextDouble() - 0.5) * 4);
+                float vx = (float) (v * Math.sin(angle));
+                float vy = (float) (-v * Math.cos(angle));
+                float y;
+                int steps = (int) Math.ceil(3.5 / v * 60) + 1;
+                if (shot % 2 == 0) {
+                    long c = world.add(x, 3, 0.1f, 1);
+                    world.setVelocity(c, vx, vy);
+                    run(world, steps);
+                    y = world.y(c);
+                } else {
+                    long b = world.bodies().add(small, x, 3, 6 * random.nextFloat(), 1);
+                    world.bodies().setVelocity(b, vx, vy);
+                    world.bodies().setAngularVelocity(b, 20 * random.nextFloat() - 10);
+                    run(world, steps);
+                    y = world.bodies().y(b);
+                }
+                assertThat(y).isGreaterThan(0);
+            }
+        }
+    }
+
     // ---- terrain and walls
     // ------------------------------------------------------------------------------------------------
 

@@ -218,6 +218,7 @@ final class RigidContacts {
     private void cornersOnLines(int p, int t, int other, float x, float y, float m, boolean swapped) {
         float spin = Math.abs(things.omega[t] - things.omega[other]) * dt;
         float tolerance = TOLERANCE + spin;
+        boolean fast = m > (things.w[t] > 0f ? things.thin[t] : things.thin[other]);
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float px = x + things.turnedCorner[at];
@@ -257,7 +258,8 @@ final class RigidContacts {
                         continue;
                     }
                 }
-                if (!things.isInCone(c, -lx, -ly, tolerance)) {
+                // one that comes fast may have turned by then
+                if (!(fast && far > 0f) && !things.isInCone(c, -lx, -ly, tolerance)) {
                     continue;
                 }
                 if (height < 0f) {

@@ -145,14 +145,13 @@ final class RigidPairs {
         }
     }
 
-    /** How far something comes at most in a step. */
+    /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
     private float way(int t) {
         float speed = CircleMath.length(things.vx[t], things.vy[t]);
         float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
-        float spin = things.shape[t] == null
-                ? 0f
-                : (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
-        return k.dt * (speed + gain * k.subSteps + spin);
+        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
+        float way = k.dt * (speed + gain * k.subSteps + spin);
+        return way > things.thin[t] ? 2f * way : way;
     }
 
     // ---- what is near

@@ -17,6 +17,9 @@ import io.github.circles2d.world.model.Velocity;
 
 /** What rigid bodies do in a step. One worker does it, between the passes of the circles. */
 final class RigidPasses {
+    /** By how much a body turns at most in a sub-step, in radians, so that contacts see where it gets. */
+    private static final float MOST_TURN = 0.785f;
+
     private final State state;
     private final RigidPairs pairs;
     private final RigidThings things;
@@ -98,6 +101,7 @@ final class RigidPasses {
         takeCircles(false);
         visits.passOverCircles(false);
         giveCircles();
+        freeCircles();
         visits.forgetBounces();
     }
 
@@ -121,7 +125,7 @@ final class RigidPasses {
     private void move(int t) {
         things.vx[t] = Velocity.limitSpeed(things.vx[t]);
         things.vy[t] = Velocity.limitSpeed(things.vy[t]);
-        things.omega[t] = Velocity.limitSpeed(things.omega[t]);
+        things.omega[t] = CircleMath.clamp(things.omega[t], -MOST_TURN * k.inverseH, MOST_TURN * k.inverseH);
         things.dx[t] += things.vx[t] * k.h;
         things.dy[t] += things.vy[t] * k.h;
         things.turned[t] += things.omega[t] * k.h;
@@ -173,6 +177,18 @@ final class RigidPasses {
                 state.motion[s + CircleRow.VY] = things.vy[t];
                 if (k.turning) {
                     state.turning.spin[s + CircleRow.SURFACE_SPEED] = things.omega[t] * things.thin[t];
+                }
+            }
+        }
+    }
+
+    /** Circles that a body has pushed leave their paths. */
+    private void freeCircles() {
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int s = CircleRow.of(state.slotOf[things.id[pairs.b[contacts.pair[p]]]]);
+                if (contacts.impulse[c] > 0f && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
+                    state.motionClamp[s + CircleRow.ALLOWANCE] = Float.POSITIVE_INFINITY;
                 }
             }
         }

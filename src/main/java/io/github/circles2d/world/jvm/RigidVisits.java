@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
 /**
@@ -15,6 +16,9 @@ import java.util.Arrays;
 final class RigidVisits {
     /** Visits of a pair that bounces, so that its contacts agree. */
     private static final int OF_BOUNCES = 4;
+
+    /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
+    private static final int OF_HITS = 16;
 
     /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
     private static final float PUSH = 0.5f;
@@ -124,7 +128,8 @@ final class RigidVisits {
             for (int time = 0; time < times; time++) {
                 for (int c = from; c < to; c++) {
                     solveNormal(c);
-                    times = contacts.bounce[c] > 0f ? OF_BOUNCES : times;
+                    times = contacts.bounce[c] > 0f ? Math.max(times, OF_BOUNCES) : times;
+                    times = isHit(c) ? OF_HITS : times;
                     for (int other = from; other < to && times > 1; other++) {
                         if (contacts.bounce[other] > 0f) {
                             solveGrip(other, 1f, 1f);
@@ -147,6 +152,11 @@ final class RigidVisits {
                 }
             }
         }
+    }
+
+    /** Whether a contact stops what would come far into the other within a sub-step. */
+    private boolean isHit(int c) {
+        return contacts.impulse[c] > 0f && contacts.approach[c] * k.h > Tuning.CAP * thickness(c);
     }
 
     private void solveNormal(int c) {
