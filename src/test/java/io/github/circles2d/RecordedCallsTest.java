@@ -522,7 +522,8 @@ class RecordedCallsTest {
     @ParameterizedTest
     @MethodSource("changes")
     void aChangeIsMadeAgain(String signature) throws IOException {
-        try (World world = newWorld();
+        boolean sleeps = !signature.startsWith("Bodies."); // which such a world refuses
+        try (World world = newWorld(sleeps);
                 World player = WorldScenes.jvm().threads(1).build()) {
             long a = world.add(0.4f, 0.31f, 0.1f, 1);
             long b = world.add(0.4f, 0.1f, 0.1f, 1);
@@ -552,12 +553,12 @@ class RecordedCallsTest {
         return lift;
     }
 
-    private static World newWorld() {
-        return WorldScenes.jvm().gravity(0, -9).sleep(true).threads(1).build();
+    private static World newWorld(boolean sleeps) {
+        return WorldScenes.jvm().gravity(0, -9).sleep(sleeps).threads(1).build();
     }
 
     private static ByteBuffer snapshotOfAnother() {
-        try (World other = newWorld()) {
+        try (World other = newWorld(true)) {
             other.add(0.5f, 0.5f, 0.1f, 3);
             return snapshot(other);
         }
