@@ -174,6 +174,44 @@ class BodiesPhysicsTest {
         }
     }
 
+    @Test
+    void nineOfTenCardHousesStand() {
+        int standing = 0;
+        for (int house = 0; house < 10; house++) {
+            standing += topOfCards(0.55 + 0.05 * house) > 2.2 ? 1 : 0;
+        }
+        assertThat(standing).isGreaterThanOrEqualTo(9);
+    }
+
+    /** A house of three levels, 15 cards, after 20 s. */
+    private static double topOfCards(double friction) {
+        try (World world = onFloor(friction, 0)) {
+            double lean = 0.45;
+            double thick = 0.02;
+            double width = 2 * Math.sin(lean) + 0.03;
+            double height = 2 * Math.cos(lean);
+            double y = 0;
+            long last = 0;
+            for (int level = 0; level < 3; level++) {
+                for (int k = 0; k < 3 - level; k++) {
+                    double x = (k - (2 - level) / 2.0) * width;
+                    for (int side = -1; side <= 1; side += 2) {
+                        double at = x + side * (Math.sin(lean) * 0.5 + 0.012);
+                        last = box(
+                                world, at, y + height / 4 + thick * Math.sin(lean), side * lean, thick / 2, 0.5, 0.008);
+                    }
+                }
+                y += height / 2 + 2 * thick * Math.sin(lean) - 0.005;
+                for (int k = 0; k < 2 - level; k++) {
+                    last = box(world, (k - (1 - level) / 2.0) * width, y + thick / 2, 0, 0.5, thick / 2, 0.008);
+                }
+                y += thick;
+            }
+            run(world, 1200);
+            return world.bodies().y(last);
+        }
+    }
+
     // ---- friction
     // ----------------------------------------------------------------------------------------------------------
 
@@ -440,6 +478,49 @@ class BodiesPhysicsTest {
             assertThat(world.bodies().y(b)).isCloseTo(4.69f, within(0.02f));
             assertThat(kinetic(world)).isLessThan(1e-9);
         }
+    }
+
+    /** Their teeth have play; bodies so heavy that they stay where they are. */
+    @Test
+    void gearsTurnEachOther() {
+        try (World world = world(0.1, 0, 0)) {
+            int teeth = 12;
+            double pitch = 2 * PI / teeth;
+            float[] points = new float[8 * teeth];
+            for (int k = 0; k < 4 * teeth; k++) {
+                int corner = k % 4;
+                double angle = pitch * (k / 4 + new double[] {-0.27, -0.13, 0.13, 0.27}[corner]);
+                double r = corner == 1 || corner == 2 ? 1.74 : 1.4;
+                points[2 * k] = (float) (r * Math.cos(angle));
+                points[2 * k + 1] = (float) (r * Math.sin(angle));
+            }
+            Outline gear = Outline.polygon(points).round(0.01f);
+            Bodies b = world.bodies();
+            long driver = b.add(gear, 0, 0, 0, 1e6f);
+            long driven = b.add(gear, 3.22f, 0, (float) (PI + pitch / 2), 1e6f);
+            b.setInertia(driver, 1.01e-3f * gear.inertia(1e6f));
+            b.setInertia(driven, 1.01e-3f * gear.inertia(1e6f));
+            double turned = 0;
+            double sum = 0;
+            float last = b.angle(driver);
+            float lastDriven = b.angle(driven);
+            for (int k = 0; k < 1200; k++) {
+                b.setVelocity(driver, 0, 0);
+                b.setVelocity(driven, 0, 0);
+                b.setAngularVelocity(driver, 3);
+                run(world, 1);
+                turned += turnOf(last, b.angle(driver));
+                sum += turnOf(last, b.angle(driver)) + turnOf(lastDriven, b.angle(driven));
+                last = b.angle(driver);
+                lastDriven = b.angle(driven);
+                assertThat(sum).isCloseTo(0, within(0.09));
+            }
+            assertThat(turned).isCloseTo(60, within(0.1));
+        }
+    }
+
+    private static double turnOf(float from, float to) {
+        return Math.IEEEremainder((double) to - from, 2 * Math.PI);
     }
 
     @Test
