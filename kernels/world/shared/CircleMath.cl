@@ -39,6 +39,7 @@ float lostByRounding(float base, float displacement, float sum) {
 }
 
 float inverseMass(float mass) { return 1.0f / mass; }
+float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
 
 float within(float base, float displacement, float low, float high) {
     float x = base + displacement;

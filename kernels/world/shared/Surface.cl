@@ -5,7 +5,6 @@
 // Whether some row of a contact has acted, which a visit may have to take back.
 bool rowsHold(RowImpulses i) { return any(i != 0.0f); }
 
-float orOfKind(float own, float ofKind) { return isnan(own) ? ofKind : own; }
 float friction(float a, float b) { return sqrt(a * b); }
 
 // share: 1, or of B if it is heavy.

@@ -10,6 +10,31 @@ float shareWithin(float x, float y, float most) {
     return length > most ? most / length : 1.0f;
 }
 
+float gravityGain(float gravity, float scale, float h) { return limitSpeed(gravity * scale) * h; }
+float dampingFactor(float damping, float h) { return 1.0f / (1.0f + damping * h); }
+
+float dampedTime(float factor, int subSteps, float h, float dt) {
+    float power = 1.0f;
+    float powers = 0.0f;
+    for (int subStep = 0; subStep < subSteps; subStep++) {
+        power *= factor;
+        powers += power;
+    }
+    return factor == 1.0f ? dt : h * powers;
+}
+
+float dampedFalls(float factor, int subSteps) {
+    float power = 1.0f;
+    float powers = 0.0f;
+    float falls = 0.0f;
+    for (int subStep = 0; subStep < subSteps; subStep++) {
+        power *= factor;
+        powers += power;
+        falls += powers;
+    }
+    return falls;
+}
+
 float gain(float gravityGain, float force, float w, float h) {
     return force == 0.0f ? gravityGain : limitSpeed(gravityGain + force * w * h);
 }

@@ -14,6 +14,8 @@ bool isOfSurfaceOrKind(int field) {
     return field == FIELD_KIND || field == FIELD_GROUP || field == FIELD_FRICTION || field == FIELD_ROLLING_RESISTANCE;
 }
 
+bool isOfMotion(int field) { return field >= MOTION_FIELDS; }
+
 // Whether an operation wakes its circle.
 bool wakesItself(global const int *record) {
     int field = record[COMMAND_FIRST];
@@ -24,7 +26,7 @@ bool wakesItself(global const int *record) {
     case COMMAND_ARRIVE:
         return false;
     case COMMAND_FIELD:
-        return isOfSurfaceOrKind(field);
+        return isOfSurfaceOrKind(field) || isOfMotion(field);
     default:
         return true;
     }
@@ -82,6 +84,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeFirstCached[slot] = FRESH;
             w.slotOf[circleId] = slot;
             w.fields[circleId] = initial;
+#ifdef OWN_MOTION
+            w.ownMotion[circleId] = INITIAL_MOTION;
+#endif
 #ifdef TURNING
             w.homeTurn[slot] = (int2)(0);
             w.homeWallRows[slot] = (WallRows)(0.0f);
@@ -164,6 +169,12 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             break;
 #endif
         case COMMAND_FIELD:
+#ifdef OWN_MOTION
+            if (record[COMMAND_FIRST] >= MOTION_FIELDS) {
+                ((global int *) (w.ownMotion + circleId))[record[COMMAND_FIRST] - MOTION_FIELDS] = record[COMMAND_SECOND];
+                break;
+            }
+#endif
 #ifdef TURNING
             if (record[COMMAND_FIRST] >= TURNING_FIELDS) {
                 ((global int *) (w.homeOwn + slot))[record[COMMAND_FIRST] - TURNING_FIELDS] = record[COMMAND_SECOND];

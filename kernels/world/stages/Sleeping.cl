@@ -493,6 +493,9 @@ void restCircle(const World *w, int slot) {
     float gain_ = lengthf(g.x, g.y);
     global const float *kind = w->kindSleep + KIND_SLEEP_STRIDE * w->fields[id].kind;
     float damping = kind[KIND_SLEEP_DAMPING];
+#ifdef OWN_MOTION
+    damping = orOfKind(w->ownMotion[id].OWN_DAMPING, damping);
+#endif
     bool mayRest = (gain_ > 0.0f || damping > 0.0f) && kind[KIND_SLEEP_AWAKE] == 0.0f && w->waking[slot].WAKING_SPEED == 0;
 #ifdef TURNING
     mayRest = mayRest && !(w->surfaces[SURFACE_OWN] != 0.0f && w->homeOwn[slot].OWN_TORQUE != 0.0f) &&

@@ -275,34 +275,49 @@ float4 placeSensed(const World *w, global const float *row, int motion, const Pi
                     ((row[PIECE_Y] + pivot.y) + pose[BODY_DY]) + (sin_ * px + cos_ * py));
 }
 
-void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
-    int piece = w->piece[k].TOUCHED_PIECE;
+typedef struct {
+    bool touching;
+    float approach, vn;
+    float2 normal, point; // towards the circle
+} SensedTouch;
+
+// What a circle and a piece that senses it do. o, end: the centre as the step begins and after it, in the frame of the piece; side: of a piece
+// that has a front, 1 if the circle has come from there. Returns whether they are in touch, or near enough to stay so.
+bool touchesSensedPiece(const World *w, int piece, float2 o, float2 end, float radius, float came, SensedTouch *t) {
     global const float *row = pieceRow(w, piece);
     int4 traits = pieceTraits(w, piece);
-    float2 o = pieceTouch(w, k)[0].zw;
-    float2 end = w->standing[k].STANDING_PLACE;
     float ux = end.x - o.x;
     float uy = end.y - o.y;
     bool twoSided = isTwoSided(w, traits);
-    bool behind = !twoSided && !(w->push[k].PUSH_SIDE > 0.0f);
+    bool behind = !twoSided && !(came > 0.0f);
     float side = twoSided && !isInFront(row, traits.TRAIT_SHAPE, o.x, o.y) ? -1.0f : 1.0f;
-    float time = behind ? timeOfReturn(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS)
-                        : timeOfSensing(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, c.RADIUS);
-    bool touching = time <= 1.0f;
-    if (!touching) {
-        float gap = distanceOfPiece(row, traits.TRAIT_SHAPE, end.x, end.y) - c.RADIUS;
-        if (behind || !staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS)) return;
+    float time = behind ? timeOfReturn(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, radius)
+                        : timeOfSensing(row, traits.TRAIT_SHAPE, o.x, o.y, ux, uy, radius);
+    t->touching = time <= 1.0f;
+    if (!t->touching) {
+        float gap = distanceOfPiece(row, traits.TRAIT_SHAPE, end.x, end.y) - radius;
+        if (behind || !staysInTouch(NO_TOUCH, gap, 2.0f * radius)) return false;
         time = 1.0f;
     }
     float x = o.x + time * ux;
     float y = o.y + time * uy;
     PieceGap g;
-    measurePiece(row, traits.TRAIT_SHAPE, x, y, c.RADIUS, side, &g);
-    float vn = (g.nx * ux + g.ny * uy) / w->k.dt;
-    float away = c.RADIUS + 0.5f * g.gap;
+    measurePiece(row, traits.TRAIT_SHAPE, x, y, radius, side, &g);
+    t->vn = (g.nx * ux + g.ny * uy) / w->k.dt;
+    t->approach = approachSpeed(t->vn);
+    float away = radius + 0.5f * g.gap;
     float4 at = placeSensed(w, row, traits.TRAIT_MOTION, &g, x - away * g.nx, y - away * g.ny);
-    float4 t[2] = {(float4)(approachSpeed(vn), 0.0f, at.x, at.y), (float4)(at.z, at.w, 0.0f, 0.0f)};
-    tellOfPiece(w, k, slot, t, touching, 0.0f, vn, MAXFLOAT);
+    t->normal = at.xy;
+    t->point = at.zw;
+    return true;
+}
+
+void tellOfSensedPiece(const World *w, int k, int slot, float4 c) {
+    SensedTouch s;
+    float2 o = pieceTouch(w, k)[0].zw;
+    if (!touchesSensedPiece(w, w->piece[k].TOUCHED_PIECE, o, w->standing[k].STANDING_PLACE, c.RADIUS, w->push[k].PUSH_SIDE, &s)) return;
+    float4 t[2] = {(float4)(s.approach, 0.0f, s.normal), (float4)(s.point, 0.0f, 0.0f)};
+    tellOfPiece(w, k, slot, t, s.touching, 0.0f, s.vn, MAXFLOAT);
 }
 
 // Tells of the pieces that a circle is in touch with after the step.

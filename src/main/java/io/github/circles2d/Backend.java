@@ -9,8 +9,7 @@ public enum Backend {
      * if that has changed. {@link World#stats()} says where it is, and why. If the GPU fails for good, its state is lost: the call throws,
      * and {@link World#restore} or {@link Rewind#restore} lets the world go on, on the JVM, from what the game has saved.
      *
-     * <p>With {@link World.Builder#moving moving(false)} a world stays where it is built. If a {@link Calibration} has measured both sides, AUTO
-     * takes the one with the shorter frame for the capacity and the {@link World.Builder#radii}; else a GPU from a capacity of 1,250 on.
+     * <p>With {@link World.Builder#moving moving(false)} a world stays where it is built: on a GPU from a capacity of 1,250 on, if there is one.
      */
     AUTO,
     /** Plain Java threads, the fast way on processors: runs everywhere, needs no driver. */

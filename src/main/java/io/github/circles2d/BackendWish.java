@@ -1,10 +1,8 @@
 package io.github.circles2d;
 
-import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.world.model.Limits;
 
-/** What a builder says of the back end of its world, and of the circles that it is to be fast for. */
+/** What a builder says of the back end of its world. */
 final class BackendWish {
     Backend backend = Backend.AUTO;
 
@@ -24,19 +22,5 @@ final class BackendWish {
     /** Whether it does: it stays where steps wait for all kernels. */
     boolean moves() {
         return moving && !waits && !World.Builder.isAndroid();
-    }
-
-    /** Greatest radius over least. */
-    private double ratio = 1;
-
-    /** Takes the radii that are expected. */
-    void expectRadii(float least, float greatest) {
-        Limits.within("the least radius", least, Limits.LEAST_EXTENT * Limits.LEAST_RADIUS_SHARE, Limits.COORDINATE);
-        ratio = (double) Limits.within("the greatest radius", greatest, least, Limits.COORDINATE) / least;
-    }
-
-    /** The circles that are expected. */
-    Crowd crowd() {
-        return new Crowd(capacity, ratio);
     }
 }

@@ -1,15 +1,12 @@
 package io.github.circles2d;
 
 import io.github.circles2d.calibration.CachePlace;
-import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
-import io.github.circles2d.calibration.CurvesByRatio;
 import io.github.circles2d.calibration.FrameTimes;
 import io.github.circles2d.calibration.MeasuredRow;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.TimingsFile;
-import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.OpenCl;
@@ -27,12 +24,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.function.IntFunction;
 
 /**
- * Times of frames, by which {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose. {@link #run} takes them on this machine, and
- * nothing else does. Without a calibration AUTO chooses by rules.
+ * Times of loops, by which {@link PairIndexing#AUTO} chooses. {@link #run} takes them on this machine, and nothing else does. Without a
+ * calibration AUTO chooses by rules. World needs none: with {@link Backend#AUTO} it goes by the times of its own steps.
  *
  * <p>The times are kept in a file, for each device with its driver, its kernels and the version of this library; those of another
  * version are not used. The file lies in the user's folder for caches ({@code $XDG_CACHE_HOME} or {@code ~/.cache}, {@code
@@ -41,20 +37,13 @@ import java.util.function.IntFunction;
  * the process that made it. If the file is damaged or cannot be read, or the folder for caches cannot be written, the log gets a
  * warning, and there is no error. But if the property names a file that cannot be written, {@link #run} refuses before it measures.
  *
- * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World, on the JVM and on GPUs, at 250, 1,000, 3,000, 10,000, 30,000
- * and 100,000 circles, with like radii and with radii of 1:3, 1:10 and 1:100; Circles2D, on every OpenCL device, at 1,000 and 8,000
- * with each exact indexing; fewer if it would take long. Times between these sizes and ratios are interpolated. Beyond them, the order
- * at the last size and ratio holds. {@link World.Builder#capacity} and {@link World.Builder#radii} say which of these times count for a
- * world. A world unlike those crowds (a thousand circles in one point, one boulder in sand) may be faster elsewhere.
+ * <p>Circles2D is timed with crowds that fill 0.62 of an arena, at 1,000 and 8,000 circles with each exact indexing; fewer if it would
+ * take long. Times between these sizes are interpolated. Beyond them, the order at the last size holds.
  */
 public final class Calibration {
     private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
 
-    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 3_000, 10_000, 30_000, 100_000);
-    static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
-
-    /** Greatest radius over least of the crowds that World is timed with. Up to some ratio radii count as alike: 3 may be below it. */
-    static final List<Double> RATIOS = List.of(Crowd.LIKE, 3.0, 10.0, 100.0);
+    static final List<Integer> SIZES = List.of(1_000, 8_000);
 
     /** A size is left out where the one before it tells that it would take longer. */
     private static final double MOST_MILLIS = 5_000;
@@ -71,120 +60,82 @@ public final class Calibration {
     }
 
     /**
-     * Measures World on the JVM and on GPUs, and Circles2D on every OpenCL device, and keeps the times. World is not timed by OpenCL
-     * on a CPU, which {@link Backend#AUTO} never takes. Takes about half a minute for the JVM and for each device, and as much memory
-     * as 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device it
-     * measures the JVM. Times that are not clean are taken again, up to three times.
+     * Measures Circles2D on every OpenCL device, and keeps the times. Takes some seconds for each device, and as much memory as 8,000
+     * circles; the machine should have nothing else to do. Times that are not clean are taken again, up to three times.
      *
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
-     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     * @throws IllegalStateException if times are not clean, also after they were taken again: loops of a size that are far apart, or
      *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
      *     figures. Nothing is kept then, and an older calibration stays
+     * @throws OpenClUnavailableException if there is no OpenCL device
      */
     public static Calibration run() {
         CachePlace.findToWrite();
-        return run(devices());
-    }
-
-    /** Every device that can be used. */
-    static List<Device> devices() {
-        try {
-            List<Device> devices = OpenCl.devices();
-            OpenCl.refusal().ifPresent(why -> LOG.log(Level.INFO, "the CPU is not calibrated for OpenCL: {0}", why));
-            return devices;
-        } catch (OpenClUnavailableException e) {
-            LOG.log(Level.INFO, "no OpenCL device is calibrated: {0}", e.getMessage());
-            return List.of();
-        }
+        List<Device> devices = OpenCl.devices();
+        OpenCl.refusal().ifPresent(why -> LOG.log(Level.INFO, "the CPU is not calibrated: {0}", why));
+        return run(devices);
     }
 
     /**
-     * Measures the JVM and some OpenCL devices, as {@link #run()} does all, and keeps the times; those of other devices stay. A device
-     * that fails is left out, with a warning in the log.
+     * Measures some OpenCL devices, as {@link #run()} does all, and keeps the times; those of other devices stay. A device that fails
+     * is left out, with a warning in the log.
      *
      * @param devices the devices; may be empty
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
-     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     * @throws IllegalStateException if times are not clean, also after they were taken again: loops of a size that are far apart, or
      *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
      *     figures. Nothing is kept then, and an older calibration stays
      */
     public static Calibration run(Collection<Device> devices) {
-        return run(devices, new FrameMeter(), WORLD_SIZES, CIRCLES2D_SIZES);
+        return run(devices, new FrameMeter(), SIZES);
     }
 
     /** By any meter and at any sizes, for tests. */
-    static synchronized Calibration run(
-            Collection<Device> devices, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
+    static synchronized Calibration run(Collection<Device> devices, Meter meter, List<Integer> sizes) {
         Optional<Path> place = CachePlace.findToWrite();
         devices.forEach(Calibration::requireKernels);
         List<Timings.Entry> entries = new ArrayList<>();
-        Runner jvm = Runners.jvm(World.Builder.defaultThreads());
-        entries.addAll(worlds(jvm, worldSizes, crowd -> meter.world(Optional.empty(), crowd)));
         Set<String> names = new HashSet<>();
         for (Device device : List.copyOf(devices)) {
             if (!names.add(Runners.name(device))) {
                 continue; // the second of two alike
             }
             try {
-                entries.addAll(measure(device, meter, worldSizes, circles2dSizes));
+                entries.addAll(measure(device, meter, sizes));
             } catch (OpenClException e) {
                 LOG.log(Level.WARNING, "{0} is not calibrated: {1}", device.name(), e.getMessage());
             }
         }
         Timings measured = new Timings(entries);
-        return new Calibration(measured, save(others(devices).and(measured), place));
+        return new Calibration(measured, save(timings().and(measured), place));
     }
 
     private static void requireKernels(Device device) {
-        Runners.world(device);
         IndexingChoice.CANDIDATES.forEach(indexing -> Runners.circles2d(device, indexing));
     }
 
-    private static List<Timings.Entry> measure(
-            Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
+    private static List<Timings.Entry> measure(Device device, Meter meter, List<Integer> sizes) {
         List<Timings.Entry> entries = new ArrayList<>();
-        if (OpenClChoice.isCandidate(device)) {
-            Runner runner = Runners.world(device);
-            entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
-        }
         for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
             Runner runner = Runners.circles2d(device, indexing);
             Curve loops = curve(
-                    Workload.CIRCLES2D,
                     "Circles2D by " + indexing + " on " + runner.name(),
-                    circles2dSizes,
-                    FrameMeter.LOOPS_IN_ALL,
-                    circles -> meter.loop(device, indexing, circles));
-            entries.add(new Timings.Entry(Workload.CIRCLES2D, indexing.name(), runner, loops));
-        }
-        return entries;
-    }
-
-    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, Function<Crowd, FrameTimes> meter) {
-        List<Timings.Entry> entries = new ArrayList<>();
-        for (double ratio : RATIOS) {
-            String variant = CurvesByRatio.variant(ratio);
-            Curve frames = curve(
-                    Workload.WORLD,
-                    "World with " + (variant.isEmpty() ? "like radii" : "radii of " + variant) + " on " + runner.name(),
                     sizes,
-                    FrameMeter.WORLD_FRAMES_IN_ALL,
-                    circles -> meter.apply(new Crowd(circles, ratio)));
-            entries.add(new Timings.Entry(Workload.WORLD, variant, runner, frames));
+                    circles -> meter.loop(device, indexing, circles));
+            entries.add(new Timings.Entry(indexing.name(), runner, loops));
         }
         return entries;
     }
 
-    private static Curve curve(
-            Workload workload, String name, List<Integer> sizes, int frames, IntFunction<FrameTimes> meter) {
-        MeasuredRow row = new MeasuredRow(workload, name, meter);
+    private static Curve curve(String name, List<Integer> sizes, IntFunction<FrameTimes> meter) {
+        MeasuredRow row = new MeasuredRow(name, meter);
         for (int circles : sizes) {
             try {
-                if (!row.isEmpty() && frames * row.curve().millis(circles) > MOST_MILLIS) {
+                if (!row.isEmpty() && FrameMeter.LOOPS_IN_ALL * row.curve().millis(circles) > MOST_MILLIS) {
                     break;
                 }
                 row.measure(circles);
@@ -196,15 +147,6 @@ public final class Calibration {
             }
         }
         return row.curve();
-    }
-
-    /** What is known without the times of World on devices that it is not timed on: versions that did so have left them. */
-    private static Timings others(Collection<Device> devices) {
-        Timings known = timings();
-        for (Device device : devices) {
-            known = OpenClChoice.isCandidate(device) ? known : known.without(Workload.WORLD, Runners.name(device));
-        }
-        return known;
     }
 
     /** Saves and returns the file; none where there is none or it cannot be written. */
@@ -284,19 +226,15 @@ public final class Calibration {
     }
 
     /**
-     * Returns the times as text for people: a line for each device and way, with milliseconds a frame by number of circles.
+     * Returns the times as text for people: a line for each device and indexing, with milliseconds a loop by number of circles.
      *
      * @return some lines
      */
     @Override
     public String toString() {
-        StringBuilder text = new StringBuilder("ms a frame, by number of circles");
+        StringBuilder text = new StringBuilder("ms a loop, by number of circles");
         for (Timings.Entry entry : timings.entries()) {
-            text.append(String.format(
-                    Locale.ROOT,
-                    "%n%-9s %-12s ",
-                    entry.workload() == Workload.WORLD ? "World" : "Circles2D",
-                    entry.variant()));
+            text.append(String.format(Locale.ROOT, "%n%-12s ", entry.indexing()));
             entry.curve()
                     .measured()
                     .forEach((n, millis) -> text.append(String.format(Locale.ROOT, " %,7d: %7.3f", n, millis)));

@@ -24,7 +24,7 @@ import io.github.circles2d.world.events.EventRows;
  * <p><b>Touching:</b> a pair touches after a step if an impulse acted between the two within it, or if their surfaces met or
  * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It {@link #END
  * ends} with the first step in which nothing of that happens, and after which the gap is more than 0.5 % of the sum of the radii (at a
- * wall: of the diameter). So a pile at rest is silent. Two static circles never touch, nor do circles that ignore each other by their
+ * wall: of the diameter). So a pile at rest is silent. Two static circles never touch, unless they sense each other ({@link Kind#setSensesStatic}), nor do circles that ignore each other by their
  * kinds or groups ({@link Kind}). If a circle is added at a place where it touches another, the pair begins with the next step. If a
  * circle is moved away or removed, its pairs end with the next step, those of a removed one under its old handle. In a crowd, where
  * circles have more than 60 others near them, only the pairs that World solves count.
@@ -40,7 +40,7 @@ import io.github.circles2d.world.events.EventRows;
  * one piece and begins with the next. A piece that moves with its body counts as a wall that moves does. A piece that only senses a circle
  * notices it as a sensor does. A line of a chain, an arc and a one-way segment notice who comes from their free side alone: who was wholly there
  * when it last did not touch them. So a pass from there begins once, at any speed, and a pass from behind never. If a piece is removed, its pairs end with the next
- * step, under its old handle. Static circles touch no terrain.
+ * step, under its old handle. Static circles touch no terrain, unless they sense a piece of a body ({@link Kind#setSensesStatic}).
  *
  * <p><b>Kinds decide</b> which pairs are reported: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for
  * those of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A piece of terrain has a kind, too. A pair of which no type is reported is not

@@ -43,9 +43,6 @@ class FrameRule {
 
     private boolean onDevice;
 
-    /** Null if there is none, or if it has been taken over. */
-    private volatile Expected expected;
-
     /** Of the last window here, and of the last one on the other side; NaN if there was none. */
     private double here = Double.NaN;
 
@@ -67,11 +64,6 @@ class FrameRule {
     private int frames;
     private double nanos;
     private double least;
-
-    /** Takes over what a frame takes on the device, until the world has been there. Another thread may call this. */
-    void expect(double nanos, int circles) {
-        expected = new Expected(nanos, circles);
-    }
 
     /** Whether the next frame ends a group: steps that a device has not made yet belong to it. */
     boolean endsGroup() {
@@ -103,12 +95,6 @@ class FrameRule {
     }
 
     private boolean judge() {
-        Expected first = expected;
-        if (first != null && Double.isNaN(there)) {
-            there = first.nanos;
-            circlesThere = first.circles;
-            expected = null;
-        }
         if (onDevice && circlesHere < LEAST_CIRCLES) {
             return true;
         }

@@ -1,9 +1,7 @@
 package io.github.circles2d;
 
-import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.Timings;
-import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
@@ -29,7 +27,7 @@ record IndexingChoice(PairIndexing indexing, String reason) {
         if (!timings.entries().isEmpty()) {
             try {
                 for (PairIndexing indexing : CANDIDATES) {
-                    timings.find(Workload.CIRCLES2D, indexing.name(), Runners.circles2d(device, indexing))
+                    timings.find(indexing.name(), Runners.circles2d(device, indexing))
                             .ifPresent(curve -> measured.put(indexing, curve));
                 }
             } catch (IllegalArgumentException | UncheckedIOException e) {
@@ -52,8 +50,7 @@ record IndexingChoice(PairIndexing indexing, String reason) {
         Map<PairIndexing, Curve> candidates = new LinkedHashMap<>();
         fitting.forEach(indexing -> candidates.put(indexing, measured.get(indexing)));
         return new IndexingChoice(
-                Timings.fastest(candidates, circles),
-                Timings.words(candidates, Crowd.like(circles), PairIndexing::name));
+                Timings.fastest(candidates, circles), Timings.words(candidates, circles, PairIndexing::name));
     }
 
     /**

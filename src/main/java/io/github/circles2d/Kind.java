@@ -72,8 +72,8 @@ public final class Kind {
      * as circles of the other kind meet each other. So a variant of a kind is one call and what differs:
      *
      * <pre>{@code
-     * world.kind(FROZEN).copyFrom(world.kind(ENEMY)).setDamping(20);
-     * world.setKind(enemy, FROZEN);
+     * world.kind(GHOST).copyFrom(world.kind(ENEMY)).setMask(0);
+     * world.setKind(enemy, GHOST);
      * }</pre>
      *
      * <p>Circles of this kind keep their restitution. A later change of the other kind does not change this one.
@@ -131,8 +131,8 @@ public final class Kind {
     /**
      * Makes the kind a sensor, or solid. Circles of a sensor push no circle and are pushed by none, except by kinds to which the matrix
      * makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
-     * sensors ignore each other, and so do two static circles; the matrix can make sensors {@link Response#SENSE} each other. A piece of
-     * {@link Terrain} senses from both sides if it is a segment.
+     * sensors ignore each other; the matrix can make sensors {@link Response#SENSE} each other. Two static circles ignore each other, unless
+     * a kind {@linkplain #setSensesStatic asks} for what is static. A piece of {@link Terrain} senses from both sides if it is a segment.
      *
      * @param sensor true for a sensor
      * @return this
@@ -148,6 +148,30 @@ public final class Kind {
      */
     public boolean isSensor() {
         return kinds.get(KindField.SENSOR, number) != 0;
+    }
+
+    /**
+     * Says whether static circles of the kind sense static circles and pieces of a {@link TerrainBody}, too. A sensor that stays then notices a
+     * static circle that the game moves, and a lift. One of the two kinds has to ask for it; whether the two sense each other is decided as for
+     * circles that move ({@link #setSensor}, {@link Response#SENSE}). Pieces of a kind that asks sense static circles of any kind likewise.
+     *
+     * <p>Static circles never sense pieces that are fixed to the world: they would touch for ever. A body that stays counts as one that moves
+     * does. Each static circle of a kind that asks takes part in all steps that report such pairs; other static circles cost nothing more.
+     *
+     * @param senses true to sense static circles and bodies
+     * @return this
+     */
+    public Kind setSensesStatic(boolean senses) {
+        return set(KindField.SENSES_STATIC, senses ? 1 : 0);
+    }
+
+    /**
+     * Whether static circles of the kind sense static circles and pieces of bodies.
+     *
+     * @return false at first
+     */
+    public boolean sensesStatic() {
+        return kinds.get(KindField.SENSES_STATIC, number) != 0;
     }
 
     /**
@@ -174,7 +198,7 @@ public final class Kind {
     }
 
     /**
-     * Sets the factor of gravity for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
+     * Sets the factor of gravity for circles of the kind that have none of their own ({@link World#setGravityScale}). Which impacts are too slow to bounce depends on the world's gravity,
      * whatever the kind.
      *
      * @param scale -1000 to 1000: 0 for circles that do not fall, negative for circles that rise. Gravity times this is cut to 1e9
@@ -196,7 +220,8 @@ public final class Kind {
     }
 
     /**
-     * Sets how fast circles of the kind lose their velocity, for example by the drag of air. In t seconds they lose about the share
+     * Sets how fast circles of the kind that have no damping of their own ({@link World#setDamping}) lose their velocity, for example by the
+     * drag of air. In t seconds they lose about the share
      * 1 - e^(-damping t) of it. A circle that a force drives comes to the speed force / (mass * damping).
      *
      * @param damping per second, 0 to 1e6
@@ -217,7 +242,7 @@ public final class Kind {
     }
 
     /**
-     * Sets the greatest speed of circles of the kind. A collision may make a circle faster for the rest of a sub-step. A velocity that is
+     * Sets the greatest speed of circles of the kind that have none of their own ({@link World#setGreatestSpeed}). A collision may make a circle faster for the rest of a sub-step. A velocity that is
      * set, or one that an impulse gives, is cut down in the next step.
      *
      * @param speed lengths per second, at least 0; infinite for none

@@ -1,28 +1,18 @@
 package io.github.circles2d;
 
-import io.github.circles2d.calibration.Crowd;
-import io.github.circles2d.calibration.Curve;
-import io.github.circles2d.calibration.CurvesByRatio;
-import io.github.circles2d.calibration.Pick;
-import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.shared.Pipeline;
-import java.io.UncheckedIOException;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 
-/** Chooses among OpenCL devices and the JVM, by measured times or by a rule. */
+/** Chooses among OpenCL devices and the JVM. */
 final class OpenClChoice {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
     /**
-     * Where nothing has been calibrated, worlds with room for fewer circles run on the JVM, which needs no read-back and starts at
+     * Worlds with room for fewer circles, if they do not move, run on the JVM, which needs no read-back and starts at
      * once. On an NVIDIA H200 a step of packed circles takes 0.16 ms for 1,250 circles, the fewest of the benchmarks, and 0.21 ms for
      * 15,000; on 16 threads of its host's JVM 0.3 and 1.2 ms.
      */
@@ -42,97 +32,21 @@ final class OpenClChoice {
     /** The JVM, from where the world moves to a GPU if that is there, ready and faster. */
     static BackendChoice moving(BackendWish wish) {
         Pipeline home = BackendChoice.jvm(wish);
-        FrameRule rule = new FrameRule();
         RunningChoice running = new RunningChoice(
-                home, () -> BackendChoice.jvm(wish), circles -> beside(wish, circles, rule), rule, wish.capacity);
+                home, () -> BackendChoice.jvm(wish), circles -> beside(wish, circles), new FrameRule(), wish.capacity);
         return new BackendChoice(Backend.JVM, home, running.reason(), running);
     }
 
-    private static Pipeline beside(BackendWish wish, int circles, FrameRule rule) {
+    private static Pipeline beside(BackendWish wish, int circles) {
         Device gpu = gpu();
         if (!gpu.correctlyRounded()) {
             throw new OpenClUnavailableException(gpu.name() + " does not round correctly, so its results would differ");
         }
-        curvesOf(gpu, Calibration.timings())
-                .map(curves -> CurvesByRatio.at(wish.crowd().ratio(), Map.of(true, curves)))
-                .ifPresent(curves -> rule.expect(1e6 * curves.get(true).millis(circles), circles));
         return new DevicePipeline(gpu, Math.max(wish.capacity, circles), wish.profiling, false);
     }
 
-    /** Takes the fastest of all devices and the JVM. */
+    /** Takes what is the fastest for so many circles, as a rule. */
     static BackendChoice fastest(BackendWish wish) {
-        Crowd crowd = wish.crowd();
-        Timings timings = Calibration.timings();
-        if (timings.entries().isEmpty()) {
-            return byRule(wish, "; not calibrated: Calibration.run() would measure it");
-        }
-        Optional<CurvesByRatio> jvm = timings.world(Runners.jvm(wish.threads));
-        if (jvm.isEmpty()) {
-            return byRule(wish, "; the calibration is not of this Java virtual machine with so many threads");
-        }
-        Map<Optional<Device>, CurvesByRatio> known = new LinkedHashMap<>();
-        known.put(Optional.empty(), jvm.get());
-        // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
-        boolean jvmIsFastest = isFastest(jvm.get(), timings, crowd);
-        if (crowd.circles() >= LEAST_FOR_GPU || !jvmIsFastest) {
-            for (Device device : candidates()) {
-                Optional<CurvesByRatio> curves = curvesOf(device, timings);
-                curves.ifPresent(found -> known.put(Optional.of(device), found));
-                if (curves.isEmpty() && isTheGpuOfTheRule(device)) {
-                    String hint =
-                            "; the calibration is not of " + device.name() + " with this driver and these kernels";
-                    return byRule(wish, hint);
-                }
-            }
-        }
-        Pick<Optional<Device>> pick =
-                Pick.among(known, crowd, device -> device.map(Device::name).orElse("JVM"));
-        String why = pick.reason() + (jvmIsFastest ? "; nothing that was measured is faster" : "");
-        if (pick.taken().isEmpty()) {
-            return BackendChoice.jvm(wish, why);
-        }
-        Device device = pick.taken().get();
-        try {
-            return openCl(device, wish, why);
-        } catch (OpenClException e) {
-            return BackendChoice.jvm(wish, device.name() + " cannot be used: " + e.getMessage());
-        }
-    }
-
-    private static boolean isTheGpuOfTheRule(Device device) {
-        return device.kind() == Device.Kind.GPU && device == OpenCl.bestDevice();
-    }
-
-    /** Whether nothing that was measured, here or on what was here once, is faster. */
-    private static boolean isFastest(CurvesByRatio jvm, Timings timings, Crowd crowd) {
-        return timings.worlds().stream().allMatch(other -> {
-            Map<Boolean, Curve> isJvm = CurvesByRatio.at(crowd.ratio(), Map.of(true, jvm, false, other));
-            return isJvm.get(false).millis(crowd.circles()) >= isJvm.get(true).millis(crowd.circles());
-        });
-    }
-
-    private static Optional<CurvesByRatio> curvesOf(Device device, Timings timings) {
-        try {
-            return timings.world(Runners.world(device));
-        } catch (IllegalArgumentException | UncheckedIOException e) {
-            return Optional.empty(); // Kernels that cannot be read: whoever builds them says so.
-        }
-    }
-
-    /** Whether a device may be taken unasked, if it is fast. On a processor the JVM is faster than OpenCL. */
-    static boolean isCandidate(Device device) {
-        return device.kind() != Device.Kind.CPU && device.correctlyRounded();
-    }
-
-    private static List<Device> candidates() {
-        try {
-            return OpenCl.devices().stream().filter(OpenClChoice::isCandidate).toList();
-        } catch (OpenClException e) {
-            return List.of();
-        }
-    }
-
-    private static BackendChoice byRule(BackendWish wish, String hint) {
         String reason;
         if (wish.capacity < LEAST_FOR_GPU) {
             reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is "
@@ -141,15 +55,17 @@ final class OpenClChoice {
             try {
                 Device gpu = gpu();
                 if (gpu.correctlyRounded()) {
-                    String why = "a GPU is the fastest from a capacity of " + LEAST_FOR_GPU + " circles on, as a rule";
-                    return openCl(gpu, wish, why + hint);
+                    return openCl(
+                            gpu,
+                            wish,
+                            "a GPU is the fastest from a capacity of " + LEAST_FOR_GPU + " circles on, as a rule");
                 }
                 reason = gpu.name() + " does not round correctly, so its results would differ";
             } catch (OpenClException e) {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return BackendChoice.jvm(wish, reason + hint);
+        return BackendChoice.jvm(wish, reason);
     }
 
     private static Device gpu() {

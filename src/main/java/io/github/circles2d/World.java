@@ -558,6 +558,43 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Gives a circle a factor of gravity of its own, in place of that of its kind ({@link Kind#setGravityScale}). It acts from the next
+     * step on.
+     *
+     * @param handle the circle
+     * @param scale -1000 to 1000: 0 for a circle that does not fall, negative for one that rises; {@link Float#NaN} for none of its own.
+     *     Gravity times this is cut to 1e9 along each axis
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setGravityScale(long handle, float scale) {
+        simulation.fields.setMotion(CircleField.GRAVITY_SCALE, handle, scale);
+    }
+
+    /**
+     * Gives a circle damping of its own, in place of that of its kind ({@link Kind#setDamping}): in t seconds it loses about the share
+     * 1 - e^(-damping t) of its velocity. It acts from the next step on.
+     *
+     * @param handle the circle
+     * @param damping per second, 0 to 1e6, or {@link Float#NaN} for none of its own
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setDamping(long handle, float damping) {
+        simulation.fields.setMotion(CircleField.DAMPING, handle, damping);
+    }
+
+    /**
+     * Gives a circle a greatest speed of its own, in place of that of its kind ({@link Kind#setGreatestSpeed}, which says what it does to
+     * collisions and impulses). It acts from the next step on.
+     *
+     * @param handle the circle
+     * @param speed lengths per second, at least 0; infinite if nothing limits it; {@link Float#NaN} for none of its own
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
+     */
+    public void setGreatestSpeed(long handle, float speed) {
+        simulation.fields.setMotion(CircleField.GREATEST_SPEED, handle, speed);
+    }
+
+    /**
      * Turns a circle to an angle; its angular velocity stays. The angle of a circle is a number for the caller, who draws the circle by it:
      * no collision depends on it.
      *
@@ -1613,6 +1650,39 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The factor of gravity of one circle: its own, else that of its kind. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return -1000 to 1000
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float gravityScale(long handle) {
+        return simulation.fields.motion(CircleField.GRAVITY_SCALE, handle);
+    }
+
+    /**
+     * How fast one circle loses its velocity: its own damping, else that of its kind. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return per second, 0 to 1e6
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float damping(long handle) {
+        return simulation.fields.motion(CircleField.DAMPING, handle);
+    }
+
+    /**
+     * The greatest speed of one circle: its own, else that of its kind. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return lengths per second, at least 0; perhaps infinite
+     * @throws IllegalArgumentException if the handle is stale
+     */
+    public float greatestSpeed(long handle) {
+        return simulation.fields.motion(CircleField.GREATEST_SPEED, handle);
+    }
+
+    /**
      * The number that the caller has given a circle. It is known without a read-back.
      *
      * @param handle the circle
@@ -2204,21 +2274,6 @@ public final class World implements AutoCloseable {
          */
         public Builder capacity(int capacity) {
             wish.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
-            return this;
-        }
-
-        /**
-         * The radii that circles are going to have. They tell {@link Backend#AUTO} for which radii the world is to be fast: the fastest
-         * back end for like radii may not be the fastest for mixed ones. By default AUTO expects like radii. The call has no effect on
-         * results, and circles may have other radii.
-         *
-         * @param least the least radius that is expected, greater than 0
-         * @param greatest the greatest radius that is expected, at least the least
-         * @return this
-         * @throws IllegalArgumentException if a value is out of range
-         */
-        public Builder radii(float least, float greatest) {
-            wish.expectRadii(least, greatest);
             return this;
         }
 

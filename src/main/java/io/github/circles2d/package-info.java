@@ -102,7 +102,7 @@
  *   <li>{@link io.github.circles2d.Rewind} goes back to any of the last frames. {@link io.github.circles2d.Recording} writes a log of
  *       all calls, and {@link io.github.circles2d.Replay} makes them again and compares.
  *   <li>{@link io.github.circles2d.Rollback}: rollback netcode, and the rules that a game keeps for it.
- *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
+ *   <li>{@link io.github.circles2d.Calibration} measures once which {@link io.github.circles2d.PairIndexing} of Circles2D is the fastest.
  *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, to choose one of several, and the exceptions that say what is
  *       missing.
  * </ul>

@@ -3,8 +3,6 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.calibration.Curve;
-import io.github.circles2d.calibration.Timings;
-import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,7 +16,6 @@ import java.util.Map;
 import java.util.NavigableMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -35,12 +32,7 @@ class CalibrationFiguresTest {
         for (Map.Entry<String, Map<String, NavigableMap<Integer, Double>>> device : loops().entrySet()) {
             Map<PairIndexing, Curve> calibrated = new LinkedHashMap<>();
             for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
-                calibrated.put(
-                        indexing,
-                        calibrated(
-                                Workload.CIRCLES2D,
-                                device.getValue().get(indexing.name()),
-                                Calibration.CIRCLES2D_SIZES));
+                calibrated.put(indexing, calibrated(device.getValue().get(indexing.name())));
             }
             for (int n : sizesToCompare(device.getValue())) {
                 PairIndexing pick = IndexingChoice.of(calibrated, Device.Kind.GPU, n, indexing -> true)
@@ -64,32 +56,16 @@ class CalibrationFiguresTest {
         }
     }
 
-    @Test
-    void theBackEndPickedIsWithinTenPercentOfTheBestAtEveryMeasuredSize() throws IOException {
-        int compared = 0;
-        for (Map.Entry<String, Map<String, NavigableMap<Integer, Double>>> machine : worlds().entrySet()) {
-            Map<String, Curve> calibrated = new LinkedHashMap<>();
-            machine.getValue()
-                    .forEach((engine, millis) ->
-                            calibrated.put(engine, calibrated(Workload.WORLD, millis, Calibration.WORLD_SIZES)));
-            for (int n : sizesToCompare(machine.getValue())) {
-                requireNearBest(machine.getKey(), n, Timings.fastest(calibrated, n), machine.getValue());
-                compared++;
-            }
-        }
-        assertThat(compared).isGreaterThan(5);
-    }
-
     /** The figures at the sizes that are nearest, as a ratio, to those of a calibration. */
-    private static Curve calibrated(Workload workload, NavigableMap<Integer, Double> figures, List<Integer> sizes) {
+    private static Curve calibrated(NavigableMap<Integer, Double> figures) {
         Map<Integer, Double> taken = new HashMap<>();
-        for (int size : sizes) {
+        for (int size : Calibration.SIZES) {
             int nearest = figures.keySet().stream()
                     .min(Comparator.comparing(n -> Math.abs(Math.log((double) n / size))))
                     .orElseThrow();
             taken.put(nearest, figures.get(nearest));
         }
-        return new Curve(workload, taken);
+        return new Curve(taken);
     }
 
     /** The sizes at which every candidate was measured: what was left out cannot be compared. */
@@ -130,26 +106,6 @@ class CalibrationFiguresTest {
         }
         assertThat(loops).hasSizeGreaterThanOrEqualTo(3);
         return loops;
-    }
-
-    /** Mean ms of a step of World by machine, back end that AUTO may take, and n. A machine that was measured with and without its GPU is one. */
-    private static Map<String, Map<String, NavigableMap<Integer, Double>>> worlds() throws IOException {
-        Map<String, Map<String, NavigableMap<Integer, Double>>> worlds = new TreeMap<>();
-        for (String machine : machines()) {
-            String name = rows(machine, "machine.csv").stream()
-                    .filter(row -> List.of("processor", "cores").contains(row.get("property")))
-                    .map(row -> row.get("value"))
-                    .collect(Collectors.joining(", "));
-            for (Map<String, String> row : rows(machine, "peers.csv")) {
-                boolean isCandidate = row.get("engine").startsWith("world")
-                        && !row.get("engine").startsWith("world@cpu");
-                if (row.get("scene").equals("packed") && isCandidate) {
-                    put(worlds, name, row.get("engine"), row);
-                }
-            }
-        }
-        assertThat(worlds).isNotEmpty();
-        return worlds;
     }
 
     private static void put(

@@ -99,6 +99,9 @@ final class MemoryCalls {
         change("applyForce", (s, r) -> s.world.applyForce(s.circle(r), any(r), any(r)));
         change("setFriction", (s, r) -> s.world.setFriction(s.circle(r), r.nextFloat()));
         change("setRollingResistance", (s, r) -> s.world.setRollingResistance(s.circle(r), r.nextFloat()));
+        change("setGravityScale", (s, r) -> s.world.setGravityScale(s.circle(r), r.nextFloat()));
+        change("setDamping", (s, r) -> s.world.setDamping(s.circle(r), r.nextFloat()));
+        change("setGreatestSpeed", (s, r) -> s.world.setGreatestSpeed(s.circle(r), r.nextFloat()));
         change("setAngle", (s, r) -> s.world.setAngle(s.circle(r), any(r)));
         change("setAngularVelocity", (s, r) -> s.world.setAngularVelocity(s.circle(r), any(r)));
         change("applyAngularImpulse", (s, r) -> s.world.applyAngularImpulse(s.circle(r), any(r)));
@@ -145,6 +148,7 @@ final class MemoryCalls {
         change("kind.setCategory", (s, r) -> s.world.kind(r.nextInt(4)).setCategory(1 << r.nextInt(3)));
         change("kind.setMask", (s, r) -> s.world.kind(r.nextInt(4)).setMask(r.nextInt(8)));
         change("kind.setSensor", (s, r) -> s.world.kind(r.nextInt(4)).setSensor(r.nextBoolean()));
+        change("kind.setSensesStatic", (s, r) -> s.world.kind(r.nextInt(4)).setSensesStatic(r.nextBoolean()));
         change("kind.setRestitution", (s, r) -> s.world.kind(r.nextInt(4)).setRestitution(r.nextFloat()));
         change("kind.setGravityScale", (s, r) -> s.world.kind(r.nextInt(4)).setGravityScale(r.nextFloat()));
         change("kind.setDamping", (s, r) -> s.world.kind(r.nextInt(4)).setDamping(r.nextFloat()));

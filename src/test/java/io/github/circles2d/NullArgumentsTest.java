@@ -134,6 +134,7 @@ class NullArgumentsTest {
         calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
         calls.put("FixedStep.jointEnds", Map.of("ends", () -> loop.jointEnds(null, null)));
+        calls.put("FixedStep.bodies", Map.of("bodies", () -> loop.bodies(null, null)));
         calls.put("FixedStep.pieces", Map.of("pieces", () -> loop.pieces(null, null)));
         calls.put(
                 "FixedStep.pose",
@@ -162,6 +163,16 @@ class NullArgumentsTest {
         }));
         calls.put(
                 "TerrainBody.addSegments", Map.of("ends", () -> terrain.ground().addSegments(null, 0, null)));
+        Bodies bodies = world.bodies();
+        calls.put("Bodies.add", Map.of("outline", () -> {
+            refusal(() -> bodies.add(null, 0, 0, 0, 1), "outline");
+            bodies.add(null, 0, 0, 0, 1, 2);
+        }));
+        calls.put("Bodies.readById", Map.of("bodies", () -> bodies.readById(null, null)));
+        calls.put("Bodies.readVelocitiesById", Map.of("velocities", () -> bodies.readVelocitiesById(null, null)));
+        calls.put("Bodies.readHandles", Map.of("handles", () -> bodies.readHandles(null)));
+        calls.put("Outline.polygon", Map.of("points", () -> Outline.polygon((float[]) null)));
+        calls.put("Outline.of", Map.of("chain", () -> Outline.of((Chain) null)));
         Joints joints = world.joints();
         calls.put(
                 "Joints.add",
@@ -273,6 +284,8 @@ class NullArgumentsTest {
                         Terrain.class,
                         TerrainBody.class,
                         Joints.class,
+                        Bodies.class,
+                        Outline.class,
                         Ropes.class,
                         Blobs.class,
                         Chain.class,

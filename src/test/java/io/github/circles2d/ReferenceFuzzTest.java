@@ -186,6 +186,7 @@ class ReferenceFuzzTest {
                 case 26 -> requestEvents();
                 case 27, 28 -> withSome(this::grow);
                 case 29 -> clearAndAdd();
+                case 30 -> withSome(this::setOwnMotion);
                 case 38 -> withSome(this::setFriction);
                 case 39 -> withSome(this::setAngle);
                 case 40 -> withSome(this::setAngularVelocity);
@@ -448,6 +449,8 @@ class ReferenceFuzzTest {
             int mask = random.nextInt(5) - 1;
             boolean sensor = random.nextInt(4) == 0;
             both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
+            boolean senses = random.nextBoolean();
+            both("setSensesStatic", c -> c.setSensesStatic(kind, senses));
             float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
             both("setKindRestitution", c -> c.setKindRestitution(kind, e));
         }
@@ -560,11 +563,31 @@ class ReferenceFuzzTest {
 
         private void setMotion() {
             int kind = kind();
-            float scale = random.nextInt(3) == 0 ? random.nextInt(3) - 1 : value(-2f, 3f);
-            float damping = random.nextInt(2) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1e4f : 5f);
-            float most =
-                    random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : random.nextInt(9) == 0 ? 0f : value(0f, size);
+            float scale = gravityScale();
+            float damping = damping();
+            float most = greatestSpeed();
             both("setMotion", c -> c.setMotion(kind, scale, damping, most));
+        }
+
+        private void setOwnMotion(long handle) {
+            float scale = random.nextInt(3) == 0 ? Float.NaN : gravityScale();
+            float damping = random.nextInt(3) == 0 ? Float.NaN : damping();
+            float most = random.nextInt(3) == 0 ? Float.NaN : greatestSpeed();
+            both("setGravityScale", c -> c.setGravityScale(handle, scale));
+            both("setDamping", c -> c.setDamping(handle, damping));
+            both("setGreatestSpeed", c -> c.setGreatestSpeed(handle, most));
+        }
+
+        private float gravityScale() {
+            return random.nextInt(3) == 0 ? random.nextInt(3) - 1 : value(-2f, 3f);
+        }
+
+        private float damping() {
+            return random.nextInt(2) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1e4f : 5f);
+        }
+
+        private float greatestSpeed() {
+            return random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : random.nextInt(9) == 0 ? 0f : value(0f, size);
         }
 
         private void setResponse() {

@@ -165,7 +165,7 @@ class ReferenceSleepTest {
             long one = some();
             float a = little();
             float b = little();
-            switch (random.nextInt(32)) {
+            switch (random.nextInt(35)) {
                 case 0 -> add(0.5f + 9f * (float) random.nextDouble(), 4f + 4f * (float) random.nextDouble());
                 case 1 -> both("remove", c -> c.remove(one));
                 case 2 -> both("setVelocity", c -> c.setVelocity(one, 10f * a, 10f * b));
@@ -203,6 +203,9 @@ class ReferenceSleepTest {
                 case 28 -> both("setBounds", c -> c.setBounds(0f, a > 0f ? 0f : -2f, SIZE, SIZE));
                 case 30 -> both("setMotion", c -> c.setMotion(1, 1f, a > 0f ? 4f : 0f, 50f));
                 case 29 -> both("setGravity", c -> c.setGravity(0.02f * a, -10f + 0.02f * b));
+                case 31 -> both("setGravityScale", c -> c.setGravityScale(one, a > 0f ? 1f + 0.1f * b : Float.NaN));
+                case 32 -> both("setDamping", c -> c.setDamping(one, a > 0f ? 4f : Float.NaN));
+                case 33 -> both("setGreatestSpeed", c -> c.setGreatestSpeed(one, a > 0f ? 5f : Float.NaN));
                 default -> both("setVelocity", c -> c.setVelocity(one, a, 0f));
             }
         }

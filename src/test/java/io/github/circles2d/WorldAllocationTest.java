@@ -92,6 +92,9 @@ class WorldAllocationTest {
         world.applyTorque(handles[18], 1e-3f);
         world.setFriction(handles[19], world.friction(handles[19]) + 1e-3f);
         world.setRollingResistance(handles[19], 0.1f);
+        world.setGravityScale(handles[19], world.gravityScale(handles[19]) + 1e-3f);
+        world.setDamping(handles[19], world.damping(handles[19]) + 1e-3f);
+        world.setGreatestSpeed(handles[19], world.greatestSpeed(handles[19]) < 1 ? Float.NaN : 0.5f);
         world.kind(1).setFriction(0.5f).setBeltSpeed(1).setInertia(Inertia.RING);
     }
 
@@ -254,6 +257,53 @@ class WorldAllocationTest {
                 consume(gone.size() + gone.force(0) + gone.circle(0) + world.hash());
                 rewind.restore(frames[0] - 1);
                 consume(joints.size() + joints.idLimit() + joints.length(motor));
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
+    void bodiesAllocateNothing() throws IOException {
+        World.Builder builder = WorldScenes.jvm().bounds(0, 0, 40, 20).gravity(0, -10).friction(0.5f);
+        try (World world = builder.threads(1).build();
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Bodies bodies = world.bodies();
+            Outline crate = Outline.box(1, 0.7f);
+            Outline bar = Outline.capsule(2, 0.2f);
+            bodies.report(true);
+            world.terrain().addSegment(0, 2, 20, 1);
+            for (int k = 0; k < 40; k++) {
+                bodies.add(k % 3 == 0 ? bar : crate, 5 + k % 8 * 3, 3 + k / 8 * 2, k, 1);
+                world.add(4 + k % 10 * 3, 14 + k / 10, 0.4f, 1);
+            }
+            world.step(1 / 60f, 300); // the heap settles, and arrays have grown
+            bodies.events();
+            long first = bodies.handle(0);
+            float[] poses = new float[3 * 50];
+            long[] living = new long[1];
+            long[] handles = new long[50];
+            FixedStep loop = new FixedStep(world, 1 / 60f);
+            Rewind rewind = new Rewind(world, 3);
+            int[] frames = new int[1];
+            Runnable frame = () -> {
+                loop.reset();
+                loop.advance(1.5f / 60, null);
+                loop.bodies(poses, living);
+                long guest = bodies.add(crate, 20, 18, 1, 1);
+                bodies.applyImpulse(guest, 1, 0, 20, 18.2f);
+                bodies.applyForce(first, 3, 1);
+                world.step(1 / 60f);
+                rewind.save(frames[0]++);
+                bodies.readById(poses, living);
+                bodies.readVelocitiesById(poses, null);
+                bodies.readHandles(handles);
+                bodies.remove(guest);
+                world.step(1 / 60f);
+                BodyEvents touches = bodies.events();
+                consume(touches.size() + bodies.x(first) + world.hash());
+                rewind.restore(frames[0] - 1);
+                bodies.remove(guest);
             };
             assertAllocatesNothing(frame);
             assertThat(recording.hasFailed()).isFalse();

@@ -63,6 +63,11 @@ public interface WorldCalls {
         kind(kind).setCategory(category).setMask(mask).setSensor(sensor);
     }
 
+    /** Sets whether static circles of a kind sense what does not move. */
+    default void setSensesStatic(int kind, boolean senses) {
+        kind(kind).setSensesStatic(senses);
+    }
+
     /** Sets how circles of a kind move. */
     default void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
         kind(kind).setGravityScale(gravityScale).setDamping(damping).setGreatestSpeed(greatestSpeed);
@@ -88,6 +93,12 @@ public interface WorldCalls {
     void setFriction(long handle, float friction);
 
     void setRollingResistance(long handle, float resistance);
+
+    void setGravityScale(long handle, float scale);
+
+    void setDamping(long handle, float damping);
+
+    void setGreatestSpeed(long handle, float speed);
 
     void setAngle(long handle, float radians);
 

@@ -239,7 +239,7 @@ class WorldFuzzTest {
             if (hasJoints && random.nextInt(2) == 0) {
                 changeJoints();
             }
-            switch (random.nextInt(38)) {
+            switch (random.nextInt(39)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -269,6 +269,7 @@ class WorldFuzzTest {
                 case 35 -> setSurface();
                 case 36 -> setKindSurface();
                 case 37 -> setWallSurface();
+                case 38 -> setOwnMotion();
                 default -> step();
             }
         }
@@ -664,6 +665,29 @@ class WorldFuzzTest {
             });
         }
 
+        private void setOwnMotion() {
+            long handle = handle();
+            float scale = value(-1000, 1000);
+            float damping = value(0, 10);
+            float most = value(0, speed());
+            last = "setOwnMotion " + scale + " " + damping + " " + most;
+            ask(unknown(handle) || bad(scale) && !Float.isNaN(scale), () -> {
+                world.setGravityScale(handle, scale);
+                float ofKind = world.kind(world.kindOf(handle)).gravityScale();
+                assertThat(world.gravityScale(handle)).isEqualTo(Float.isNaN(scale) ? ofKind : scale + 0f);
+            });
+            ask(unknown(handle) || bad(damping) && !Float.isNaN(damping) || damping < 0, () -> {
+                world.setDamping(handle, damping);
+                float ofKind = world.kind(world.kindOf(handle)).damping();
+                assertThat(world.damping(handle)).isEqualTo(Float.isNaN(damping) ? ofKind : damping + 0f);
+            });
+            ask(unknown(handle) || most < 0, () -> {
+                world.setGreatestSpeed(handle, most);
+                float ofKind = world.kind(world.kindOf(handle)).greatestSpeed();
+                assertThat(world.greatestSpeed(handle)).isEqualTo(Float.isNaN(most) ? ofKind : most + 0f);
+            });
+        }
+
         private void setForce() {
             long handle = handle();
             float x = value(-1e18f, 1e18f);
@@ -775,6 +799,9 @@ class WorldFuzzTest {
             int mask = random.nextInt() >> random.nextInt(32);
             ask(!isKind(kind), () -> {
                 world.kind(kind).setMask(mask).setCategory(random.nextInt(4)).setSensor(random.nextInt(3) == 0);
+                boolean senses = random.nextBoolean();
+                assertThat(world.kind(kind).setSensesStatic(senses).sensesStatic())
+                        .isEqualTo(senses);
                 assertThat(world.kind(kind).mask()).isEqualTo(mask);
             });
             ask(!isKind(kind) || !Float.isNaN(e) && !(e >= 0 && e <= 1), () -> {

@@ -94,7 +94,7 @@ class WorldRestingTest {
                 if (k == 0) {
                     pipeline.keepAwake();
                 }
-                worlds[k].kind(GATE).setSensor(true);
+                worlds[k].kind(GATE).setSensor(true).setSensesStatic(seed % 2 == 0);
                 worlds[k].kind(BELT).setBeltSpeed(friction * size);
                 worlds[k].report(Events.BEGIN | Events.HIT | Events.END);
             }

@@ -236,6 +236,39 @@ class WorldSleepTest {
     }
 
     @Test
+    void aChangeOfHowOneCircleMovesWakesItAndWithoutGravityItsDampingLetsItSleep() {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 10, 10)
+                .gravity(0, -10)
+                .sleep(true)
+                .build()) {
+            long ball = world.add(5, 0.5f, 0.5f, 1);
+            world.step(DT, 120);
+            List<BiConsumer<World, Float>> changes = List.of(
+                    (w, value) -> w.setGravityScale(ball, value),
+                    (w, value) -> w.setDamping(ball, value),
+                    (w, value) -> w.setGreatestSpeed(ball, value));
+            for (BiConsumer<World, Float> change : changes) {
+                assertThat(world.isAwake(ball)).isFalse();
+                change.accept(world, 1f);
+                world.step(DT);
+                assertThat(world.isAwake(ball)).isTrue();
+                world.step(DT, 120);
+            }
+            world.setGravityScale(ball, -1);
+            world.step(DT, 30);
+            assertThat(world.y(ball)).isGreaterThan(0.6f);
+            world.setGravityScale(ball, 0);
+            world.setVelocity(ball, 0, 0);
+            world.step(DT, 120);
+            assertThat(world.isAwake(ball)).isFalse();
+            world.setDamping(ball, 0);
+            world.step(DT, 120);
+            assertThat(world.isAwake(ball)).isTrue();
+        }
+    }
+
+    @Test
     void whatTheSolverLeavesOutOfBalanceKeepsNobodyAwake() {
         try (World valley = WorldScenes.jvm()
                 .bounds(-10, 0, 10, 10)

@@ -121,11 +121,6 @@ class WorldTest {
             refused(() -> WorldScenes.jvm().threads(0));
             refused(() -> WorldScenes.jvm().threads(257));
             refused(() -> WorldScenes.jvm().capacity(-1));
-            refused(() -> WorldScenes.jvm().radii(0, 1));
-            refused(() -> WorldScenes.jvm().radii(2, 1));
-            refused(() -> WorldScenes.jvm().radii(Float.NaN, 1));
-            refused(() -> WorldScenes.jvm().radii(1, Float.NaN));
-            refused(() -> WorldScenes.jvm().radii(1, Float.POSITIVE_INFINITY));
             assertThat(world.hash()).isEqualTo(hash);
             assertThat(world.size()).isEqualTo(1);
         }

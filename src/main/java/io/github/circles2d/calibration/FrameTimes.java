@@ -3,7 +3,7 @@ package io.github.circles2d.calibration;
 import java.util.Arrays;
 
 /**
- * What frames of a crowd took. Other programs only add time, and to some frames more than to others, so a wide middle half tells of
+ * What loops took. Other programs only add time, and to some frames more than to others, so a wide middle half tells of
  * them.
  *
  * @param lower the time, in milliseconds, that a quarter of the frames stay below

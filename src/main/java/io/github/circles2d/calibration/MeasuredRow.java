@@ -10,7 +10,7 @@ import java.util.TreeSet;
 import java.util.function.IntFunction;
 
 /**
- * A row of a calibration while it is measured: the times of one workload on one runner, by the number of circles. What is not clean is
+ * A row of a calibration while it is measured: the times of loops on one device by one indexing, by the number of circles. What is not clean is
  * measured again, and refused if it does not become so: by it, {@code AUTO} would pick the slower one for good.
  *
  * <p>Times are clean if the frames of a size take about as long as each other, and if the time grows with the number of circles, and
@@ -30,7 +30,6 @@ public final class MeasuredRow {
     /** How often a row is looked at before it is refused. Other programs may be done in the meantime. */
     private static final int ATTEMPTS = 4;
 
-    private final Workload workload;
     private final String name;
     private final IntFunction<FrameTimes> meter;
     private final NavigableMap<Integer, FrameTimes> times = new TreeMap<>();
@@ -41,12 +40,10 @@ public final class MeasuredRow {
     /**
      * Begins a row.
      *
-     * @param workload what is timed
      * @param name what a refusal calls the row
-     * @param meter times frames of so many circles
+     * @param meter times loops of so many circles
      */
-    public MeasuredRow(Workload workload, String name, IntFunction<FrameTimes> meter) {
-        this.workload = workload;
+    public MeasuredRow(String name, IntFunction<FrameTimes> meter) {
         this.name = name;
         this.meter = meter;
     }
@@ -108,7 +105,7 @@ public final class MeasuredRow {
             return new Blemish(Set.of(), "");
         }
         double growth = here.median() / before.getValue().median();
-        double work = Math.pow((double) circles / before.getKey(), workload.growth);
+        double work = Math.pow((double) circles / before.getKey(), Curve.GROWTH);
         if (growth <= MOST_GROWTH * work && growth >= LEAST_GROWTH) {
             return new Blemish(Set.of(), "");
         }
@@ -136,6 +133,6 @@ public final class MeasuredRow {
     public Curve curve() {
         Map<Integer, Double> medians = new TreeMap<>();
         times.forEach((circles, frames) -> medians.put(circles, frames.median()));
-        return new Curve(workload, medians);
+        return new Curve(medians);
     }
 }

@@ -1,7 +1,7 @@
 package io.github.circles2d.calibration;
 
 /**
- * What a workload ran on. Figures of one version say nothing of another.
+ * What loops ran on. Figures of one version say nothing of another.
  *
  * @param name the device, and how it was used; one line
  * @param version everything else that its speed depends on: driver, kernels, library; one line

@@ -21,11 +21,11 @@ import java.util.zip.CRC32;
  * it, so that a file that was cut off is known for one. The fields are those of {@link Timings.Entry}. It is replaced as a whole, so a reader sees the old one or the new one.
  */
 public final class TimingsFile {
-    private static final String FIRST_LINE = "circles2d calibration 1";
+    private static final String FIRST_LINE = "circles2d calibration 2";
     private static final String COMMENT =
-            "# What Backend.AUTO and PairIndexing.AUTO choose by: ms by number of circles. Delete this file to forget it.";
+            "# What PairIndexing.AUTO chooses by: ms by number of circles. Delete this file to forget it.";
     private static final String LAST_LINE = "checksum ";
-    private static final int FIELDS = 5;
+    private static final int FIELDS = 4;
 
     /** A file of this library has some hundred bytes a device. */
     private static final long MOST_BYTES = 1 << 20;
@@ -76,14 +76,12 @@ public final class TimingsFile {
             throw new IOException("a line of it has " + fields.length + " fields, not " + FIELDS);
         }
         try {
-            Workload workload = Workload.valueOf(fields[0]);
             Map<Integer, Double> millis = new TreeMap<>();
-            for (String time : fields[4].split(" ")) {
+            for (String time : fields[3].split(" ")) {
                 int sign = time.indexOf('=');
                 millis.put(Integer.valueOf(time.substring(0, sign)), Double.valueOf(time.substring(sign + 1)));
             }
-            return new Timings.Entry(
-                    workload, fields[1], new Runner(fields[2], fields[3]), new Curve(workload, millis));
+            return new Timings.Entry(fields[0], new Runner(fields[1], fields[2]), new Curve(millis));
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             throw new IOException("a line of it makes no sense: " + e.getMessage(), e);
         }
@@ -99,7 +97,7 @@ public final class TimingsFile {
     public static void write(Path file, Timings timings) throws IOException {
         StringBuilder text = new StringBuilder(FIRST_LINE + "\n" + COMMENT + "\n");
         for (Timings.Entry entry : timings.entries()) {
-            text.append(entry.workload()).append('\t').append(entry.variant()).append('\t');
+            text.append(entry.indexing()).append('\t');
             text.append(entry.runner().name()).append('\t');
             text.append(entry.runner().version()).append('\t');
             List<String> times = new ArrayList<>();

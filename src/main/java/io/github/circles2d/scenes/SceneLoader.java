@@ -9,7 +9,6 @@ import java.util.function.IntConsumer;
  * <pre>{@code
  * World.Builder builder = World.builder();
  * SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
- * SceneLoader.radii(scene, builder::radii);
  * World world = builder.build();
  * SceneLoader.circles(scene, world::add, world::setRestitution);
  * }</pre>
@@ -52,18 +51,6 @@ public final class SceneLoader {
          * @param restitution 0 to 1
          */
         void set(float restitution);
-    }
-
-    /** Takes the range of the radii. */
-    @FunctionalInterface
-    public interface Radii {
-        /**
-         * Takes the range of the radii.
-         *
-         * @param least the least radius
-         * @param greatest the greatest radius
-         */
-        void set(float least, float greatest);
     }
 
     /** Takes circles. */
@@ -110,22 +97,6 @@ public final class SceneLoader {
         gravity.set(scene.gravityX(), scene.gravityY());
         restitution.set(scene.restitution());
         capacity.accept(scene.size());
-    }
-
-    /**
-     * Hands over the range of a scene's radii.
-     *
-     * @param scene the scene
-     * @param radii takes the range
-     */
-    public static void radii(Scene scene, Radii radii) {
-        float least = Float.POSITIVE_INFINITY;
-        float greatest = 0;
-        for (int i = 0; i < scene.size(); i++) {
-            least = Math.min(least, scene.radius(i));
-            greatest = Math.max(greatest, scene.radius(i));
-        }
-        radii.set(least, greatest);
     }
 
     /**

@@ -1,14 +1,14 @@
 package io.github.circles2d.tools;
 
 import io.github.circles2d.Calibration;
+import io.github.circles2d.opencl.OpenClUnavailableException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Measures what {@link io.github.circles2d.Backend#AUTO} and {@link io.github.circles2d.PairIndexing#AUTO} choose by, and keeps
- * it, or forgets it.
+ * Measures what {@link io.github.circles2d.PairIndexing#AUTO} chooses by, and keeps it, or forgets it.
  *
  * <p>Exit status: 0 if it was kept or forgotten, 1 if not, 2 for a wrong call.
  */
@@ -38,15 +38,15 @@ public final class Calibrate {
         if (args.length > 0) {
             boolean help = args[0].equals("--help") || args[0].equals("-h");
             out.println(
-                    "usage: calibrate [--forget]: measures World on the JVM and on GPUs, for Backend.AUTO to choose by, and");
-            out.println("Circles2D on all OpenCL devices, for PairIndexing.AUTO; or forgets what was measured");
+                    "usage: calibrate [--forget]: measures Circles2D on all OpenCL devices, for PairIndexing.AUTO to choose by;");
+            out.println("or forgets what was measured");
             return help ? 0 : 2;
         }
-        out.println("measuring: about half a minute for the JVM and for each device, best with nothing else to do");
+        out.println("measuring: some seconds for each device, best with nothing else to do");
         Calibration calibration;
         try {
             calibration = Calibration.run();
-        } catch (IllegalArgumentException e) {
+        } catch (IllegalArgumentException | OpenClUnavailableException e) {
             out.println(e.getMessage());
             return 1;
         } catch (IllegalStateException e) {

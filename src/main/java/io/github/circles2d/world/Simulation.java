@@ -239,7 +239,8 @@ public final class Simulation implements AutoCloseable {
         world.settings.computeConstants(constants, timeStep);
         constants.filtering = kinds.filter();
         world.input.responses.set(world.kinds.responses(), world.kinds.version());
-        constants.driving = world.kinds.moves() || forces.drive();
+        constants.ownMotion = world.needs.ownMotion();
+        constants.driving = world.kinds.moves() || forces.drive() || constants.ownMotion;
         if (constants.driving) {
             world.input.motion.update(constants, world.kinds, world.kinds.version());
         }

@@ -20,20 +20,15 @@ import org.junit.jupiter.api.io.TempDir;
 class TimingsFileTest {
     private static final Runner DEVICE = new Runner("a device\twith\na strange name ", "driver 1, kernels 0123");
     private static final Timings SOME = new Timings(List.of(
-            entry(Workload.WORLD, "", new Runner("JVM", "17"), Map.of(250, 0.125, 1_000, 1 / 3.0)),
-            entry(Workload.WORLD, "1:10", new Runner("JVM", "17"), Map.of(250, 0.25)),
-            entry(Workload.CIRCLES2D, "EXACT", DEVICE, Map.of(1_000, 1e-9, 8_000, 12_345.678))));
-
-    /** As the library wrote it before it knew of mixed radii. */
-    private static final String OLD = "circles2d calibration 1\n"
-            + "# What Backend.AUTO and PairIndexing.AUTO choose by: ms by number of circles. Delete this file to forget it.\n"
-            + "WORLD\t\tJVM\t17\t250=0.125 1000=0.5\n";
+            entry("EXACT", new Runner("another device", "17"), Map.of(250, 0.125, 1_000, 1 / 3.0)),
+            entry("ROW_SEARCH", new Runner("another device", "17"), Map.of(250, 0.25)),
+            entry("EXACT", DEVICE, Map.of(1_000, 1e-9, 8_000, 12_345.678))));
 
     @TempDir
     Path folder;
 
-    private static Timings.Entry entry(Workload workload, String variant, Runner runner, Map<Integer, Double> millis) {
-        return new Timings.Entry(workload, variant, runner, new Curve(workload, millis));
+    private static Timings.Entry entry(String indexing, Runner runner, Map<Integer, Double> millis) {
+        return new Timings.Entry(indexing, runner, new Curve(millis));
     }
 
     @Test
@@ -47,8 +42,7 @@ class TimingsFileTest {
         for (int k = 0; k < SOME.entries().size(); k++) {
             Timings.Entry expected = SOME.entries().get(k);
             Timings.Entry actual = read.entries().get(k);
-            assertThat(actual.workload()).isEqualTo(expected.workload());
-            assertThat(actual.variant()).isEqualTo(expected.variant());
+            assertThat(actual.indexing()).isEqualTo(expected.indexing());
             assertThat(actual.runner()).isEqualTo(expected.runner());
             assertThat(actual.curve().measured()).isEqualTo(expected.curve().measured());
         }
@@ -98,42 +92,30 @@ class TimingsFileTest {
         assertThat(TimingsFile.read(file).entries()).hasSize(SOME.entries().size());
     }
 
-    private Timings read(String lines) throws IOException {
-        CRC32 sum = new CRC32();
-        sum.update(lines.getBytes(StandardCharsets.UTF_8));
-        Path file = folder.resolve("by hand");
-        Files.writeString(file, lines + "checksum " + Long.toHexString(sum.getValue()) + "\n");
-        return TimingsFile.read(file);
-    }
-
     @Test
-    void anOldFileIsReadAndHasLikeRadiiAlone() throws IOException {
-        CurvesByRatio world = read(OLD).world(new Runner("JVM", "17")).orElseThrow();
-        assertThat(CurvesByRatio.common(List.of(world))).containsExactly(Crowd.LIKE);
-        assertThat(CurvesByRatio.at(100, Map.of("JVM", world)).get("JVM").measured())
-                .isEqualTo(Map.of(250, 0.125, 1_000, 0.5));
-    }
-
-    @Test
-    void whatIsNoRatioOfRadiiIsRefusedWithTheReason() {
-        for (String ratio : List.of("10", "1:", "1:ten", "1:1", "1:-3", "1:NaN", "1:Infinity", "EXACT")) {
-            assertThatThrownBy(() -> read(OLD + "WORLD\t" + ratio + "\tJVM\t17\t250=1\n"))
+    void aLineThatMakesNoSenseIsRefusedThoughTheChecksumIsRight() throws IOException {
+        for (String line : List.of(
+                "EXACT\tdevice\t17\t250=1\tmore\n", "EXACT\tdevice\t17\t250=-1\n", "EXACT\tdevice\t17\t250\n")) {
+            String lines = "circles2d calibration 2\n" + line;
+            CRC32 sum = new CRC32();
+            sum.update(lines.getBytes(StandardCharsets.UTF_8));
+            Path file = folder.resolve("by hand");
+            Files.writeString(file, lines + "checksum " + Long.toHexString(sum.getValue()) + "\n");
+            assertThatThrownBy(() -> TimingsFile.read(file))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContainingAll("makes no sense", "'" + ratio + "' is no ratio of radii");
+                    .hasMessageContaining("a line of it");
         }
     }
 
     @Test
     void newerTimingsReplaceThoseOfTheSameRunnerInAnyVersionAndNoOthers() {
         Runner newer = new Runner(DEVICE.name(), "driver 2");
-        Timings both = SOME.and(new Timings(List.of(entry(Workload.CIRCLES2D, "EXACT", newer, Map.of(1_000, 2.0)))));
+        Timings both = SOME.and(new Timings(List.of(entry("EXACT", newer, Map.of(1_000, 2.0)))));
         assertThat(both.entries()).hasSize(SOME.entries().size());
-        assertThat(both.find(Workload.CIRCLES2D, "EXACT", newer)).isPresent();
-        assertThat(both.find(Workload.CIRCLES2D, "EXACT", DEVICE)).isEmpty();
-        assertThat(both.find(Workload.CIRCLES2D, "ROW_SEARCH", newer)).isEmpty();
-        assertThat(both.find(Workload.WORLD, "", new Runner("JVM", "17"))).isPresent();
-        assertThat(both.world(new Runner("JVM", "17"))).isPresent();
-        assertThat(both.world(new Runner("JVM", "18"))).isEmpty();
-        assertThat(both.worlds()).hasSize(1);
+        assertThat(both.find("EXACT", newer)).isPresent();
+        assertThat(both.find("EXACT", DEVICE)).isEmpty();
+        assertThat(both.find("ROW_SEARCH", newer)).isEmpty();
+        assertThat(both.find("EXACT", new Runner("another device", "17"))).isPresent();
+        assertThat(both.find("EXACT", new Runner("another device", "18"))).isEmpty();
     }
 }

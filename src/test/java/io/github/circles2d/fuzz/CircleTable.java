@@ -106,11 +106,21 @@ final class CircleTable extends Table {
         call("applyForce", circle, real(-1e6f, 1e6f), real(-1e3f, 1e3f));
         call("setFriction", circle, coefficient());
         call("setRollingResistance", circle, coefficient());
+        call("setGravityScale", circle, orNone(draw -> draw.between(-2, 2)));
+        call("setDamping", circle, orNone(draw -> draw.between(0, draw.oneOf(3) ? 1e6f : 2)));
+        call(
+                "setGreatestSpeed",
+                circle,
+                orNone(draw -> draw.oneOf(3) ? Float.POSITIVE_INFINITY : Math.abs(draw.speed())));
         call("setAngle", circle, angle());
         call("setAngularVelocity", circle, turning());
         call("applyAngularImpulse", circle, real(-1e4f, 1e4f));
         call("setTorque", circle, real(-1e4f, 1e4f));
         call("applyTorque", circle, real(-1e4f, 1e4f));
+    }
+
+    private static Drawn orNone(Function<Draw, Float> value) {
+        return real(draw -> draw.oneOf(3) ? Float.NaN : value.apply(draw));
     }
 
     private void changeMany() {

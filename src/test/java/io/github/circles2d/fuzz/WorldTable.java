@@ -88,6 +88,7 @@ final class WorldTable extends Table {
         ofKind("setCategory", whole(draw -> draw.oneOf(3) ? draw.bits(8) : 1 << draw.below(6)));
         ofKind("setMask", whole(draw -> draw.oneOf(3) ? draw.bits(8) : -1));
         ofKind("setSensor", new Drawn(boolean.class, draw -> new Values.Constant(draw.oneOf(4))));
+        ofKind("setSensesStatic", flag());
         ofKind("setRestitution", real);
         ofKind("setGravityScale", real(-2, 2));
         ofKind("setDamping", real(draw -> draw.oneOf(3) ? draw.between(0, 1e6f) : draw.between(0, 2)));
@@ -105,6 +106,7 @@ final class WorldTable extends Table {
             "category",
             "mask",
             "isSensor",
+            "sensesStatic",
             "restitution",
             "gravityScale",
             "damping",

@@ -58,6 +58,12 @@ final class Circle {
 
     float rollingResistance = Float.NaN;
 
+    float gravityScale = Float.NaN;
+
+    float damping = Float.NaN;
+
+    float greatestSpeed = Float.NaN;
+
     /** With the pieces that it was near to in the last step, in the order of their ids. */
     final List<PieceContact> pieceContacts = new ArrayList<>();
 

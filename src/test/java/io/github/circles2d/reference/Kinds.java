@@ -50,6 +50,9 @@ final class Kinds {
     /** Not 0 if circles never fall asleep. */
     static final int AWAKE = 14;
 
+    /** Not 0 if static circles sense static ones and pieces of bodies. */
+    static final int SENSES_STATIC = 15;
+
     private static final int KINDS = 256;
 
     private static final int[] AT_FIRST = atFirst();
@@ -69,7 +72,7 @@ final class Kinds {
 
     /** By the number of a field; there is no field 0. */
     private static int[] atFirst() {
-        int[] fields = new int[AWAKE + 1];
+        int[] fields = new int[SENSES_STATIC + 1];
         fields[CATEGORY] = 1;
         fields[MASK] = -1;
         fields[RESTITUTION] = Float.floatToIntBits(Float.NaN);
@@ -86,6 +89,18 @@ final class Kinds {
 
     float getFloat(int kind, int field) {
         return Float.intBitsToFloat(get(kind, field));
+    }
+
+    float gravityScale(Circle c) {
+        return Float.isNaN(c.gravityScale) ? getFloat(c.kind, GRAVITY_SCALE) : c.gravityScale;
+    }
+
+    float damping(Circle c) {
+        return Float.isNaN(c.damping) ? getFloat(c.kind, DAMPING) : c.damping;
+    }
+
+    float greatestSpeed(Circle c) {
+        return Float.isNaN(c.greatestSpeed) ? getFloat(c.kind, GREATEST_SPEED) : c.greatestSpeed;
     }
 
     int get(int kind, int field) {
@@ -118,10 +133,17 @@ final class Kinds {
 
     /** What two circles do to each other. */
     Response response(Circle a, Circle b) {
-        if (a.isStatic() && b.isStatic() || a.group != 0 && a.group == b.group) {
+        if (a.group != 0 && a.group == b.group) {
             return Response.IGNORE;
         }
-        return response(a.kind, b.kind);
+        Response response = response(a.kind, b.kind);
+        boolean stay = a.isStatic() && b.isStatic();
+        return stay && !(response == Response.SENSE && asks(a.kind, b.kind)) ? Response.IGNORE : response;
+    }
+
+    /** Whether what does not move is sensed, too. */
+    boolean asks(int a, int b) {
+        return get(a, SENSES_STATIC) != 0 || get(b, SENSES_STATIC) != 0;
     }
 
     /** What a circle and a piece of two kinds do to each other, and two circles unless more is known of them. */

@@ -99,11 +99,15 @@ final class PieceContact extends Constraint {
 
     /** The base against the origin of a piece. */
     private static float[] offset(Circle c, Piece piece) {
+        return offset(c, c.base, piece);
+    }
+
+    private static float[] offset(Circle c, float[] base, Piece piece) {
         float[] offset = new float[2];
         for (int a = 0; a < 2; a++) {
-            offset[a] = c.base[a] - piece.origin[a];
+            offset[a] = base[a] - piece.origin[a];
             if (c.arena.isWrapped(0) || c.arena.isWrapped(1)) {
-                float way = c.base[a] - piece.middle[a];
+                float way = base[a] - piece.middle[a];
                 offset[a] = (float) c.arena.shortWay(a, way) + (piece.middle[a] - piece.origin[a]);
             }
         }
@@ -145,7 +149,10 @@ final class PieceContact extends Constraint {
 
     /** From the origin of the piece to a displacement, in the frame of the start of the step. */
     private float[] local(float[] displacement, int boundary) {
-        float[] from = offset(c, piece);
+        return local(offset(c, piece), displacement, boundary);
+    }
+
+    private float[] local(float[] from, float[] displacement, int boundary) {
         Body.Motion motion = piece.body.motion;
         if (motion == null) {
             return plus(from, displacement);
@@ -396,6 +403,21 @@ final class PieceContact extends Constraint {
         touch.normalVelocity = -dot(touch.normal, c.velocity) - surfaceSpeed;
         touch.threshold = squaredHitSpeed();
         return touch;
+    }
+
+    /** The same of a static circle, which no visit measures; touched: in the step before. */
+    Touch touchOfStatic(boolean touched) {
+        float[] from = offset(c, c.start, piece);
+        float[] path = c.arena.way(c.start, c.base);
+        float sight = (c.radius + Circle.MARGIN * c.radius) + (length(path) + c.radius);
+        if (!(piece.distance(from) < sight + piece.most)) {
+            return null;
+        }
+        start = local(from, new float[2], 0);
+        o = local(from, path, step.subSteps());
+        side = touched ? 1f : 0f;
+        beginNotice();
+        return touchAfterStep();
     }
 
     /** The circle has moved evenly, in the frame of the piece. */

@@ -49,6 +49,9 @@ public final class ReferenceWorld implements WorldCalls {
     private static final int ROLLING_RESISTANCE_FIELD = 12;
     private static final int TORQUE_FIELD = 13;
     private static final int APPLIED_TORQUE_FIELD = 14;
+    private static final int GRAVITY_SCALE_FIELD = 15;
+    private static final int DAMPING_FIELD = 16;
+    private static final int GREATEST_SPEED_FIELD = 17;
 
     private final float restitution;
     private final int subSteps;
@@ -160,7 +163,7 @@ public final class ReferenceWorld implements WorldCalls {
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
-            events.step(contacts, circles, kinds, arena, dt);
+            events.step(contacts, circles, terrain, kinds, parameters(dt));
             step.fallAsleep();
             for (int i = 0; i < velocities.length; i++) {
                 circles.get(i).arrive(velocities[i]);
@@ -428,6 +431,12 @@ public final class ReferenceWorld implements WorldCalls {
         kinds.set(kind, Kinds.CATEGORY, category);
         kinds.set(kind, Kinds.MASK, mask);
         kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+        wakeAll();
+    }
+
+    @Override
+    public void setSensesStatic(int kind, boolean senses) {
+        kinds.set(kind, Kinds.SENSES_STATIC, senses ? 1 : 0);
         wakeAll();
     }
 
@@ -708,6 +717,24 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setGravityScale(long handle, float scale) {
+        find(handle).wake();
+        find(handle).gravityScale = scale + 0f;
+    }
+
+    @Override
+    public void setDamping(long handle, float damping) {
+        find(handle).wake();
+        find(handle).damping = damping + 0f;
+    }
+
+    @Override
+    public void setGreatestSpeed(long handle, float speed) {
+        find(handle).wake();
+        find(handle).greatestSpeed = speed + 0f;
+    }
+
+    @Override
     public void setAngle(long handle, float radians) {
         find(handle).wake();
         find(handle).angle = (int) Math.round(radians / (Math.PI / (1L << 31)));
@@ -961,6 +988,9 @@ public final class ReferenceWorld implements WorldCalls {
                 sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));
                 sum += hashOfField(APPLIED_FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.appliedForce[a]));
             }
+            sum += hashOfOwn(GRAVITY_SCALE_FIELD, c.id, c.gravityScale)
+                    + hashOfOwn(DAMPING_FIELD, c.id, c.damping)
+                    + hashOfOwn(GREATEST_SPEED_FIELD, c.id, c.greatestSpeed);
             sum += hashOfTurning(c) + terrain.hashOfContacts(c);
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
@@ -1009,7 +1039,8 @@ public final class ReferenceWorld implements WorldCalls {
     /** Of a field that has no number at first. */
     private static long hashOfOwn(int field, int id, float value) {
         long h = absorb(absorb(FIELD, field), id);
-        return Float.isNaN(value) ? 0 : absorb(absorb(h, Float.floatToRawIntBits(value)), 0);
+        int bits = Float.floatToRawIntBits(value);
+        return Float.isNaN(value) ? 0 : absorb(absorb(h, bits), bits >> 31);
     }
 
     private static long hashOfField(int field, int id, long value) {

@@ -311,7 +311,7 @@ final class Sleep {
 
     private void rest(Circle c) {
         float gain = gain(c);
-        float damping = kinds.getFloat(c.kind, Kinds.DAMPING);
+        float damping = kinds.damping(c);
         float drift = DRIFT * c.radius;
         drift = gain > 0f
                 ? min(drift, SHARE_OF_FALL * (gain * k.inverseH()) * (TIME * TIME))

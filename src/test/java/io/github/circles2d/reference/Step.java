@@ -100,7 +100,7 @@ final class Step {
     }
 
     private void findGain(Circle c) {
-        float scale = kinds.getFloat(c.kind, Kinds.GRAVITY_SCALE);
+        float scale = kinds.gravityScale(c);
         for (int a = 0; a < 2; a++) {
             c.gain[a] = limitSpeed(k.gravity()[a] * scale) * k.h();
             if (c.actingForce[a] != 0f) {
@@ -111,7 +111,7 @@ final class Step {
 
     /** What is left of a velocity after a sub-step's damping. */
     private float dampingFactor(Circle c) {
-        return 1f / (1f + kinds.getFloat(c.kind, Kinds.DAMPING) * k.h());
+        return 1f / (1f + kinds.damping(c) * k.h());
     }
 
     /** Multiplies a vector so that it is not longer than a length. */
@@ -138,7 +138,7 @@ final class Step {
             c.path[a] = c.velocity[a] * time + (c.isStatic() ? 0f : c.gain[a] * k.h() * falls);
         }
         if (!c.isStatic()) {
-            cut(c.path, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED) * k.dt());
+            cut(c.path, kinds.greatestSpeed(c) * k.dt());
         }
         float share = k.arena().share(c.path);
         c.path[0] *= share;
@@ -212,7 +212,7 @@ final class Step {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
         }
         if (!c.isStatic()) {
-            cut(c.velocityBeforeImpulses, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED));
+            cut(c.velocityBeforeImpulses, kinds.greatestSpeed(c));
         }
         for (int a = 0; a < 2; a++) {
             if (!c.isStatic()) {

@@ -180,7 +180,8 @@ final class TouchEvents {
     }
 
     /** Ends a step. */
-    void step(List<Contact> contacts, List<Circle> circles, Kinds kinds, Arena arena, float dt) {
+    void step(List<Contact> contacts, List<Circle> circles, ReferenceTerrain terrain, Kinds kinds, StepParameters k) {
+        Arena arena = k.arena();
         if (!types.isOn()) {
             return;
         }
@@ -199,9 +200,8 @@ final class TouchEvents {
         for (int i = 0; i < circles.size(); i++) {
             Circle lower = circles.get(i);
             for (Circle higher : circles.subList(i + 1, circles.size())) {
-                boolean isReported = (types.of(lower.kind, higher.kind) & (Events.BEGIN | Events.END)) != 0;
-                if (isReported && kinds.response(lower, higher) == Response.SENSE) {
-                    now.put(Key.of(lower, higher), Sensing.touch(lower, higher, dt));
+                if (isSensed(lower.kind, higher.kind) && kinds.response(lower, higher) == Response.SENSE) {
+                    now.put(Key.of(lower, higher), Sensing.touch(lower, higher, k.dt()));
                 }
             }
         }
@@ -213,6 +213,7 @@ final class TouchEvents {
                 }
             }
         }
+        circles.stream().filter(Circle::isStatic).forEach(c -> lookAtBodies(c, terrain, kinds, k, now));
         now.keySet().removeIf(key -> typesOf(key) == 0);
         for (Touch t : now.values()) {
             t.point = new float[] {arena.inside(0, t.point[0]), arena.inside(1, t.point[1])};
@@ -223,6 +224,24 @@ final class TouchEvents {
         ofStep.forEach(r -> events.add(r.event.at(steps)));
         ofStep.clear();
         steps++;
+    }
+
+    private boolean isSensed(int kindA, int kindB) {
+        return (types.of(kindA, kindB) & (Events.BEGIN | Events.END)) != 0;
+    }
+
+    /** The pieces of bodies that a static circle senses, if a kind asks for it. */
+    private void lookAtBodies(Circle c, ReferenceTerrain terrain, Kinds kinds, StepParameters k, Map<Key, Touch> now) {
+        for (Piece piece : terrain.pieces()) {
+            boolean senses = kinds.asks(c.kind, piece.kind) && kinds.response(c.kind, piece.kind) == Response.SENSE;
+            if (piece.body.id != 0 && senses && isSensed(c.kind, piece.kind)) {
+                Key key = new Key(c, null, NO_SIDE, piece);
+                Touch touch = new PieceContact(c, piece, true, kinds, k).touchOfStatic(touching.containsKey(key));
+                if (touch != null) {
+                    now.put(key, touch);
+                }
+            }
+        }
     }
 
     private void look(Key key, Touch t) {

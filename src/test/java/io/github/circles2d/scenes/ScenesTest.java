@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.LongFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -271,19 +269,6 @@ class ScenesTest {
         assertThat(sorted[0]).isBetween(0.0005f, 0.00052f);
         assertThat(sorted[sorted.length - 1]).isBetween(0.048f, 0.05f);
         assertThat(scene.fill()).isCloseTo(0.5, within(1e-4));
-    }
-
-    @Test
-    void theLeastAndTheGreatestRadiusOfASceneAreHandedOver() {
-        List<Float> radii = new ArrayList<>();
-        SceneLoader.radii(Scenes.noCollide(), (least, greatest) -> radii.addAll(List.of(least, greatest)));
-        assertThat(radii).containsExactly(4.5f, 4.5f);
-        radii.clear();
-        Scene mixed = Scenes.mixed(1_000, Scenes.SEED);
-        SceneLoader.radii(mixed, (least, greatest) -> radii.addAll(List.of(least, greatest)));
-        float[] sorted = mixed.radius();
-        Arrays.sort(sorted);
-        assertThat(radii).containsExactly(sorted[0], sorted[999]);
     }
 
     @Test

@@ -30,7 +30,6 @@ record Stage(String name, boolean published, Supplier<World.Builder> builder, Co
     private static World.Builder builder(Scene scene) {
         World.Builder builder = World.builder();
         SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
-        SceneLoader.radii(scene, builder::radii);
         return builder;
     }
 

@@ -25,7 +25,6 @@ final class Merge implements Runnable {
 
     Merge(Backend backend, long seed) {
         World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).gravity(0, -30);
-        builder.radii(RADII[0], RADII[RADII.length - 1]); // what to be fast for
         builder.subSteps(8).contactFrequency(134).greatestPushOutSpeed(2); // balls that grow hardly overlap others
         builder.friction(0.3f).rollingResistance(0.01f); // balls roll, and the first ones do not roll on for ever
         world = builder.restitution(0.2f).backend(backend).build();

@@ -2,6 +2,7 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
+import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Calls;
@@ -86,6 +87,35 @@ public final class FieldCalls implements Calls.Effects {
         int id = world.circle(handle);
         float own = fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
         return Float.isNaN(own) ? kinds.rollingResistance(kindOf(id)) : own;
+    }
+
+    /**
+     * Gives a circle a value of its own, or takes it away.
+     *
+     * @param field {@link CircleField#GRAVITY_SCALE}, {@code DAMPING} or {@code GREATEST_SPEED}
+     */
+    public void setMotion(CircleField field, long handle, float value) {
+        if (!Float.isNaN(value)) {
+            ofKind(field).check(Float.floatToRawIntBits(value));
+        }
+        set(field, handle, Float.isNaN(value) ? CircleField.NONE : CircleField.bits(value));
+    }
+
+    /** One of these values of a circle: its own, else that of its kind. */
+    public float motion(CircleField field, long handle) {
+        world.guard.check();
+        int id = world.circle(handle);
+        float own = fields.getFloat(field, id);
+        return Float.isNaN(own) ? kinds.getFloat(ofKind(field), kindOf(id)) : own;
+    }
+
+    private static KindField ofKind(CircleField field) {
+        return switch (field) {
+            case GRAVITY_SCALE -> KindField.GRAVITY_SCALE;
+            case DAMPING -> KindField.DAMPING;
+            case GREATEST_SPEED -> KindField.GREATEST_SPEED;
+            default -> throw new AssertionError(field);
+        };
     }
 
     /** Sets the torque on a circle. */

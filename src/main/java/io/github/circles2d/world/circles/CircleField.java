@@ -51,7 +51,16 @@ public enum CircleField {
     TORQUE(13, "torque", Limits.TORQUE, true),
 
     /** The torque that is applied in the next step alone. */
-    APPLIED_TORQUE(14, "applied torque", Limits.TORQUE, false);
+    APPLIED_TORQUE(14, "applied torque", Limits.TORQUE, false),
+
+    /** What gravity is multiplied by for the circle, or NaN for what its kind has. */
+    GRAVITY_SCALE(15, "gravityScale", -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE),
+
+    /** The circle's own damping, 1/s, or NaN for that of its kind. */
+    DAMPING(16, "damping", 0, Limits.VELOCITY_DAMPING),
+
+    /** The circle's own greatest speed, which may be infinite, or NaN for that of its kind. */
+    GREATEST_SPEED(17, "greatestSpeed", 0, Float.POSITIVE_INFINITY);
 
     /** The bits that stand for no value of a float. */
     public static final int NONE = Float.floatToRawIntBits(Float.NaN);
@@ -97,12 +106,12 @@ public enum CircleField {
         this.most = most;
     }
 
-    /** A float that steps read, from 0 on, or none at first. */
+    /** A float that steps read, none at first: from 0 on, or of a magnitude of up to most. */
     CircleField(int number, String label, float least, float most) {
         this.number = number;
         this.label = label;
         initial = Float.floatToRawIntBits(Float.NaN);
-        this.least = Float.floatToRawIntBits(least);
+        this.least = least < 0 ? Integer.MIN_VALUE : 0;
         greatest = Integer.MAX_VALUE;
         ofSteps = true;
         this.most = most;
@@ -182,7 +191,12 @@ public enum CircleField {
 
     /** Whether circles can rotate once one has another value than the initial one. */
     public boolean isOfTurning() {
-        return ordinal() >= FRICTION.ordinal();
+        return ordinal() >= FRICTION.ordinal() && !isOfMotion();
+    }
+
+    /** Whether circles move in another way than those of their kind once one has another value than the initial one. */
+    public boolean isOfMotion() {
+        return ordinal() >= GRAVITY_SCALE.ordinal();
     }
 
     /** Ints that a value takes. */

@@ -52,7 +52,10 @@ public enum KindField {
     ONE_WAY(13, "one-way", 0, value -> Limits.within("one-way", value, 0, 1)),
 
     /** 1 if circles never fall asleep. */
-    AWAKE(14, "awake", 0, value -> Limits.within("awake", value, 0, 1));
+    AWAKE(14, "awake", 0, value -> Limits.within("awake", value, 0, 1)),
+
+    /** 1 if its static circles sense static circles and pieces of bodies, too. */
+    SENSES_STATIC(15, "senses static", 0, value -> Limits.within("senses static", value, 0, 1));
 
     public static final List<KindField> ALL = List.of(values());
 

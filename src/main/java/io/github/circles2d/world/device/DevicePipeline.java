@@ -181,7 +181,8 @@ public final class DevicePipeline implements Pipeline {
 
     /** Those that there is memory for. */
     private Features features(boolean edges) {
-        return Features.of(edges, arrays.turning(), arrays.terrain(), arrays.joints(), arrays.sleeping());
+        return Features.of(
+                edges, arrays.turning(), arrays.terrain(), arrays.joints(), arrays.sleeping(), arrays.ownMotion());
     }
 
     private StageKernels kernelsOf(Readiness variant) {
@@ -197,6 +198,7 @@ public final class DevicePipeline implements Pipeline {
         source = features.terrain() ? source.define("TERRAIN", 1) : source;
         source = features.joints() ? source.define("JOINTS", 1) : source;
         source = features.sleeping() ? source.define("SLEEPING", 1) : source;
+        source = features.ownMotion() ? source.define("OWN_MOTION", 1) : source;
         return new StageKernels(
                 session,
                 source,
@@ -292,6 +294,9 @@ public final class DevicePipeline implements Pipeline {
             settle();
             load(tuned, loaded.edges(), reader);
         }
+        if (reader != null) {
+            reader.compile(stages);
+        }
     }
 
     /** Whether the kernels of steps report what a reader takes. Others are compiled at the first report: that takes long, and few worlds report. */
@@ -301,9 +306,10 @@ public final class DevicePipeline implements Pipeline {
                 && (stages.touches() != null) == (active && ofReports.isRecording());
     }
 
-    private void startTurning() {
-        if (!loaded.turning()) {
-            makeRoomFor(tuned, loaded.and(Features.of(false, true, false, false, false)));
+    private void start(Features features) {
+        Features all = loaded.and(features);
+        if (!all.equals(loaded)) {
+            makeRoomFor(tuned, all);
             load(tuned, loaded.edges(), reader);
         }
     }
@@ -327,6 +333,9 @@ public final class DevicePipeline implements Pipeline {
         if (features.sleeping()) {
             arrays.ensureSleeping();
         }
+        if (features.ownMotion()) {
+            arrays.ensureOwnMotion();
+        }
     }
 
     @Override
@@ -335,22 +344,23 @@ public final class DevicePipeline implements Pipeline {
         if (home.slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
-        if (!loaded.turning() && needTurning(changes)) {
-            startTurning();
-        }
+        start(features(changes));
         commands.makeRoom(changes, home.slots);
     }
 
-    private static boolean needTurning(Commands changes) {
+    private static Features features(Commands changes) {
+        boolean turning = false;
+        boolean ownMotion = false;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.operation(r);
-            if (Commands.turns(operation)
-                    || (operation == Commands.FIELD
-                            && CircleField.OF_STEPS.get(changes.first(r)).isOfTurning())) {
-                return true;
+            turning |= Commands.turns(operation);
+            if (operation == Commands.FIELD) {
+                CircleField field = CircleField.OF_STEPS.get(changes.first(r));
+                turning |= field.isOfTurning();
+                ownMotion |= field.isOfMotion();
             }
         }
-        return false;
+        return Features.of(false, turning, false, false, false, ownMotion);
     }
 
     @Override
@@ -588,9 +598,7 @@ public final class DevicePipeline implements Pipeline {
         if (from.circles > arrays.slotCapacity() || contacts > arrays.contactCapacity()) {
             stats.keep();
         }
-        if (from.turns) {
-            startTurning();
-        }
+        start(Features.of(false, from.turns, false, false, false));
         arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(contacts);

@@ -43,6 +43,8 @@ final class ReportReader implements AutoCloseable {
 
     private boolean ofPieces;
     private boolean sensed;
+    private boolean statics;
+    private boolean bodies;
     private int seekingVersion;
 
     /** The half that the steps of the batch write into, and whether it has one. */
@@ -98,6 +100,8 @@ final class ReportReader implements AutoCloseable {
         recording = k.recording;
         ofPieces = k.pieces;
         sensed = k.sensing;
+        statics = k.statics;
+        bodies = k.bodies;
         seekingVersion = k.seekingVersion;
     }
 
@@ -106,6 +110,8 @@ final class ReportReader implements AutoCloseable {
         return recording == k.recording
                 && ofPieces == k.pieces
                 && sensed == k.sensing
+                && statics == k.statics
+                && bodies == k.bodies
                 && seekingVersion == k.seekingVersion;
     }
 
@@ -122,6 +128,13 @@ final class ReportReader implements AutoCloseable {
     /** Whether the device has something to decide. */
     boolean isActive() {
         return recording || sensed;
+    }
+
+    /** Compiles what only the steps of some worlds need. None are pending. */
+    void compile(Stages stages) {
+        if (sensed) {
+            stages.sensing().prepare(statics, bodies);
+        }
     }
 
     /** Makes ready for the steps to come, whose kernels are loaded and bound; none are pending. */

@@ -49,6 +49,9 @@ final class StateTransfer {
         /** Traits with the inverse masses that steps see. */
         private final float[] traits;
 
+        /** Empty unless circles move in another way than those of their kind. */
+        private final int[] motion;
+
         /** Null in a world without terrain. */
         private final PieceTransfer.Room pieces;
 
@@ -62,7 +65,8 @@ final class StateTransfer {
             fields = FieldsStruct.room(from.ids);
             boolean turning = arrays.turning();
             turn = new int[turning ? TURN_INTS * from.circles : 0];
-            own = new int[turning ? FieldsStruct.TURNING_STRIDE * from.circles : 0];
+            own = new int[turning ? FieldsStruct.STRIDE * from.circles : 0];
+            motion = new int[arrays.ownMotion() ? FieldsStruct.STRIDE * from.ids : 0];
             cachedRows = new float[turning ? ContactRows.of(from.impulses) : 0];
             sleep = new int[arrays.sleeping() ? Readback.SLEEP_INTS * from.circles : 0];
             traits = new float[arrays.sleeping() ? FLOATS * from.circles : 0];
@@ -322,6 +326,10 @@ final class StateTransfer {
         }
         if (arrays.sleeping()) {
             loadSleep(from, arrays, links);
+        }
+        if (arrays.ownMotion()) {
+            FieldsStruct.packMotion(from.fields, links.motion);
+            arrays.get(DeviceArray.OWN_MOTION).write(0, IntBuffer.wrap(links.motion));
         }
         if (arrays.terrain()) {
             links.pieces.load(from, arrays);

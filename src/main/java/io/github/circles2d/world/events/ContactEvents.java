@@ -136,7 +136,9 @@ public final class ContactEvents {
         reported.resolve(kinds, circles, pieces);
         boolean ofPieces = reported.piecesOfCircles();
         boolean records = reported.solids() || reported.wallsOfCircles() || ofPieces;
-        reports.set(records, ofPieces, reported.senses(), reported.seeking(), reported.seekingVersion());
+        boolean senses = reported.senses() || reported.bodies();
+        reports.set(records, ofPieces, senses, reported.seeking(), reported.seekingVersion());
+        reports.setStatics(reported.statics(), reported.bodies(), reported.asking());
     }
 
     /** Makes room for {@link #report}. */

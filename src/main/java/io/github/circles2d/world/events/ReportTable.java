@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
+import io.github.circles2d.world.model.StepReports;
 import java.util.Arrays;
 
 /**
@@ -46,6 +47,13 @@ final class ReportTable {
 
     /** A bit by kind: whether there are circles of it. */
     private final long[] living = new long[ROW];
+
+    /** A bit by kind: whether it asks for pairs that do not move. */
+    private final long[] asking = new long[ROW];
+
+    private boolean asks;
+    private boolean statics;
+    private boolean bodies;
 
     private boolean seeks;
     private boolean solids;
@@ -157,10 +165,14 @@ final class ReportTable {
     /** Finds out whether something of circles and pieces that there are is reported. */
     private void resolvePieces(KnownCircles circles, KnownPieces pieces) {
         piecesOfCircles = false;
+        bodies = false;
         for (int piece = 0; piece < KINDS; piece++) {
             for (int kind = 0; kind < KINDS && pieces.has(piece); kind++) {
-                long row = solidWith[ROW * kind + piece / Long.SIZE] | senseWith[ROW * kind + piece / Long.SIZE];
+                long sensed = senseWith[ROW * kind + piece / Long.SIZE];
+                long row = solidWith[ROW * kind + piece / Long.SIZE] | sensed;
                 piecesOfCircles |= circles.has(kind) && (row & 1L << piece) != 0;
+                boolean asked = StepReports.asks(asking, kind) || StepReports.asks(asking, piece);
+                bodies |= asked && circles.has(kind) && (sensed & 1L << piece) != 0;
             }
         }
     }
@@ -173,6 +185,12 @@ final class ReportTable {
         }
         Arrays.fill(solidWith, 0);
         Arrays.fill(senseWith, 0);
+        asks = false;
+        for (int kind = 0; kind < KINDS; kind++) {
+            boolean own = kinds.get(KindField.SENSES_STATIC, kind) != 0;
+            asking[kind / Long.SIZE] = asking[kind / Long.SIZE] & ~(1L << kind) | (own ? 1L << kind : 0);
+            asks |= own;
+        }
         for (int a = 0; a < KINDS && some; a++) {
             for (int b = 0; b < KINDS; b++) {
                 resolve(kinds, a, b);
@@ -195,10 +213,13 @@ final class ReportTable {
         }
         solids = false;
         senses = false;
+        statics = false;
         for (int kind = 0; kind < KINDS; kind++) {
             for (int k = 0; k < ROW && circles.has(kind); k++) {
+                boolean sensed = (senseWith[ROW * kind + k] & living[k]) != 0;
                 solids |= (solidWith[ROW * kind + k] & living[k]) != 0;
-                senses |= (senseWith[ROW * kind + k] & living[k]) != 0;
+                senses |= sensed;
+                statics |= sensed && StepReports.asks(asking, kind);
             }
         }
     }
@@ -238,6 +259,21 @@ final class ReportTable {
     /** Whether something of pairs of circles that there are, and that are only sensed, is. */
     boolean senses() {
         return senses;
+    }
+
+    /** Whether static circles that there are sense others. */
+    boolean statics() {
+        return statics;
+    }
+
+    /** Whether static circles that there are sense pieces that there are, if these are of bodies. */
+    boolean bodies() {
+        return bodies;
+    }
+
+    /** Bits by kind, whether its static circles sense others, too; null if none do. Valid until the next change. */
+    long[] asking() {
+        return asks ? asking : null;
     }
 
     /** By pair of kinds, who looks for whom: by {@link SensorRule}; valid until the next change. */

@@ -26,7 +26,6 @@ import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
-import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
@@ -80,7 +79,6 @@ final class CirclePasses {
         float[] traits = state.traits;
         float[] load = state.load;
         float[] circle = state.circle;
-        float[] kinds = state.kindMotion;
         Turning turning = k.turning ? state.turning : null;
         float h = k.h;
         float inverseH = k.inverseH;
@@ -100,12 +98,12 @@ final class CirclePasses {
             float wallY = traits[s + WALL_Y];
             float vx = m[s + VX] + k.gravityStepX;
             float vy = m[s + VY] + k.gravityStepY;
-            if (kinds != null) {
+            if (state.kindMotion != null) {
                 int row = state.motionRow(slot);
-                float factor = kinds[row + KindMotion.DAMPING_FACTOR];
+                float factor = state.dampingFactor(slot, row, k);
                 vx = Velocity.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
                 vy = Velocity.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
-                float share = Velocity.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
+                float share = Velocity.shareWithin(vx, vy, state.greatestSpeed(slot, row));
                 vx = share * vx;
                 vy = share * vy;
             }

@@ -45,7 +45,7 @@ final class FallingAsleep {
         float gainY = state.gainY(slot, k);
         float gain = CircleMath.length(gainX, gainY);
         int kind = KindSleep.of(state.fields.getInt(CircleField.KIND, id));
-        float damping = kinds[kind + KindSleep.DAMPING];
+        float damping = CircleMath.orOfKind(state.own(CircleField.DAMPING, slot), kinds[kind + KindSleep.DAMPING]);
         float most = Sleep.drift(r, gain, k.inverseH, damping);
         boolean mayRest = (gain > 0f || damping > 0f)
                 && kinds[kind + KindSleep.AWAKE] == 0f

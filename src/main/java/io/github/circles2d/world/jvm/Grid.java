@@ -7,6 +7,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
@@ -299,9 +300,14 @@ public final class Grid {
                 int row = state.motionRow(slot);
                 float falls = kinds[row + KindMotion.FALLS];
                 float time = kinds[row + KindMotion.TIME];
+                if (!Float.isNaN(state.own(CircleField.DAMPING, slot))) {
+                    float factor = state.dampingFactor(slot, row, constants);
+                    falls = Velocity.dampedFalls(factor, constants.subSteps);
+                    time = Velocity.dampedTime(factor, constants.subSteps, constants.h, constants.dt);
+                }
                 px = Velocity.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
                 py = Velocity.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
-                float most = Velocity.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
+                float most = Velocity.shareWithin(px, py, state.greatestSpeed(slot, row) * constants.dt);
                 px = most * px;
                 py = most * py;
                 length = CircleMath.length(px, py);

@@ -187,9 +187,11 @@ public final class JvmPipeline implements Pipeline {
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
+        state.ownMotion = constants.ownMotion;
         if (constants.turning) {
             state.turning.surfaces = input.surfaces.rows;
         }
+        state.asking = recorder == null ? null : recorder.asking(reports);
         Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
         solver.record(touches);
@@ -207,7 +209,7 @@ public final class JvmPipeline implements Pipeline {
         if (state.sleepers != null) {
             waking.settle(constants, terrain, pieces);
         }
-        state.resting.settle(constants, jointStep);
+        state.resting.settle(constants, jointStep, reports.seekingVersion);
         makeRoom();
     }
 

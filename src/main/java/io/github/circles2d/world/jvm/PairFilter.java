@@ -38,10 +38,11 @@ final class PairFilter {
         return false;
     }
 
-    /** Whether the circles of two slots may be noticed, if their kinds say so: not two static ones, nor two of one group. */
-    static boolean maySense(State state, int slot, int other) {
-        return !(state.isStatic(slot) && state.isStatic(other))
-                && !areOfOneGroup(state, state.id[slot], state.id[other]);
+    /** Whether the circles of two slots may be noticed, if their kinds say so: not two static ones unless a kind asks, nor two of one group. */
+    static boolean maySense(State state, int slot, int other, boolean asked) {
+        boolean still = state.isStatic(slot) && state.isStatic(other);
+        boolean known = asked && !state.isAsleep(slot) && !state.isAsleep(other);
+        return (!still || known) && !areOfOneGroup(state, state.id[slot], state.id[other]);
     }
 
     private static boolean areOfOneGroup(State state, int id, int otherId) {

@@ -178,7 +178,7 @@ final class PieceMeasure {
         rows[k + OY] = localY;
         if (contacts.numbers[number + RESPONSE] == PairTable.SENSE && !isTwoSided(c, shape)) {
             if (boundary == 0) {
-                rows[k + SIDE] = sensedSide(row, shape, r, side);
+                rows[k + SIDE] = sensedSide(contacts.pieces, row, shape, localX, localY, r, side);
             }
             leave(c);
             return false;
@@ -240,11 +240,11 @@ final class PieceMeasure {
     }
 
     /** As the step begins: where a circle comes from, which a piece with a front only senses. Who touches it is on its way. */
-    private float sensedSide(int row, int shape, float r, float side) {
-        if (PieceGap.distance(contacts.pieces, row, shape, localX, localY) <= r) {
+    static float sensedSide(float[] pieces, int row, int shape, float ox, float oy, float r, float side) {
+        if (PieceGap.distance(pieces, row, shape, ox, oy) <= r) {
             return side;
         }
-        return PieceGap.isInFront(contacts.pieces, row, shape, localX, localY) ? 1f : 0f;
+        return PieceGap.isInFront(pieces, row, shape, ox, oy) ? 1f : 0f;
     }
 
     /** A vertex under which another piece has its face is no constraint. */

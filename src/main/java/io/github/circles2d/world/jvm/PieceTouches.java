@@ -13,13 +13,10 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.Partner;
 import io.github.circles2d.world.events.TouchRecords;
-import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceGap;
-import io.github.circles2d.world.model.PieceRow;
-import io.github.circles2d.world.model.PieceSensor;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.TouchRule;
@@ -125,13 +122,25 @@ final class PieceTouches {
         rows[t + POINT_Y] = TouchRule.touchPoint(state.circle[s + Y], dy, -1f * ny, r, gap);
     }
 
-    void endStep(TouchRecords records, PieceGap found, int from, int to, TerrainStep terrain, StepConstants k) {
+    void endStep(TouchRecords records, SensedPiece sensed, int from, int to, TerrainStep terrain, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             if (state.traits[CircleRow.of(slot) + INVERSE_MASS] != 0f) {
                 int end = contacts.first[slot] + contacts.count[slot];
                 for (int c = contacts.first[slot]; c < end; c++) {
                     if (senses(c)) {
-                        endSensed(records, found, slot, c, terrain, k);
+                        int row = PieceContactRow.of(c);
+                        sensed.tell(
+                                records,
+                                state.id[slot],
+                                contacts.piece(c),
+                                rows[STRIDE * c + START_X],
+                                rows[STRIDE * c + START_Y],
+                                contacts.rows[row + PieceContactRow.OX],
+                                contacts.rows[row + PieceContactRow.OY],
+                                state.circle[CircleRow.of(slot) + RADIUS],
+                                contacts.rows[row + PieceContactRow.SIDE],
+                                terrain,
+                                k);
                     } else {
                         endSolid(records, slot, c, k);
                     }
@@ -187,73 +196,6 @@ final class PieceTouches {
                     vn,
                     threshold);
         }
-    }
-
-    private void endSensed(
-            TouchRecords records, PieceGap found, int slot, int c, TerrainStep terrain, StepConstants k) {
-        int t = STRIDE * c;
-        int row = PieceContactRow.of(c);
-        int piece = contacts.piece(c);
-        int at = PieceRow.of(piece);
-        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-        float r = state.circle[CircleRow.of(slot) + RADIUS];
-        float ox = rows[t + START_X];
-        float oy = rows[t + START_Y];
-        float endX = contacts.rows[row + PieceContactRow.OX];
-        float endY = contacts.rows[row + PieceContactRow.OY];
-        float ux = endX - ox;
-        float uy = endY - oy;
-        boolean twoSided = PieceMeasure.isTwoSided(terrain, piece, shape);
-        boolean behind = !twoSided && !(contacts.rows[row + PieceContactRow.SIDE] > 0f);
-        float side = twoSided && !PieceGap.isInFront(terrain.rows, at, shape, ox, oy) ? -1f : 1f;
-        float time = behind
-                ? PieceSensor.timeOfReturn(terrain.rows, at, shape, ox, oy, ux, uy, r)
-                : PieceSensor.timeOfSensing(terrain.rows, at, shape, ox, oy, ux, uy, r);
-        boolean touches = time <= 1f;
-        if (!touches) {
-            float gap = PieceGap.distance(terrain.rows, at, shape, endX, endY) - r;
-            if (behind || !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
-                return;
-            }
-            time = 1f;
-        }
-        float x = ox + time * ux;
-        float y = oy + time * uy;
-        found.measure(terrain.rows, at, shape, x, y, r, side);
-        float vn = (found.nx * ux + found.ny * uy) / k.dt;
-        float away = r + 0.5f * found.gap;
-        rows[t + APPROACH] = TouchRule.approachSpeed(vn);
-        rows[t + SLIP] = 0f;
-        place(c, found, x - away * found.nx, y - away * found.ny, piece, terrain, k);
-        tell(records, slot, c, touches, 0f, vn, Float.MAX_VALUE);
-    }
-
-    /** Notes a place in the frame of a piece, which may have moved: where it is after the step. */
-    private void place(int c, PieceGap found, float x, float y, int piece, TerrainStep terrain, StepConstants k) {
-        int t = STRIDE * c;
-        int at = PieceRow.of(piece);
-        int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
-        float atX = terrain.rows[at + PieceRow.X];
-        float atY = terrain.rows[at + PieceRow.Y];
-        if (motion == 0) {
-            rows[t + NORMAL_X] = found.nx;
-            rows[t + NORMAL_Y] = found.ny;
-            rows[t + POINT_X] = atX + x;
-            rows[t + POINT_Y] = atY + y;
-            return;
-        }
-        float[] bodies = terrain.motion;
-        int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(k.subSteps);
-        float cos = bodies[pose + BodyRow.COS];
-        float sin = bodies[pose + BodyRow.SIN];
-        float pivotX = terrain.rows[at + PieceRow.PIVOT_X];
-        float pivotY = terrain.rows[at + PieceRow.PIVOT_Y];
-        float px = x - pivotX;
-        float py = y - pivotY;
-        rows[t + NORMAL_X] = cos * found.nx - sin * found.ny;
-        rows[t + NORMAL_Y] = sin * found.nx + cos * found.ny;
-        rows[t + POINT_X] = ((atX + pivotX) + bodies[pose + BodyRow.DX]) + (cos * px - sin * py);
-        rows[t + POINT_Y] = ((atY + pivotY) + bodies[pose + BodyRow.DY]) + (sin * px + cos * py);
     }
 
     /** Memory of the arrays. */

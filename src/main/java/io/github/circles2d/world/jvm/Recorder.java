@@ -17,6 +17,10 @@ final class Recorder {
     private final Touches touches;
     private final Sensing sensing;
 
+    /** Null as long as static circles have sensed no pieces. */
+    private StaticPieces staticPieces;
+
+    private final GridLevels levels;
     private final TouchRecords[] records;
 
     private final Team.Work beginSensing = this::beginSensing;
@@ -34,6 +38,7 @@ final class Recorder {
         this.contacts = contacts;
         this.team = team;
         this.events = events;
+        this.levels = levels;
         sensing = new Sensing(state, grid, levels, team, events);
         records = new TouchRecords[team.most()];
         for (int worker = 0; worker < records.length; worker++) {
@@ -46,6 +51,11 @@ final class Recorder {
     /** Before the first step of which it tells. */
     void start() {
         touches.recordWalls(events.hasWalls());
+    }
+
+    /** Bits by kind, whether its static circles look at others in such a step; null if none do. */
+    long[] asking(StepReports ofStep) {
+        return ofStep.statics || ofStep.bodies ? ofStep.asking : null;
     }
 
     /** What records contacts and walls in such a step; null if nothing does. */
@@ -64,6 +74,9 @@ final class Recorder {
         }
         if (reports.sensing) {
             sensing.ensure(reports);
+        }
+        if (reports.bodies && staticPieces == null) {
+            staticPieces = new StaticPieces(state, sensing, levels, team, events);
         }
     }
 
@@ -84,6 +97,9 @@ final class Recorder {
         if (reports.sensing) {
             team.all(measureSensed);
             sensing.settle();
+        }
+        if (sensesBodies()) {
+            staticPieces.begin(reports, terrain, constants);
         }
         team.all(recordAll);
         if (state.sleepers != null && state.sleepers.count > 0) {
@@ -111,6 +127,13 @@ final class Recorder {
         if (reports.sensing) {
             sensing.find(worker, records[worker], from, to, constants);
         }
+        if (sensesBodies()) {
+            staticPieces.find(worker, records[worker], from, to);
+        }
+    }
+
+    private boolean sensesBodies() {
+        return reports.bodies && constants.terrain && terrain.groundNodes < terrain.nodes;
     }
 
     private void stamp(int worker) {

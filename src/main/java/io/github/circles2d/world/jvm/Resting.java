@@ -74,6 +74,11 @@ final class Resting {
 
     private int heldVersion = -1;
 
+    /** Which kinds do not let their circles rest, as was looked at last. */
+    private long[] asking;
+
+    private int askingVersion;
+
     /** Whether some circle may have come to rest. */
     private volatile boolean proposed;
 
@@ -131,11 +136,12 @@ final class Resting {
     // ---- who rests
     // --------------------------------------------------------------------------------------------------
 
-    /** Before a step: wakes the circles that it may change, and lets those rest that it does not. */
-    void settle(StepConstants k, JointStep joints) {
+    /** Before a step, of a version of what kinds sense: wakes the circles that it may change, and lets those rest that it does not. */
+    void settle(StepConstants k, JointStep joints, int ofKinds) {
         if (isOff) {
             return;
         }
+        wakeAsking(ofKinds);
         wakeHeld(k.joints ? joints : null);
         if (size > 0 && (!isInside(k.bounds) || state.wraps && arena != null && k.arena.differs(arena))) {
             wakeMoved(k);
@@ -189,6 +195,22 @@ final class Resting {
         }
     }
 
+    /** Wakes the circles that look at static ones from now on; others may rest. */
+    private void wakeAsking(int version) {
+        if (state.asking == asking && (asking == null || version == askingVersion)) {
+            return;
+        }
+        asking = state.asking;
+        askingVersion = version;
+        proposed = true;
+        for (int slot = state.awake; slot < state.n; slot++) {
+            if (state.asks(slot)) {
+                // brings one here that has been looked at
+                state.wake(slot);
+            }
+        }
+    }
+
     private boolean isInside(Bounds b) {
         return b.minX() <= lowX && highX <= b.maxX() && b.minY() <= lowY && highY <= b.maxY();
     }
@@ -221,7 +243,8 @@ final class Resting {
                 && CircleMath.laps(state.circle[s + Y], k.arena.minY(), k.arena.periodY()) == 0f
                 && (state.turning == null || isZero(state.turning.angularVelocity[slot]))
                 && (state.pieces == null || state.pieces.count[slot] == 0)
-                && !isHeld(state.id[slot]);
+                && !isHeld(state.id[slot])
+                && !state.asks(slot);
     }
 
     private static boolean isZero(float value) {

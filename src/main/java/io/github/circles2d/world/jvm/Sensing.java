@@ -72,6 +72,12 @@ final class Sensing {
 
     private int version = -1;
 
+    /** Bits by kind, whether its static circles look at static ones, too; null if none do. */
+    private long[] asking;
+
+    /** By kind: whether it or a kind that it senses asks for that; null as long as none has. */
+    private boolean[] meetsStatic;
+
     /** By pair of kinds, who looks for whom. */
     private final int[] seeking = new int[PairTable.WORDS];
 
@@ -96,6 +102,11 @@ final class Sensing {
     }
 
     void ensure(StepReports reports) {
+        asking = reports.asking;
+        if (asking != null && meetsStatic == null) {
+            meetsStatic = new boolean[PairTable.KINDS];
+            version = -1;
+        }
         learn(reports);
         if (kind.length < state.capacity()) {
             float[] newStart = new float[CircleRow.vector(state.capacity())];
@@ -129,12 +140,23 @@ final class Sensing {
         kindCount = 0;
         for (int a = 0; a < PairTable.KINDS; a++) {
             takesPart[a] = false;
+            boolean some = false;
             for (int b = 0; b < PairTable.KINDS; b++) {
-                takesPart[a] |= PairTable.get(sensed, a, b) != SensorRule.NONE;
+                boolean meets = PairTable.get(sensed, a, b) != SensorRule.NONE;
+                takesPart[a] |= meets;
+                some |= meets && asks(a, b);
+            }
+            if (meetsStatic != null) {
+                meetsStatic[a] = some;
             }
             kinds[kindCount] = a;
             kindCount += takesPart[a] ? 1 : 0;
         }
+    }
+
+    /** Whether static circles of two kinds that sense each other do. */
+    private boolean asks(int a, int b) {
+        return asking != null && (StepReports.asks(asking, a) || StepReports.asks(asking, b));
     }
 
     /** Once circles are where the step leaves them: notes how far some slots reach, and counts their kinds. */
@@ -202,7 +224,7 @@ final class Sensing {
             if (seeks[kind[slot]] || isFast(slot)) {
                 look(nearby[worker], records, slot, k);
             }
-            if (state.awake < state.n && !state.isStatic(slot)) {
+            if (state.awake < state.n && (!state.isStatic(slot) || state.asks(slot))) {
                 lookAtResting(resting[worker], records, slot, k);
             }
         }
@@ -224,19 +246,43 @@ final class Sensing {
                 CircleMath.max(y, toY) + margin);
         for (int n = 0; n < found.count; n++) {
             int other = found.slots[n];
-            begin(other, other + 1);
-            measure(other);
+            measureResting(other);
             lookAt(records, slot, other, other + 1, k);
             lookAt(records, other, slot, slot + 1, k);
         }
     }
 
-    private float pathX(int slot) {
+    /** Measures a circle that rests. Several workers may do it at once. */
+    void measureResting(int slot) {
+        begin(slot, slot + 1);
+        measure(slot);
+    }
+
+    int kind(int slot) {
+        return kind[slot];
+    }
+
+    /** Whether circles of the kind of a slot sense others. */
+    boolean takesPart(int slot) {
+        return takesPart[kind[slot]];
+    }
+
+    /** Where a circle was as the step began. */
+    float startX(int slot) {
+        return start[CircleRow.vector(slot) + X];
+    }
+
+    float startY(int slot) {
+        return start[CircleRow.vector(slot) + Y];
+    }
+
+    /** How far a circle has gone in the step. */
+    float pathX(int slot) {
         float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
         return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
     }
 
-    private float pathY(int slot) {
+    float pathY(int slot) {
         float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
         return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
     }
@@ -252,6 +298,7 @@ final class Sensing {
         float toX = x + pathX(slot);
         float toY = y + pathY(slot);
         float fast = isFast(slot) ? path[slot] : 0f;
+        boolean statics = !state.isStatic(slot) || asking != null && meetsStatic[kind[slot]];
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             // a slow circle finds slow ones, a fast one also those that are not as fast
@@ -260,7 +307,7 @@ final class Sensing {
             float below = CircleMath.min(y, toY) - margin;
             float right = CircleMath.max(x, toX) + margin;
             float above = CircleMath.max(y, toY) + margin;
-            near.begin(level, left, right, below, above, !state.isStatic(slot));
+            near.begin(level, left, right, below, above, statics);
             while (near.next()) {
                 lookAt(records, slot, near.from, near.to, k);
             }
@@ -289,7 +336,7 @@ final class Sensing {
     private boolean finds(int slot, int other) {
         int row = PairTable.get(seeking, kind[slot], kind[other]);
         return row != SensorRule.NONE
-                && PairFilter.maySense(state, slot, other)
+                && PairFilter.maySense(state, slot, other, asks(kind[slot], kind[other]))
                 && SensorRule.findsSensed(
                         row, isFast(slot), path[slot], state.id[slot], isFast(other), path[other], state.id[other]);
     }

@@ -25,6 +25,7 @@ import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 import io.github.circles2d.world.model.Walls;
@@ -98,6 +99,9 @@ public final class State implements ContactEvents.Sleepers {
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
 
+    /** Within a step: whether circles may have values of their own in place of those of {@link #kindMotion}. */
+    boolean ownMotion;
+
     /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain CircleMath#shortWay the short way}. */
     boolean wraps;
 
@@ -111,6 +115,9 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
     int[] responses;
+
+    /** Of the last step: bits by kind, whether its static circles look at others, and so never rest; null if none do. */
+    long[] asking;
 
     /** What circles need to rotate; null as long as they cannot. */
     Turning turning;
@@ -375,6 +382,9 @@ public final class State implements ContactEvents.Sleepers {
 
     /** A field of a circle has changed. */
     private void changed(CircleField field, int circleId) {
+        if (asking != null && field == CircleField.KIND) {
+            wake(slotOf[circleId]);
+        }
         if (sleepers == null) {
             return;
         }
@@ -383,6 +393,7 @@ public final class State implements ContactEvents.Sleepers {
                 sleepers.restart(wake(slotOf[circleId]));
                 wakeNear(slotOf[circleId]);
             }
+            case GRAVITY_SCALE, DAMPING, GREATEST_SPEED -> sleepers.restart(wake(slotOf[circleId]));
             default -> sleepers.suspect(circleId); // its force
         }
     }
@@ -678,6 +689,26 @@ public final class State implements ContactEvents.Sleepers {
         return KindMotion.of(fields.getInt(CircleField.KIND, id[slot]));
     }
 
+    /** What a circle has of its own in place of its kind's, or NaN. */
+    float own(CircleField field, int slot) {
+        return ownMotion ? fields.getFloat(field, id[slot]) : Float.NaN;
+    }
+
+    private float gravityGain(int slot, int ofKind, float gravity, StepConstants k) {
+        float scale = own(CircleField.GRAVITY_SCALE, slot);
+        return Float.isNaN(scale) ? kindMotion[motionRow(slot) + ofKind] : Velocity.gravityGain(gravity, scale, k.h);
+    }
+
+    /** The share of a circle's velocity that a sub-step leaves; row: of its kind. */
+    float dampingFactor(int slot, int row, StepConstants k) {
+        float own = Velocity.dampingFactor(own(CircleField.DAMPING, slot), k.h);
+        return CircleMath.orOfKind(own, kindMotion[row + KindMotion.DAMPING_FACTOR]);
+    }
+
+    float greatestSpeed(int slot, int row) {
+        return CircleMath.orOfKind(own(CircleField.GREATEST_SPEED, slot), kindMotion[row + KindMotion.GREATEST_SPEED]);
+    }
+
     /** What gravity and a force add to a circle's speed along x in a sub-step. */
     float gainX(int slot, StepConstants k) {
         return gainX(slot, traits[CircleRow.of(slot) + INVERSE_MASS], k);
@@ -687,7 +718,7 @@ public final class State implements ContactEvents.Sleepers {
     float gainX(int slot, float w, StepConstants k) {
         return kindMotion == null
                 ? k.gravityStepX
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, w, k);
+                : gain(slot, gravityGain(slot, KindMotion.GAIN_X, k.gravityX, k), CircleField.FORCE_X, w, k);
     }
 
     /** What gravity and a force add to a circle's speed along y in a sub-step. */
@@ -699,7 +730,7 @@ public final class State implements ContactEvents.Sleepers {
     float gainY(int slot, float w, StepConstants k) {
         return kindMotion == null
                 ? k.gravityStepY
-                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, w, k);
+                : gain(slot, gravityGain(slot, KindMotion.GAIN_Y, k.gravityY, k), CircleField.FORCE_Y, w, k);
     }
 
     private float gain(int slot, float gravityGain, CircleField force, float w, StepConstants k) {
@@ -742,6 +773,19 @@ public final class State implements ContactEvents.Sleepers {
     /** Whether a circle has an infinite mass. */
     boolean isStatic(int slot) {
         return traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
+    }
+
+    /** Whether a circle is static, and looks at others that are. */
+    boolean asks(int slot) {
+        return asking != null && isStatic(slot) && !isAsleep(slot) && StepReports.asks(asking, kind(slot));
+    }
+
+    boolean isAsleep(int slot) {
+        return sleepers != null && sleepers.isAsleep(id[slot]);
+    }
+
+    private int kind(int slot) {
+        return fields.getInt(CircleField.KIND, id[slot]);
     }
 
     /** How far a circle may leave its free path if nothing is in its way. */

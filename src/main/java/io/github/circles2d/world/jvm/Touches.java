@@ -20,7 +20,6 @@ import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.TouchRule;
@@ -74,7 +73,7 @@ final class Touches {
     PieceTouches pieces;
 
     private PieceTouches ofPieces;
-    private final PieceGap[] gaps;
+    private final SensedPiece[] sensedPieces;
 
     /** By worker: what it tells of the step. */
     private final TouchRecords[] records;
@@ -122,7 +121,7 @@ final class Touches {
         this.records = records;
         ofWalls = new WallTouches(state, events);
         listed = new int[team.most()][64];
-        gaps = new PieceGap[team.most()];
+        sensedPieces = new SensedPiece[team.most()];
         count = new int[team.most()];
         fast = new int[team.most()][BLOCK];
     }
@@ -135,8 +134,8 @@ final class Touches {
     /** Whether pieces of terrain are recorded, which a world may get at any time. */
     void recordPieces(boolean some) {
         if (some && ofPieces == null) {
-            for (int worker = 0; worker < gaps.length; worker++) {
-                gaps[worker] = new PieceGap();
+            for (int worker = 0; worker < sensedPieces.length; worker++) {
+                sensedPieces[worker] = new SensedPiece(events);
             }
             ofPieces = new PieceTouches(state, events);
         }
@@ -464,7 +463,7 @@ final class Touches {
             walls.endStep(records[worker], fromSlot, toSlot, k);
         }
         if (pieces != null) {
-            pieces.endStep(records[worker], gaps[worker], fromSlot, toSlot, terrain, k);
+            pieces.endStep(records[worker], sensedPieces[worker], fromSlot, toSlot, terrain, k);
         }
     }
 

@@ -9,6 +9,7 @@ import static io.github.circles2d.world.model.CircleRow.TURNED;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.KindSurface;
@@ -123,9 +124,9 @@ final class Turning {
             int own = KindSurface.of(slot);
             KindSurface.copy(surfaces, kind, circleSurfaces, slot);
             circleSurfaces[own + KindSurface.FRICTION] =
-                    Surface.orOfKind(friction, circleSurfaces[own + KindSurface.FRICTION]);
+                    CircleMath.orOfKind(friction, circleSurfaces[own + KindSurface.FRICTION]);
             circleSurfaces[own + KindSurface.ROLLING_RESISTANCE] =
-                    Surface.orOfKind(resistance, circleSurfaces[own + KindSurface.ROLLING_RESISTANCE]);
+                    CircleMath.orOfKind(resistance, circleSurfaces[own + KindSurface.ROLLING_RESISTANCE]);
             spin[s + SURFACE_SPEED] = angularVelocity[slot] * state.circle[s + RADIUS];
             spin[s + SPIN_IMPULSE] = 0f;
             spin[s + TURNED] = 0f;

@@ -69,6 +69,11 @@ public final class CircleMath {
         return 1f / mass;
     }
 
+    /** A circle's own value, or that of its kind if it is NaN; likewise of a kind and the world. */
+    public static float orOfKind(float own, float ofKind) {
+        return Float.isNaN(own) ? ofKind : own;
+    }
+
     /** The displacement that keeps the sum in a range. */
     public static float within(float base, float displacement, float low, float high) {
         float x = base + displacement;

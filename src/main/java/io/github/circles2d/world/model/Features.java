@@ -1,28 +1,46 @@
 package io.github.circles2d.world.model;
 
 /** What a pipeline must be ready for; worlds that do without pay nothing. */
-public record Features(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
+public record Features(
+        boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping, boolean ownMotion) {
     /** All that there are: to make one in each restored frame would be garbage. */
-    private static final Features[] ALL = new Features[32];
+    private static final Features[] ALL = new Features[64];
 
     static {
         for (int bits = 0; bits < ALL.length; bits++) {
-            ALL[bits] =
-                    new Features((bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0);
+            ALL[bits] = new Features(
+                    (bits & 1) != 0,
+                    (bits & 2) != 0,
+                    (bits & 4) != 0,
+                    (bits & 8) != 0,
+                    (bits & 16) != 0,
+                    (bits & 32) != 0);
         }
     }
 
     /** A walled world of circles that neither turn nor sleep. */
     public static final Features NONE = ALL[0];
 
-    /** What circles need that never sleep. */
+    /** What circles need that never sleep, and move as their kinds say. */
     public Features(boolean edges, boolean turning, boolean terrain, boolean joints) {
-        this(edges, turning, terrain, joints, false);
+        this(edges, turning, terrain, joints, false, false);
+    }
+
+    /** Always the same object for the same values, of circles that move as their kinds say. */
+    public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
+        return of(edges, turning, terrain, joints, sleeping, false);
     }
 
     /** Always the same object for the same values. */
-    public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
-        return ALL[(edges ? 1 : 0) | (turning ? 2 : 0) | (terrain ? 4 : 0) | (joints ? 8 : 0) | (sleeping ? 16 : 0)];
+    public static Features of(
+            boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping, boolean ownMotion) {
+        return ALL[
+                (edges ? 1 : 0)
+                        | (turning ? 2 : 0)
+                        | (terrain ? 4 : 0)
+                        | (joints ? 8 : 0)
+                        | (sleeping ? 16 : 0)
+                        | (ownMotion ? 32 : 0)];
     }
 
     /** Both together. */
@@ -32,6 +50,7 @@ public record Features(boolean edges, boolean turning, boolean terrain, boolean 
                 turning || other.turning,
                 terrain || other.terrain,
                 joints || other.joints,
-                sleeping || other.sleeping);
+                sleeping || other.sleeping,
+                ownMotion || other.ownMotion);
     }
 }

@@ -15,10 +15,11 @@ public final class KindMotion {
     /** Path per velocity. */
     public static final int TIME = 4;
 
-    /** By {@link StepConstants#falls}. */
+    /** How often a sub-step's gain moves a circle in a step. */
     public static final int FALLS = 5;
 
-    public static final int LONGEST_PATH = 6;
+    /** Kernels read it; the passes of the JVM compute it. */
+    private static final int LONGEST_PATH = 6;
 
     public static final int STRIDE = 8;
 
@@ -70,25 +71,13 @@ public final class KindMotion {
 
     private void set(int kind, StepConstants k, float gravityScale, float damping, float greatestSpeed) {
         int row = of(kind);
-        float factor = 1f / (1f + damping * k.h);
-        rows[row + GAIN_X] = Velocity.limitSpeed(k.gravityX * gravityScale) * k.h;
-        rows[row + GAIN_Y] = Velocity.limitSpeed(k.gravityY * gravityScale) * k.h;
+        float factor = Velocity.dampingFactor(damping, k.h);
+        rows[row + GAIN_X] = Velocity.gravityGain(k.gravityX, gravityScale, k.h);
+        rows[row + GAIN_Y] = Velocity.gravityGain(k.gravityY, gravityScale, k.h);
         rows[row + DAMPING_FACTOR] = factor;
         rows[row + GREATEST_SPEED] = greatestSpeed;
-        rows[row + TIME] = k.dt;
-        rows[row + FALLS] = StepConstants.falls(k.subSteps);
+        rows[row + TIME] = Velocity.dampedTime(factor, k.subSteps, k.h, k.dt);
+        rows[row + FALLS] = Velocity.dampedFalls(factor, k.subSteps);
         rows[row + LONGEST_PATH] = greatestSpeed * k.dt;
-        if (factor != 1f) {
-            float power = 1f;
-            float powers = 0f;
-            float falls = 0f;
-            for (int subStep = 0; subStep < k.subSteps; subStep++) {
-                power *= factor;
-                powers += power;
-                falls += powers;
-            }
-            rows[row + TIME] = k.h * powers;
-            rows[row + FALLS] = falls;
-        }
     }
 }

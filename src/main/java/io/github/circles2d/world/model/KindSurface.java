@@ -89,9 +89,9 @@ public final class KindSurface {
             rows[row + INERTIA] = kinds.inertia(kind);
             rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.angularDamping(kind) * k.h);
             drives |= rows[row + DAMPING_FACTOR] != 1f;
-            rows[row + FRICTION] = Surface.orOfKind(kinds.friction(kind), k.surfaces.friction);
+            rows[row + FRICTION] = CircleMath.orOfKind(kinds.friction(kind), k.surfaces.friction);
             rows[row + ROLLING_RESISTANCE] =
-                    Surface.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+                    CircleMath.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
         }
         for (int wall = 0; wall < WallMotion.COUNT; wall++) {
             int row = ofWall(wall);

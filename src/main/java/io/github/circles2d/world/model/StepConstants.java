@@ -12,6 +12,10 @@ public final class StepConstants {
 
     public float inverseH;
 
+    public float gravityX;
+
+    public float gravityY;
+
     /** Speed in a sub-step. */
     public float gravityStepX;
 
@@ -61,6 +65,9 @@ public final class StepConstants {
 
     public final WallMotion walls = new WallMotion();
 
+    /** Whether circles may have a gravity scale, a damping or a greatest speed of their own. */
+    public boolean ownMotion;
+
     /** Whether the step reads {@link PairResponses}. */
     public boolean filtering;
 
@@ -83,9 +90,6 @@ public final class StepConstants {
 
     /** Whether circles fall asleep and wake. */
     public boolean sleeping;
-
-    float gravityX;
-    float gravityY;
 
     public StepConstants() {}
 

@@ -21,11 +21,6 @@ public final class Surface {
 
     private Surface() {}
 
-    /** A circle's own value, or that of its kind if it is NaN; likewise of a kind and the world. */
-    public static float orOfKind(float own, float ofKind) {
-        return Float.isNaN(own) ? ofKind : own;
-    }
-
     /** Of two circles, or of a circle and a wall. */
     public static float friction(float a, float b) {
         return (float) Math.sqrt(a * b);

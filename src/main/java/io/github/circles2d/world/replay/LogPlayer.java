@@ -37,6 +37,7 @@ public final class LogPlayer {
                 throw LogReader.refused("it does not begin with a snapshot");
             }
             restore();
+            simulation.rigids.forgetOutlines();
         } catch (IllegalArgumentException e) {
             throw placed(e);
         }
@@ -136,7 +137,6 @@ public final class LogPlayer {
         simulation.snapshots.restore(log.snapshot());
         simulation.pieces.forgetParts();
         simulation.joints.forgetForm();
-        simulation.rigids.forgetOutlines();
     }
 
     private void make(Call call) {

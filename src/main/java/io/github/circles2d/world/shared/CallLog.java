@@ -28,7 +28,7 @@ public final class CallLog {
     /** Room for a snapshot on its way. */
     private ByteBuffer snapshot = ByteBuffer.allocate(0);
 
-    /** The outlines that the log has told of since its last snapshot, and their numbers. */
+    /** The outlines that the log has told of, and their numbers. */
     private final Map<OutlineShape, Integer> outlines = new HashMap<>();
 
     CallLog(WorldParts world) {
@@ -50,6 +50,7 @@ public final class CallLog {
         hashEvery = every;
         sinceHash = 0;
         stepping = false;
+        outlines.clear();
         log = writer;
         writeHash();
     }
@@ -173,7 +174,6 @@ public final class CallLog {
         ((Buffer) snapshot).clear();
         SnapshotCodec.writeAtStart(state, snapshot);
         to.snapshot(snapshot.array(), length);
-        outlines.clear();
     }
 
     /** Steps are to be made. If they cannot be made, the log ends. */

@@ -1,14 +1,16 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.snapshots.SavedState;
 
 /**
  * What the pipeline must be ready for. Circles can rotate if something in the world may turn, grip or roll them; the world has terrain if there are
- * pieces. Steps of other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. Circles can
- * rotate until all of them go, or another state takes their place.
+ * pieces; circles move in another way than those of their kind once one has had a gravity scale, a damping or a greatest speed of its own. Steps
+ * of other worlds compute nothing of that, and pipelines keep nothing for it. No result depends on it, so it is no state. Circles can rotate until
+ * all of them go, or another state takes their place.
  */
 public final class Needs {
     private final WorldParts world;
@@ -24,6 +26,9 @@ public final class Needs {
     /** Whether the pipeline is ready for joints. */
     private boolean hasJoints;
 
+    /** Whether the pipeline is ready for circles that move in another way than those of their kind. */
+    private boolean hasOwnMotion;
+
     Needs(WorldParts world) {
         this.world = world;
     }
@@ -35,7 +40,13 @@ public final class Needs {
 
     /** What the pipeline is ready for. */
     Features features() {
-        return Features.of(!world.settings.bounds().isWalled(), turns, hasTerrain, hasJoints, world.settings.sleeps());
+        return Features.of(
+                !world.settings.bounds().isWalled(),
+                turns,
+                hasTerrain,
+                hasJoints,
+                world.settings.sleeps(),
+                hasOwnMotion);
     }
 
     /** A call makes a circle turn, or gives it a surface or a torque. */
@@ -55,7 +66,18 @@ public final class Needs {
 
     /** Whether the pipeline is not ready for what the world has begun to need. */
     boolean begins() {
-        return beginsToTurn() || !hasTerrain && world.terrain.isThere() || !hasJoints && world.joints.isThere();
+        return beginsToTurn()
+                || !hasTerrain && world.terrain.isThere()
+                || !hasJoints && world.joints.isThere()
+                || !hasOwnMotion && ownMotion();
+    }
+
+    /** Whether a circle moves in another way than those of its kind, or has done so. */
+    public boolean ownMotion() {
+        CircleFields fields = world.handles.fields();
+        return fields.isUsed(CircleField.GRAVITY_SCALE)
+                || fields.isUsed(CircleField.DAMPING)
+                || fields.isUsed(CircleField.GREATEST_SPEED);
     }
 
     /** Makes the pipeline ready, all steps of which have been made. If it cannot be made so, nothing has changed. */
@@ -64,7 +86,8 @@ public final class Needs {
                 world.settings.parameters(),
                 turns || beginsToTurn(),
                 hasTerrain || world.terrain.isThere(),
-                hasJoints || world.joints.isThere());
+                hasJoints || world.joints.isThere(),
+                hasOwnMotion || ownMotion());
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
@@ -74,12 +97,15 @@ public final class Needs {
                 next.parameters(),
                 turns || turns(next),
                 hasTerrain || next.terrain.hasPieces(),
-                hasJoints || next.joints.hasJoints());
+                hasJoints || next.joints.hasJoints(),
+                hasOwnMotion || ownMotion(next));
         turns = before;
     }
 
-    private void prepare(WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints) {
-        Features features = Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps());
+    private void prepare(
+            WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints, boolean withOwnMotion) {
+        Features features =
+                Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps(), withOwnMotion);
         world.moves.beforeFeatures(p.contacts(), features);
         try {
             world.pipeline.prepare(p.contacts(), features);
@@ -90,6 +116,7 @@ public final class Needs {
         turns = turning;
         hasTerrain = withTerrain;
         hasJoints = withJoints;
+        hasOwnMotion = withOwnMotion;
     }
 
     /** Makes the pipeline ready for rigid bodies, which a device refuses; then the world goes home, or the refusal is thrown. */
@@ -114,6 +141,12 @@ public final class Needs {
                 || s.pieceContacts.hold()
                 || s.joints.turn()
                 || s.rigids.hasBodies();
+    }
+
+    private static boolean ownMotion(SavedState s) {
+        return s.fields.used(CircleField.GRAVITY_SCALE) > 0
+                || s.fields.used(CircleField.DAMPING) > 0
+                || s.fields.used(CircleField.GREATEST_SPEED) > 0;
     }
 
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */

@@ -76,7 +76,7 @@ public final class PendingWork {
         drop();
     }
 
-    /** Makes the pipeline ready for circles that turn, for terrain or for joints, if the world has begun to need that. */
+    /** Makes the pipeline ready for the features that the world has begun to need. */
     public void prepareNeeds() {
         if (world.needs.begins()) {
             finish();

@@ -15,6 +15,9 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 final class KindSection {
+    /** An array: an iterator for each kind would be garbage whenever a compiler does not see through it. */
+    private static final KindField[] FIELDS = KindField.values();
+
     private static final int HEAD = 2 * Integer.BYTES;
     private static final int VALUE = 2 + Integer.BYTES;
     private static final int RESPONSE = 3;
@@ -37,7 +40,7 @@ final class KindSection {
     static void write(KindTable kinds, ByteBuffer out) {
         out.putInt(values(kinds)).putInt(kinds.settings());
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            for (KindField field : KindField.ALL) {
+            for (KindField field : FIELDS) {
                 if (kinds.get(field, kind) != field.initial()) {
                     out.put((byte) kind).put((byte) field.number()).putInt(kinds.get(field, kind));
                 }

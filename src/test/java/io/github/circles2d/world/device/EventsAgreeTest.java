@@ -9,6 +9,7 @@ import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
@@ -126,6 +127,46 @@ class EventsAgreeTest {
                 assertThat(events).as(scene.name()).isPositive();
                 twins.assertEqual(scene.name());
             }
+        }
+    }
+
+    /** Static circles sense each other and bodies, since a kind asks; they come to rest, are moved and wake. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("long")
+    void staticCirclesHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.mixed(300, 6);
+        try (Twins twins = Twins.load(scene, Pipelines.ready(withThreads(pipelines(device))))) {
+            SplittableRandom random = new SplittableRandom(13);
+            twins.giveSensors(200, 7);
+            twins.setKind(KindField.SENSES_STATIC, 200, 1);
+            twins.report(ContactEvents.BEGIN | ContactEvents.END);
+            for (int id = 0; id < twins.size(); id += 2) {
+                twins.set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
+                twins.set(Commands.VELOCITY, id, 0, 0);
+            }
+            float width = scene.maxX() - scene.minX();
+            for (int k = 0; k < 8; k++) {
+                twins.addSpinner(
+                        scene.minX() + 0.12f * k * width, scene.minY() + 0.5f * width, 0.3f * width, k - 3, k % 2);
+            }
+            int events = 0;
+            for (int k = 0; k < TestScale.of(16, 40); k++) {
+                for (int moves = 0; moves < 4; moves++) {
+                    float x = scene.minX() + width * (float) random.nextDouble();
+                    float y = scene.minY() + (scene.maxY() - scene.minY()) * (float) random.nextDouble();
+                    twins.set(Commands.POSITION, 2 * random.nextInt(twins.size() / 2), x, y);
+                }
+                if (k % 5 == 4) {
+                    twins.setKind(KindField.SENSES_STATIC, 0, k & 1);
+                    twins.exchange();
+                }
+                twins.step(scene.timeStep(), 1 + k % 3);
+                twins.assertSameTouching(0, 200);
+                events += twins.assertSameEvents("after call " + k);
+                twins.assertEqual("after call " + k);
+            }
+            assertThat(events).isGreaterThan(100);
         }
     }
 

@@ -333,6 +333,8 @@ final class OclgrindWorlds {
                 }
                 if (k == 1) {
                     twins.sense(0, 1);
+                    twins.setKind(KindField.SENSES_STATIC, 1, 1);
+                    twins.set(Commands.MASS, 4, Float.POSITIVE_INFINITY, 0);
                     twins.report(ContactEvents.ALL);
                 }
                 if (turns && k == 1) {
@@ -448,6 +450,9 @@ final class OclgrindWorlds {
             for (int k = 0; k < 3; k++) {
                 if (k == 1) {
                     twins.giveSensors(200, 5);
+                    twins.setKind(KindField.SENSES_STATIC, 200, 1);
+                    twins.set(Commands.MASS, 5, Float.POSITIVE_INFINITY, 0);
+                    twins.set(Commands.MASS, 6, Float.POSITIVE_INFINITY, 0);
                 }
                 twins.step(5 * scene.timeStep(), steps);
                 events += twins.assertSameEvents(scene.name());

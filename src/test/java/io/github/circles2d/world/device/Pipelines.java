@@ -16,7 +16,7 @@ import java.util.List;
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
 final class Pipelines {
     /** What a world has memory and kernels for only once it needs them. In a quick run edges, too, so that worlds with edges share programs. */
-    static final Features INSIDE = Features.of(!TestScale.LONG, true, true, true, true);
+    static final Features INSIDE = Features.of(!TestScale.LONG, true, true, true, true, true);
 
     private Pipelines() {}
 

@@ -926,6 +926,7 @@ final class Twins implements AutoCloseable {
                 simulation.kinds.set(KindField.CATEGORY, kind, category);
                 simulation.kinds.set(KindField.SENSOR, kind, sensor);
             }
+            simulation.kinds.set(KindField.SENSES_STATIC, kind, mask & 1);
         }
     }
 
@@ -971,6 +972,7 @@ final class Twins implements AutoCloseable {
                         simulation.forces.apply(handles[id], -3, 0.25f);
                     }
                     simulation.fields.set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
+                    giveMotion(simulation, id);
                 }
             }
             simulation.kinds.setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
@@ -983,11 +985,24 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Some move in another way than others of their kind. */
+    private void giveMotion(Simulation simulation, int id) {
+        if (id % 4 == 1) {
+            simulation.fields.setMotion(CircleField.GRAVITY_SCALE, handles[id], 0.25f * (id % 12 - 4));
+        }
+        if (id % 6 == 1) {
+            simulation.fields.setMotion(CircleField.DAMPING, handles[id], id % 9);
+        }
+        if (id % 10 == 1) {
+            simulation.fields.setMotion(CircleField.GREATEST_SPEED, handles[id], id % 3 == 0 ? 0.125f : 1e9f);
+        }
+    }
+
     /** Gives the circle that had an id last the allowed value that is nearest to a number. */
     private void setField(CircleField field, int id, long number) {
         if (lives(id)) {
             float asFloat = (int) (number % 64) / 16f;
-            boolean isPositive = field == CircleField.FRICTION || field == CircleField.ROLLING_RESISTANCE;
+            boolean isPositive = field.isFloat() && field.least() >= 0;
             long value = field.isFloat()
                     ? Float.floatToIntBits(isPositive ? Math.abs(asFloat) : asFloat)
                     : Math.max(field.least(), Math.min(number, field.greatest()));

@@ -87,6 +87,8 @@ class WorldOclgrindTest {
                         "events_add",
                         "events_move",
                         "sensing_find",
+                        "statics_find",
+                        "statics_findPieces",
                         "pieces_find",
                         "joints_takeSums",
                         "sleeping_spread",

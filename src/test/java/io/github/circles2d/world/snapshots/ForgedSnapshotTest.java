@@ -75,6 +75,10 @@ class ForgedSnapshotTest {
             world.setTorque(world.add(60, 1, 1, 1), 5);
             world.setAngularVelocity(world.add(62, 1, 1, 1), -6);
             world.setFriction(world.add(64, 1, 1, 1), 0.25f);
+            long own = world.add(67, 1, 1, 1);
+            world.setGravityScale(own, -0.5f);
+            world.setDamping(own, 3);
+            world.setGreatestSpeed(own, Float.POSITIVE_INFINITY);
             world.remove(world.add(50, 20, 1, 1));
             Terrain terrain = world.terrain();
             terrain.addChain(Chain.of(46, 0.5f, 30, 0.5f, 20, 0.4f, 8, 0.5f));

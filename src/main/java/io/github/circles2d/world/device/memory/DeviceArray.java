@@ -14,8 +14,9 @@ import java.util.function.Predicate;
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
  * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  *
- * <p>The arrays for circles that can rotate come behind these, then those of worlds with terrain, of worlds whose circles sleep, and of worlds
- * with joints. Kernels that are compiled for such worlds (TURNING, TERRAIN, SLEEPING, JOINTS) have them; in other worlds they take no memory.
+ * <p>The arrays for circles that can rotate come behind these, then those of worlds with terrain, of worlds whose circles sleep, of
+ * worlds in which circles move in another way than those of their kind, and of worlds with joints. Kernels that are compiled for such worlds
+ * (TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS) have them; in other worlds they take no memory.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -195,6 +196,13 @@ public enum DeviceArray {
     KEPT_ROWS(WorldTables.ROWS, "keptRows", Index.CONTACT, "the same: impulses of rows"),
     KIND_SLEEP("float", "kindSleep", Index.TABLE, "a row a kind, of KIND_SLEEP_STRIDE floats"),
 
+    // Of worlds in which circles move in another way than those of their kind.
+    OWN_MOTION(
+            "float4",
+            "ownMotion",
+            Index.FIELDS_BY_ID,
+            "fields: own gravity scale, damping, greatest speed, NaN for those of the kind"),
+
     // From here on: of worlds with joints.
     JOINTS(JointHead.NAME, "joints", Index.TABLE, "where tables lie, from here on, and how many joints there are");
 
@@ -205,7 +213,7 @@ public enum DeviceArray {
         TABLE("once", false, null, null),
         HOME_SLOT("by slot at home", true, "homeBlock", DeviceCount.SLOT_STRIDE),
         ID("by id", true, "idBlock", null),
-        FIELDS_BY_ID("by id", true, "fieldsBlock", null),
+        FIELDS_BY_ID("by id", true, "fieldsBlock", DeviceCount.ID_STRIDE),
         SLOT("by slot", false, "slotBlock", DeviceCount.SLOT_STRIDE),
         RANK("by slot", false, "rankBlock", null),
         BUCKET("by bucket", false, "bucketBlock", DeviceCount.BUCKET_STRIDE),
@@ -301,17 +309,22 @@ public enum DeviceArray {
 
     /** Whether it is there only if circles can rotate. */
     boolean turns() {
-        return ordinal() >= HOME_TURN.ordinal() && !isOfTerrain() && !isOfSleep() && !isOfJoints();
+        return ordinal() >= HOME_TURN.ordinal() && ordinal() < HOME_PIECES.ordinal();
     }
 
     /** Whether only worlds with terrain have it. */
     boolean isOfTerrain() {
-        return ordinal() >= HOME_PIECES.ordinal() && !isOfSleep() && !isOfJoints();
+        return ordinal() >= HOME_PIECES.ordinal() && ordinal() < HOME_SLEEP.ordinal();
     }
 
     /** Whether only worlds have it whose circles sleep. */
     boolean isOfSleep() {
-        return ordinal() >= HOME_SLEEP.ordinal() && !isOfJoints();
+        return ordinal() >= HOME_SLEEP.ordinal() && ordinal() < OWN_MOTION.ordinal();
+    }
+
+    /** Whether only worlds have it in which circles move in another way than those of their kind. */
+    boolean isOfOwnMotion() {
+        return this == OWN_MOTION;
     }
 
     /** Whether only worlds with joints have it. */
@@ -324,6 +337,7 @@ public enum DeviceArray {
         return (features.turning() || !turns())
                 && (features.terrain() || !isOfTerrain())
                 && (features.sleeping() || !isOfSleep())
+                && (features.ownMotion() || !isOfOwnMotion())
                 && (features.joints() || !isOfJoints());
     }
 

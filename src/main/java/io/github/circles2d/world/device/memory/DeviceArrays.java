@@ -307,6 +307,24 @@ public final class DeviceArrays {
         }
     }
 
+    public boolean ownMotion() {
+        return features.ownMotion();
+    }
+
+    /** Makes room for how circles move in another way than those of their kind. None does. */
+    public void ensureOwnMotion() {
+        if (!features.ownMotion()) {
+            Features before = set(features.and(Features.of(false, false, false, false, false, true)));
+            try {
+                grow(idCapacity, index -> index == Index.FIELDS_BY_ID ? idCapacity : AS_IT_IS);
+            } catch (RuntimeException | Error e) {
+                set(before);
+                throw e;
+            }
+            fill(DeviceArray.OWN_MOTION, idCapacity, FieldsStruct.initialMotion());
+        }
+    }
+
     public boolean joints() {
         return features.joints();
     }

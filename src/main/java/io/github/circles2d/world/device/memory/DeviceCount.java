@@ -5,6 +5,7 @@ enum DeviceCount {
     SLOTS("slots", "slots at home, empty ones included"),
     CIRCLES("circles", "circles: working slots"),
     CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold"),
+    ID_STRIDE("idStride", "elements from one array of a block to the next"),
     SLOT_STRIDE("slotStride", "elements from one array of a block to the next"),
     BUCKET_STRIDE("bucketStride", "elements from one array of a block to the next"),
     CONTACT_STRIDE("contactStride", "elements from one array of a block to the next"),

@@ -7,23 +7,27 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The struct of the fields of a circle that all steps read: an int for each, named by the row of {@link CircleField}. Those that steps of
- * steps read if circles can rotate have no memory in other worlds: they lie in {@link DeviceArray#HOME_OWN}.
+ * The struct of the fields of a circle that all steps read: an int for each, named by the row of {@link CircleField}. Those that
+ * steps read if circles can rotate have no memory in other worlds: they lie in {@link DeviceArray#HOME_OWN}. Likewise those by which circles
+ * move in another way than those of their kind, in {@link DeviceArray#OWN_MOTION}.
  */
 public final class FieldsStruct {
     static final String NAME = "CircleFields";
 
-    /** The first that other worlds do not have; they come last. */
-    private static final int FIRST_TURNING =
-            (int) CircleField.OF_STEPS.stream().filter(f -> !f.isOfTurning()).count();
+    /** The first of those that other worlds do not have; they come last, those of motion behind those of turning. */
+    private static final int FIRST_TURNING = CircleField.OF_STEPS.indexOf(CircleField.FRICTION);
+
+    private static final int FIRST_MOTION = CircleField.OF_STEPS.indexOf(CircleField.GRAVITY_SCALE);
 
     private static final List<CircleField> FIELDS = CircleField.OF_STEPS.subList(0, FIRST_TURNING);
 
-    private static final List<CircleField> TURNING =
-            CircleField.OF_STEPS.subList(FIRST_TURNING, CircleField.OF_STEPS.size());
+    private static final List<CircleField> TURNING = CircleField.OF_STEPS.subList(FIRST_TURNING, FIRST_MOTION);
 
-    /** Floats of an element of {@link DeviceArray#HOME_OWN}. */
-    public static final int TURNING_STRIDE = 4;
+    private static final List<CircleField> MOTION =
+            CircleField.OF_STEPS.subList(FIRST_MOTION, CircleField.OF_STEPS.size());
+
+    /** Floats of an element of {@link DeviceArray#HOME_OWN}, and of {@link DeviceArray#OWN_MOTION}. */
+    public static final int STRIDE = 4;
 
     /** Ints of the struct: at least one, since a struct of OpenCL C is not empty. */
     private static final int WORDS = Math.max(1, FIELDS.size());
@@ -37,6 +41,11 @@ public final class FieldsStruct {
         return TURNING.indexOf(field);
     }
 
+    /** Likewise. */
+    static int motionPlace(CircleField field) {
+        return MOTION.indexOf(field);
+    }
+
     /** The struct in OpenCL C, and the initial values of its members. */
     static String text() {
         String members =
@@ -45,13 +54,26 @@ public final class FieldsStruct {
                 .map(f -> "(int) 0x" + Integer.toHexString((int) f.initial()))
                 .collect(Collectors.joining(", "));
         boolean none = FIELDS.isEmpty();
-        String[] own = new String[TURNING_STRIDE];
-        Arrays.fill(own, "0.0f");
-        TURNING.forEach(f -> own[turningPlace(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
         return "typedef struct {\n" + (none ? "    int none; // steps read no fields\n" : members) + "} " + NAME + ";\n"
                 + "#define INITIAL_FIELDS {" + (none ? "0" : initial) + "}\n"
                 + "#define TURNING_FIELDS " + FIRST_TURNING + " // the number of the first field that lies in homeOwn\n"
-                + "#define INITIAL_OWN (float4)(" + String.join(", ", own) + ")\n";
+                + "#define INITIAL_OWN " + initial(TURNING) + "\n"
+                + "#define MOTION_FIELDS " + FIRST_MOTION + " // the number of the first field that lies in ownMotion\n"
+                + "#define INITIAL_MOTION " + initial(MOTION) + "\n";
+    }
+
+    private static String initial(List<CircleField> fields) {
+        String[] values = new String[STRIDE];
+        Arrays.fill(values, "0.0f");
+        fields.forEach(f -> values[fields.indexOf(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
+        return "(float4)(" + String.join(", ", values) + ")";
+    }
+
+    /** The bits of an element of {@link DeviceArray#OWN_MOTION} of a new circle. */
+    static int[] initialMotion() {
+        int[] values = new int[STRIDE];
+        MOTION.forEach(f -> values[motionPlace(f)] = (int) f.initial());
+        return values;
     }
 
     /** Ints for the structs of circles. */
@@ -72,7 +94,16 @@ public final class FieldsStruct {
     public static void packTurning(CircleFields from, int[] ids, int circles, int[] to) {
         for (int k = 0; k < circles; k++) {
             for (int place = 0; place < TURNING.size(); place++) {
-                to[TURNING_STRIDE * k + place] = from.getInt(TURNING.get(place), ids[k]);
+                to[STRIDE * k + place] = from.getInt(TURNING.get(place), ids[k]);
+            }
+        }
+    }
+
+    /** By id, for {@link DeviceArray#OWN_MOTION}. */
+    public static void packMotion(CircleFields from, int[] to) {
+        for (int id = 0; id < to.length / STRIDE; id++) {
+            for (int place = 0; place < MOTION.size(); place++) {
+                to[STRIDE * id + place] = from.getInt(MOTION.get(place), id);
             }
         }
     }

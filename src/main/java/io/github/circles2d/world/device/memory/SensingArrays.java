@@ -11,6 +11,8 @@ import java.nio.IntBuffer;
 public final class SensingArrays implements AutoCloseable {
     private static final int TAKES_PART = 1;
     private static final int SEEKS = 2;
+    private static final int ASKS = 4;
+    private static final int MEETS_STATIC = 8;
     private static final long START_BYTES = 8;
 
     private final Session session;
@@ -45,11 +47,17 @@ public final class SensingArrays implements AutoCloseable {
             for (int other = 0; other < PairTable.KINDS; other++) {
                 int row = PairTable.get(k.seeking, kind, other);
                 part |= row == SensorRule.NONE ? 0 : row == SensorRule.FOUND ? TAKES_PART : TAKES_PART | SEEKS;
+                part |= row != SensorRule.NONE && (asks(k, kind) || asks(k, other)) ? MEETS_STATIC : 0;
             }
+            part |= asks(k, kind) ? ASKS : 0;
             table[PairTable.WORDS + kind] = part;
         }
         seeking.write(0, IntBuffer.wrap(table));
         version = k.seekingVersion;
+    }
+
+    private static boolean asks(StepReports k, int kind) {
+        return k.asking != null && StepReports.asks(k.asking, kind);
     }
 
     /** By id: where circles were as the step began. */

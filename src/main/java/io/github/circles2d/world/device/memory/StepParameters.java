@@ -42,6 +42,8 @@ public final class StepParameters {
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
+            .field("float", "gravityX", (k, to) -> to.put(k.gravityX), "of the world")
+            .field("float", "gravityY", (k, to) -> to.put(k.gravityY), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
             .field("int", "driving", (k, to) -> to.put(k.driving ? 1 : 0), "1 where kinds or forces move circles")
             .field("int", "filtering", (k, to) -> to.put(k.filtering ? 1 : 0), "1 where pairs have to be filtered")

@@ -15,6 +15,9 @@ final class TerrainRoom {
     static final int NODES = 5;
     static final int BODIES = 6;
 
+    /** Number of nodes of the ground, which come first. */
+    static final int GROUND_NODES = 7;
+
     /** Ints of the head: a multiple of 4, as all that follows, for kernels that read vectors. */
     static final int HEAD = 8;
 

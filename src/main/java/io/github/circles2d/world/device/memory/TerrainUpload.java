@@ -101,6 +101,7 @@ final class TerrainUpload {
             head[table] = room.at(table);
         }
         head[TerrainRoom.NODES] = any ? tables.nodes : 0;
+        head[TerrainRoom.GROUND_NODES] = any ? tables.groundNodes : 0;
         head[TerrainRoom.BODIES] = any ? tables.bodies : 1;
         if (!Arrays.equals(head, sentHead)) {
             arrays.writeTable(DeviceArray.TERRAIN_AT, headView);

@@ -12,6 +12,7 @@ public final class WorldSource {
         "world/stages/Pieces.cl",
         "world/stages/Contacts.cl",
         "world/stages/Sensing.cl",
+        "world/stages/StaticSensing.cl",
         "world/stages/Readback.cl"
     };
 

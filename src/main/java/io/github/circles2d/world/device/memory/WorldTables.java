@@ -47,10 +47,11 @@ final class WorldTables {
     private static final String TURNING = "TURNING";
     private static final String TERRAIN = "TERRAIN";
     private static final String SLEEPING = "SLEEPING";
+    private static final String OWN_MOTION = "OWN_MOTION";
     private static final String JOINTS = "JOINTS";
 
     /** What kernels may be compiled for, in the order in which the struct World has the arrays. */
-    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, JOINTS);
+    private static final List<String> FEATURES = List.of(TURNING, TERRAIN, SLEEPING, OWN_MOTION, JOINTS);
 
     /** Macros that name all arrays, whether a kernel uses them or not. */
     static final Set<String> MACROS_OF_ALL_ARRAYS = macrosOfAllArrays();
@@ -138,6 +139,11 @@ final class WorldTables {
         define(text, "TERRAIN_LINKS", TerrainRoom.LINKS, "before their links, an int2 each");
         define(text, "TERRAIN_MOTION", TerrainRoom.MOTION, "before the motion of bodies");
         define(text, "TERRAIN_NODES", TerrainRoom.NODES, "number of nodes");
+        define(
+                text,
+                "TERRAIN_GROUND_NODES",
+                TerrainRoom.GROUND_NODES,
+                "number of those of the ground, which come first");
         define(text, "TERRAIN_BODIES", TerrainRoom.BODIES, "number of bodies that move, and 1");
         define(text, "TRAIT_SHAPE", "s" + PieceRow.SHAPE, "of an int4 of traits: form and joints");
         define(text, "TRAIT_MOTION", "s" + PieceRow.MOTION, "row of its body's motion, or 0");
@@ -242,7 +248,11 @@ final class WorldTables {
     private static String featureOf(DeviceArray array) {
         return array.turns()
                 ? TURNING
-                : array.isOfTerrain() ? TERRAIN : array.isOfSleep() ? SLEEPING : array.isOfJoints() ? JOINTS : "";
+                : array.isOfTerrain()
+                        ? TERRAIN
+                        : array.isOfSleep()
+                                ? SLEEPING
+                                : array.isOfOwnMotion() ? OWN_MOTION : array.isOfJoints() ? JOINTS : "";
     }
 
     /** A macro for each feature, {@code TURNING_ARRAYS} for TURNING, and then the initialiser. */

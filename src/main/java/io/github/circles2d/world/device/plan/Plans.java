@@ -37,6 +37,9 @@ public enum Plans {
     /** The part of the kernels that decide what steps report. */
     public static final String REPORTS = "reports";
 
+    /** The part of the kernels that find static circles that sense each other, and pieces. */
+    public static final String STATICS = "statics";
+
     /** The part of the kernels that the last plan needs, and all others. */
     public static final String STEPS = "steps";
 
@@ -88,7 +91,7 @@ public enum Plans {
         return plan.ownKernels().isEmpty() ? null : plan.getClass().getSimpleName();
     }
 
-    /** The part that a kernel belongs to: those of a plan, of calls between steps, of reports, or of all steps. */
+    /** The part that a kernel belongs to: those of a plan, of calls between steps, of reports, of static circles, or of all steps. */
     public static String partOf(List<Plan> plans, String kernel) {
         for (Plan plan : plans) {
             if (plan.ownKernels().contains(kernel)) {
@@ -98,6 +101,7 @@ public enum Plans {
         return switch (kernel.substring(0, kernel.indexOf('_'))) {
             case "commands", "readback" -> CALLS;
             case "events", "sensing" -> REPORTS;
+            case "statics" -> STATICS;
             default -> STEPS;
         };
     }

@@ -7,18 +7,32 @@ import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 
-/** Sensed pairs, around a step of any plan, {@code kernels/world/stages/Sensing.cl}; {@code world.jvm.Sensing} does the same. */
+/** Sensed pairs, around a step of any plan, {@code kernels/world/stages/Sensing.cl} and {@code StaticSensing.cl}; {@code world.jvm.Sensing} does the same. */
 public final class SensingStage {
     private final DeviceArrays arrays;
     private final EventArrays events;
     private final Kernel begin;
     private final Kernel find;
+    private final StageKernels kernels;
+
+    /** Null if no static circles sense each other. */
+    private Kernel findStatics;
+
+    /** Null if no static circles sense pieces of bodies. */
+    private Kernel findPieces;
 
     SensingStage(StageKernels kernels, DeviceArrays arrays, EventArrays events) {
+        this.kernels = kernels;
         this.arrays = arrays;
         this.events = events;
         begin = kernels.plain("sensing_begin");
         find = kernels.staged("sensing_find");
+    }
+
+    /** Compiles what the steps to come need to find static circles that sense each other, and pieces. */
+    public void prepare(boolean statics, boolean bodies) {
+        findStatics = statics ? kernels.staged("statics_find") : null;
+        findPieces = bodies && arrays.terrain() ? kernels.staged("statics_findPieces") : null;
     }
 
     /** Enqueues what comes before a step. */
@@ -33,7 +47,17 @@ public final class SensingStage {
 
     /** Enqueues what comes behind a step, which has bound the arrays: tells of the pairs. */
     public void find(SensingArrays sensing, int circles) {
-        find.arg(StageKernels.own(0), sensing.start()).arg(StageKernels.own(1), sensing.seeking());
-        events.bind(find, 2).run(circles);
+        run(find, sensing, circles);
+        if (findStatics != null) {
+            run(findStatics, sensing, circles);
+        }
+        if (findPieces != null) {
+            run(findPieces, sensing, circles);
+        }
+    }
+
+    private void run(Kernel kernel, SensingArrays sensing, int circles) {
+        kernel.arg(StageKernels.own(0), sensing.start()).arg(StageKernels.own(1), sensing.seeking());
+        events.bind(kernel, 2).run(circles);
     }
 }

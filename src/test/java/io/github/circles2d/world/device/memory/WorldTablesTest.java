@@ -52,6 +52,7 @@ class WorldTablesTest {
                 .define("TURNING", 1)
                 .define("TERRAIN", 1)
                 .define("SLEEPING", 1)
+                .define("OWN_MOTION", 1)
                 .define("JOINTS", 1)
                 .and(KernelSource.ofText("probe", probe + "}\n"));
         int[] sizes = new int[probed.size()];

@@ -204,6 +204,11 @@ final class Check {
                 if (i % 7 == 0) {
                     world.setTorque(circle, 30 * u);
                 }
+                if (i % 11 == 0) {
+                    world.setGravityScale(circle, 2 * u - 1);
+                    world.setDamping(circle, u);
+                    world.setGreatestSpeed(circle, 30 * u);
+                }
             }
             FixedStep loop = new FixedStep(world, DT);
             float[] velocities = new float[world.idLimit()];
