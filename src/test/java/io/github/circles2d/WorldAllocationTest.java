@@ -265,7 +265,8 @@ class WorldAllocationTest {
 
     @Test
     void bodiesAllocateNothing() throws IOException {
-        World.Builder builder = WorldScenes.jvm().bounds(0, 0, 40, 20).gravity(0, -10).friction(0.5f);
+        World.Builder builder =
+                WorldScenes.jvm().bounds(0, 0, 40, 20).gravity(0, -10).friction(0.5f);
         try (World world = builder.threads(1).build();
                 Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
             Bodies bodies = world.bodies();

@@ -1,0 +1,162 @@
+package io.github.circles2d.world.snapshots;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import io.github.circles2d.Bodies;
+import io.github.circles2d.Outline;
+import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.SavedRigids;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+/** Rigid bodies, and what steps keep of their contacts, in snapshots: what is kept, and what is refused. */
+class RigidSectionTest {
+    private static final float STEP = 1 / 60f;
+
+    /** The free id of a body. */
+    private static final int GONE = 1;
+
+    private static World world() {
+        return WorldScenes.jvm()
+                .bounds(0, 0, 40, 20)
+                .gravity(0, -10)
+                .friction(0.5f)
+                .threads(1)
+                .build();
+    }
+
+    /** Bodies that lie on the floor, on terrain, on each other, and under a circle. */
+    private static void build(World world) {
+        Bodies bodies = world.bodies();
+        bodies.report(true);
+        world.terrain().addSegment(20, 2, 30, 2);
+        Outline crate = Outline.box(2, 1);
+        bodies.add(crate, 5, 0.5f, 0, 3, 2);
+        long gone = bodies.add(crate, 15, 5, 0, 3);
+        bodies.add(crate, 5.25f, 1.5f, 0, 2);
+        bodies.add(Outline.capsule(2, 0.5f), 25, 2.5f, 0, 2);
+        bodies.remove(gone);
+        bodies.setTag(bodies.handle(0), 1L << 40);
+        world.add(5, 2.5f, 0.5f, 1);
+        world.step(STEP, 30);
+        bodies.applyTorque(bodies.handle(3), 0.25f);
+    }
+
+    private static ByteBuffer snapshot(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
+    }
+
+    @Test
+    void aWorldThatIsRestoredGoesOnAlike() {
+        try (World world = world();
+                World other = world()) {
+            build(world);
+            other.bodies().report(true);
+            ByteBuffer saved = snapshot(world);
+            other.bodies().add(Outline.box(1, 1), 9, 9, 0, 1);
+            other.restore(saved.duplicate());
+            assertThat(snapshot(other)).isEqualTo(saved);
+            world.bodies().events();
+            for (int k = 0; k < 60; k++) {
+                world.step(STEP);
+                other.step(STEP);
+                assertThat(other.hash()).isEqualTo(world.hash());
+                assertThat(other.bodies().events().size())
+                        .isEqualTo(world.bodies().events().size());
+            }
+        }
+    }
+
+    @Test
+    void bodiesTouchAllThatTheyLieOn() {
+        SavedRigids saved = saved();
+        assertThat(saved.contacts).isPositive();
+        for (int type = RigidStep.BODY_BODY; type <= RigidStep.BODY_CIRCLE; type++) {
+            boolean some = false;
+            for (int k = 0; k < saved.contacts; k++) {
+                some |= saved.contactKeys[RigidStep.KEYS * k] == type;
+            }
+            assertThat(some).as("contacts of type " + type).isTrue();
+        }
+        assertThat(saved.touching).isEqualTo(4);
+    }
+
+    /** What a snapshot of {@link #build} says of bodies. */
+    private static SavedRigids saved() {
+        return state().rigids;
+    }
+
+    private static SavedState state() {
+        try (World world = world()) {
+            build(world);
+            SavedState s = new SavedState();
+            SnapshotCodec.read(snapshot(world), s);
+            return s;
+        }
+    }
+
+    @Test
+    void whatCallsCannotLeadToIsRefused() {
+        refused("a body has no outline", s -> s.rigids.outline[0] = 1);
+        refused("two outlines are one", s -> s.rigids.outlines[1] = s.rigids.outlines[0]);
+        refused("x is", s -> set(s, SavedRigids.X, 41));
+        refused("a remainder", s -> set(s, SavedRigids.REST_Y, 0.1f));
+        refused("vx is", s -> set(s, SavedRigids.VX, Float.NaN));
+        refused("the angular velocity", s -> set(s, SavedRigids.OMEGA, 2e9f));
+        refused("mass", s -> set(s, SavedRigids.MASS, 0));
+        refused("the inertia", s -> set(s, SavedRigids.INERTIA, 1e-9f));
+        refused("restitution", s -> set(s, SavedRigids.RESTITUTION, 2));
+        refused("torque", s -> set(s, SavedRigids.TORQUE, Float.POSITIVE_INFINITY));
+        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.A] = GONE);
+        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.B] = 7);
+        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);
+        refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3 + RigidStep.B] = 5);
+        refused("not in order", s -> s.rigids.contactKeys[RigidStep.KEYS + RigidStep.KEYS - 2] = Integer.MIN_VALUE);
+        refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
+        refused("an impulse of a body", s -> s.rigids.contactImpulses[1] = Float.NaN);
+        refused("bodies, and circles that sleep", s -> {
+            s.setParameters(sleeping().parameters());
+            s.setSleeps(true);
+        });
+    }
+
+    private static SavedState sleeping() {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 40, 20)
+                .gravity(0, -10)
+                .friction(0.5f)
+                .sleep(true)
+                .build()) {
+            SavedState s = new SavedState();
+            SnapshotCodec.read(snapshot(world), s);
+            return s;
+        }
+    }
+
+    private static void set(SavedState s, int value, float to) {
+        s.rigids.values[value] = Float.floatToRawIntBits(to);
+    }
+
+    private static void refused(String message, Consumer<SavedState> forge) {
+        SavedState s = state();
+        forge.accept(s);
+        ByteBuffer bytes = ByteBuffer.allocate(SnapshotCodec.bytes(s)).order(ByteOrder.LITTLE_ENDIAN);
+        SnapshotCodec.writeAtStart(s, bytes);
+        bytes.flip();
+        try (World world = world()) {
+            long hash = world.hash();
+            assertThatIllegalArgumentException()
+                    .as(message)
+                    .isThrownBy(() -> world.restore(bytes))
+                    .withMessageContaining(message);
+            assertThat(world.hash()).isEqualTo(hash);
+        }
+    }
+}
