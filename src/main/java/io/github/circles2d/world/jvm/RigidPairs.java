@@ -16,6 +16,7 @@ import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
@@ -131,6 +132,15 @@ final class RigidPairs {
         if (k.turning) {
             takeSurface(t, state.turning.surfaces, row);
         }
+    }
+
+    /** Of a static circle at rest, which has no part in the step else. */
+    private void takeSurfaceAtRest(int t, int id) {
+        takeSurface(t, KindSurface.of(things.kind[t]));
+        things.friction[t] =
+                Surface.orOfKind(state.fields.getFloat(CircleField.FRICTION, id), things.friction[t]);
+        things.rolling[t] =
+                Surface.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id), things.rolling[t]);
     }
 
     private void takeSurface(int t, float[] rows, int row) {
@@ -449,9 +459,11 @@ final class RigidPairs {
             things.gainX[t] = state.gainX(slot, k);
             things.gainY[t] = state.gainY(slot, k);
         }
-        if (k.turning) {
+        if (k.turning && slot < state.awake) {
             takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
-            things.i[t] = state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
+            things.i[t] = things.w[t] == 0f ? 0f : state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
+        } else if (k.turning) {
+            takeSurfaceAtRest(t, id);
         }
         things.place(t);
         ensureNear();
