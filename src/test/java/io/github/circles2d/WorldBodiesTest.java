@@ -2,8 +2,8 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.opencl.TestDevices;
 import java.nio.ByteBuffer;
@@ -143,8 +143,11 @@ class WorldBodiesTest {
 
     @Test
     void aCircleKnowsWhichBodiesPressIt() {
-        try (World world =
-                WorldScenes.jvm().bounds(0, 0, 20, 10).gravity(0, -10).friction(0.6f).build()) {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 20, 10)
+                .gravity(0, -10)
+                .friction(0.6f)
+                .build()) {
             long below = world.bodies().add(Outline.box(4, 1), 10, 0.5f, 0, 4);
             long ball = world.add(10.5f, 1.5f, 0.5f, 1);
             long wedge = world.bodies().add(Outline.polygon(0, 0, 2, 0, 0, 2), 4, 0.7f, 0, 4);

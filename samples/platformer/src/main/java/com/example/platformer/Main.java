@@ -150,7 +150,11 @@ public final class Main extends ApplicationAdapter {
         float x = pieces[row + Terrain.X1], y = pieces[row + Terrain.Y1];
         float toX = pieces[row + Terrain.X2], toY = pieces[row + Terrain.Y2];
         if (pieces[row + Terrain.FORM] == Terrain.ARC) {
-            disc("6c757d", pieces[row + Terrain.CENTRE_X], pieces[row + Terrain.CENTRE_Y], pieces[row + Terrain.RADIUS]);
+            disc(
+                    "6c757d",
+                    pieces[row + Terrain.CENTRE_X],
+                    pieces[row + Terrain.CENTRE_Y],
+                    pieces[row + Terrain.RADIUS]);
         } else if (pieces[row + Terrain.FORM] == Terrain.SEGMENT) {
             boolean isFloor = pieces[row + Terrain.KIND] == Platformer.FLOOR;
             bar(isFloor ? "bc6c25" : "495057", x, y, toX, toY, pieces[row + Terrain.THICKNESS]);
