@@ -777,7 +777,8 @@ class BodiesPhysicsTest {
     @Test
     void aSavedWorldGoesOnToTheBit() {
         try (World world = mixed();
-                World other = World.builder().bounds(0, 0, 1, 1).backend(Backend.JVM).build()) {
+                World other =
+                        World.builder().bounds(0, 0, 1, 1).backend(Backend.JVM).build()) {
             run(world, 90);
             ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
             world.snapshot(saved);
@@ -829,7 +830,8 @@ class BodiesPhysicsTest {
                     long b = world.bodies().handle(id);
                     assertThat(world.bodies().y(b)).isBetween(0.1f, 39.9f);
                     assertThat(world.bodies().x(b)).isBetween(0f, 40f);
-                    assertThat(Math.hypot(world.bodies().vx(b), world.bodies().vy(b))).isLessThan(40);
+                    assertThat(Math.hypot(world.bodies().vx(b), world.bodies().vy(b)))
+                            .isLessThan(40);
                 }
             }
         }

@@ -16,7 +16,6 @@ import io.github.circles2d.world.model.KindTerrain;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
@@ -137,10 +136,9 @@ final class RigidPairs {
     /** Of a static circle at rest, which has no part in the step else. */
     private void takeSurfaceAtRest(int t, int id) {
         takeSurface(t, KindSurface.of(things.kind[t]));
-        things.friction[t] =
-                Surface.orOfKind(state.fields.getFloat(CircleField.FRICTION, id), things.friction[t]);
+        things.friction[t] = CircleMath.orOfKind(state.fields.getFloat(CircleField.FRICTION, id), things.friction[t]);
         things.rolling[t] =
-                Surface.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id), things.rolling[t]);
+                CircleMath.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id), things.rolling[t]);
     }
 
     private void takeSurface(int t, float[] rows, int row) {
