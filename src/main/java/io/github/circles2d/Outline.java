@@ -115,7 +115,7 @@ public final class Outline {
     /**
      * The same outline with other corners. Rounder ones roll and slide more gently over each other.
      *
-     * @param radius of the corners between lines, from a hundredth of the least width to a half of it; lines must not be too short for it
+     * @param radius of the corners between lines, from a hundredth of the least width, or less where lines are short, to a half of it; lines must not be too short for it
      * @return the outline
      * @throws IllegalArgumentException if the radius is out of range, or a line is too short
      */

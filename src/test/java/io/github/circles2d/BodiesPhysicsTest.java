@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -171,6 +172,44 @@ class BodiesPhysicsTest {
                 double dy = Math.abs(world.bodies().y(a) - world.bodies().y(b));
                 assertThat(Math.max(dx, dy)).isCloseTo(1, within(0.01));
             }
+        }
+    }
+
+    @Test
+    void nineOfTenCardHousesStand() {
+        int standing = 0;
+        for (int house = 0; house < 10; house++) {
+            standing += topOfCards(0.55 + 0.05 * house) > 2.2 ? 1 : 0;
+        }
+        assertThat(standing).isGreaterThanOrEqualTo(9);
+    }
+
+    /** A house of three levels, 15 cards, after 20 s. */
+    private static double topOfCards(double friction) {
+        try (World world = onFloor(friction, 0)) {
+            double lean = 0.45;
+            double thick = 0.02;
+            double width = 2 * Math.sin(lean) + 0.03;
+            double height = 2 * Math.cos(lean);
+            double y = 0;
+            long last = 0;
+            for (int level = 0; level < 3; level++) {
+                for (int k = 0; k < 3 - level; k++) {
+                    double x = (k - (2 - level) / 2.0) * width;
+                    for (int side = -1; side <= 1; side += 2) {
+                        double at = x + side * (Math.sin(lean) * 0.5 + 0.012);
+                        last = box(
+                                world, at, y + height / 4 + thick * Math.sin(lean), side * lean, thick / 2, 0.5, 0.008);
+                    }
+                }
+                y += height / 2 + 2 * thick * Math.sin(lean) - 0.005;
+                for (int k = 0; k < 2 - level; k++) {
+                    last = box(world, (k - (1 - level) / 2.0) * width, y + thick / 2, 0, 0.5, thick / 2, 0.008);
+                }
+                y += thick;
+            }
+            run(world, 1200);
+            return world.bodies().y(last);
         }
     }
 
@@ -442,6 +481,71 @@ class BodiesPhysicsTest {
         }
     }
 
+    /** Their teeth have play; bodies so heavy that they stay where they are. */
+    @Test
+    void gearsTurnEachOther() {
+        try (World world = world(0.1, 0, 0)) {
+            int teeth = 12;
+            double pitch = 2 * PI / teeth;
+            float[] points = new float[8 * teeth];
+            for (int k = 0; k < 4 * teeth; k++) {
+                int corner = k % 4;
+                double angle = pitch * (k / 4 + new double[] {-0.27, -0.13, 0.13, 0.27}[corner]);
+                double r = corner == 1 || corner == 2 ? 1.74 : 1.4;
+                points[2 * k] = (float) (r * Math.cos(angle));
+                points[2 * k + 1] = (float) (r * Math.sin(angle));
+            }
+            Outline gear = Outline.polygon(grown(points, 0.01)).round(0.01f);
+            Bodies b = world.bodies();
+            long driver = b.add(gear, 0, 0, 0, 1e6f);
+            long driven = b.add(gear, 3.22f, 0, (float) (PI + pitch / 2), 1e6f);
+            b.setInertia(driver, 1.01e-3f * gear.inertia(1e6f));
+            b.setInertia(driven, 1.01e-3f * gear.inertia(1e6f));
+            double turned = 0;
+            double sum = 0;
+            float last = b.angle(driver);
+            float lastDriven = b.angle(driven);
+            for (int k = 0; k < 1200; k++) {
+                b.setVelocity(driver, 0, 0);
+                b.setVelocity(driven, 0, 0);
+                b.setAngularVelocity(driver, 3);
+                run(world, 1);
+                turned += turnOf(last, b.angle(driver));
+                sum += turnOf(last, b.angle(driver)) + turnOf(lastDriven, b.angle(driven));
+                last = b.angle(driver);
+                lastDriven = b.angle(driven);
+                assertThat(sum).isCloseTo(0, within(0.06));
+            }
+            assertThat(turned).isCloseTo(60, within(0.1));
+        }
+    }
+
+    /** A polygon whose lines are so far outside those of another, which goes anticlockwise. */
+    private static float[] grown(float[] points, double by) {
+        int n = points.length;
+        float[] to = new float[n];
+        for (int k = 0; k < n; k += 2) {
+            int before = (k + n - 2) % n;
+            int next = (k + 2) % n;
+            double ax = points[k] - points[before];
+            double ay = points[k + 1] - points[before + 1];
+            double bx = points[next] - points[k];
+            double by2 = points[next + 1] - points[k + 1];
+            double a = Math.hypot(ax, ay);
+            double b = Math.hypot(bx, by2);
+            double nx = ay / a + by2 / b;
+            double ny = -ax / a - bx / b;
+            double share = by / (1 + (ax * bx + ay * by2) / (a * b));
+            to[k] = (float) (points[k] + share * nx);
+            to[k + 1] = (float) (points[k + 1] + share * ny);
+        }
+        return to;
+    }
+
+    private static double turnOf(float from, float to) {
+        return Math.IEEEremainder((double) to - from, 2 * Math.PI);
+    }
+
     @Test
     void aBodySlidesOverJointsOfTilesAndLooseCrates() {
         try (World world = world(0, 0, 10)) {
@@ -594,6 +698,21 @@ class BodiesPhysicsTest {
     }
 
     @Test
+    void staticCirclesHoldABody() {
+        try (World world = world(1, 0, 10)) {
+            long left = world.add(-0.4f, 0, 0.3f, Float.POSITIVE_INFINITY);
+            world.add(0.4f, 0, 0.3f, Float.POSITIVE_INFINITY);
+            long b = crate(world, 0, 0.81);
+            run(world, 120);
+            assertThat(world.bodies().y(b)).isCloseTo(0.8f, within(0.002f));
+            assertThat(kinetic(world)).isLessThan(1e-9);
+            world.setVelocity(left, 0, 1);
+            run(world, 10);
+            assertThat(world.bodies().angle(b)).isLessThan(-0.1f);
+        }
+    }
+
+    @Test
     void oneWayPiecesLetPassFromBelow() {
         try (World world = world(0.6, 0, 10)) {
             world.kind(2).setOneWay(true);
@@ -653,6 +772,69 @@ class BodiesPhysicsTest {
     @Test
     void anyNumberOfThreadsHasTheSameBits() {
         assertThat(hashWith(2)).isEqualTo(hashWith(1));
+    }
+
+    @Test
+    void aSavedWorldGoesOnToTheBit() {
+        try (World world = mixed();
+                World other =
+                        World.builder().bounds(0, 0, 1, 1).backend(Backend.JVM).build()) {
+            run(world, 90);
+            ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(saved);
+            saved.flip();
+            other.restore(saved);
+            run(world, 60);
+            run(other, 60);
+            assertThat(other.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    /** Outlines of all sorts, circles, a drum that turns, and a seam. */
+    private static World mixed() {
+        World world = World.builder()
+                .bounds(0, 0, 40, 40)
+                .edges(Edge.WRAP, Edge.WALL)
+                .gravity(0, -10)
+                .friction(0.5f)
+                .restitution(0.3f)
+                .backend(Backend.JVM)
+                .build();
+        TerrainBody wheel = world.terrain().addBody(20, 3, 0);
+        wheel.addSegment(-4, 0, 4, 0);
+        wheel.addSegment(0, -4, 0, 4);
+        wheel.setAngularVelocity(2);
+        Outline[] outlines = {
+            Outline.box(1, 1),
+            Outline.capsule(1, 0.3f),
+            Outline.polygon(0, 0, 1, 0, 1, 0.3f, 0.3f, 0.3f, 0.3f, 1, 0, 1),
+            Outline.of(Chain.from(0.5f, 0).arcTo(0, 0, 2 * PI).close()),
+            Outline.of(Chain.from(0.6f, 0).arcTo(0, 0, PI).close())
+        };
+        for (int k = 0; k < 60; k++) {
+            Outline outline = outlines[k % outlines.length];
+            world.bodies().add(outline, 1 + k % 12 * 3.2f, 8 + k / 12 * 2, k, outline.area());
+        }
+        for (int k = 0; k < 100; k++) {
+            circle(world, 0.5 + k % 20 * 1.95, 1 + k / 20 * 0.9, 0.3, 1);
+        }
+        return world;
+    }
+
+    @Test
+    void outlinesOfAllSortsStayInTheirBounds() {
+        try (World world = mixed()) {
+            for (int k = 0; k < 20; k++) {
+                run(world, 30);
+                for (int id = 0; id < world.bodies().idLimit(); id++) {
+                    long b = world.bodies().handle(id);
+                    assertThat(world.bodies().y(b)).isBetween(0.1f, 39.9f);
+                    assertThat(world.bodies().x(b)).isBetween(0f, 40f);
+                    assertThat(Math.hypot(world.bodies().vx(b), world.bodies().vy(b)))
+                            .isLessThan(40);
+                }
+            }
+        }
     }
 
     private static long hashWith(int threads) {

@@ -43,6 +43,8 @@ public final class OutlineShape {
     /** Share of the rounding at which an edge would be gone. */
     private static final double OF_EDGE = 0.25;
 
+    private static final double LEAST_OF_EDGE = 0.05;
+
     private final ChainPath path;
     private final float rounding;
     private final int[] words;
@@ -87,10 +89,11 @@ public final class OutlineShape {
         OutlineChecks.simple(path);
         double most = OutlineBuilder.mostRounding(path);
         if (!Float.isNaN(rounding)) {
-            double least = Math.min(LEAST_ROUNDING * width, OF_EDGE * most);
+            double least = Math.min(LEAST_ROUNDING * width, LEAST_OF_EDGE * most);
             if (!(rounding >= (float) least && rounding <= width / 2)) {
                 throw new IllegalArgumentException("the rounding is " + rounding + ", but must be from " + (float) least
-                        + " to " + (float) (width / 2) + ": a hundredth to a half of the least width");
+                        + " to " + (float) (width / 2)
+                        + ": a hundredth to a half of the least width, or less for short lines");
             }
         }
         float r = Float.isNaN(rounding) ? (float) Math.min(ROUNDING * width, OF_EDGE * most) : rounding;

@@ -25,6 +25,12 @@ final class RigidContacts {
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
+    // forms: a corner of the pair's first thing is on a line of the second, the other way round, or both are corners
+    private static final int SWAPPED = 1;
+    private static final int BOTH = 2;
+    private static final int FORM_SHIFT = 16;
+    private static final int FEATURE = (1 << FORM_SHIFT) - 1;
+
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
 
@@ -46,7 +52,7 @@ final class RigidContacts {
 
     boolean[] isLine = new boolean[0];
 
-    /** Features of the first and the second thing of the pair: twice a number, and 1 of a line. */
+    /** The form of the contact with the feature of the pair's first thing, and the feature of its second one. */
     private int[] first = new int[0];
 
     private int[] second = new int[0];
@@ -287,16 +293,28 @@ final class RigidContacts {
 
     /** Whether a corner of a body had a contact with a line before. */
     private boolean wasThere(int itsCorner, int itsLine, boolean swapped) {
-        int ofCorner = 2 * itsCorner;
-        int ofLine = 2 * itsLine + 1;
+        int itsFirst = swapped ? key(SWAPPED, itsLine) : key(0, itsCorner);
+        int itsSecond = swapped ? itsCorner : itsLine;
         for (int o = knownFrom; o < knownTo; o++) {
             int at = RigidStep.KEYS * o + RigidStep.B;
-            if (known.contactKeys[at + 1] == (swapped ? ofLine : ofCorner)
-                    && known.contactKeys[at + 2] == (swapped ? ofCorner : ofLine)) {
+            if (known.contactKeys[at + 1] == itsFirst && known.contactKeys[at + 2] == itsSecond) {
                 return true;
             }
         }
         return false;
+    }
+
+    private static int key(int form, int feature) {
+        return form << FORM_SHIFT | feature;
+    }
+
+    /** Whether two contacts of a pair share a corner or a line. */
+    private static boolean shareFeature(int first, int second, int otherFirst, int otherSecond) {
+        int form = first >> FORM_SHIFT;
+        int otherForm = otherFirst >> FORM_SHIFT;
+        boolean same = (first & FEATURE) == (otherFirst & FEATURE);
+        return same && (form == SWAPPED) == (otherForm == SWAPPED)
+                || second == otherSecond && (form == 0) == (otherForm == 0);
     }
 
     /** Whether a place is in front of a line. */
@@ -368,9 +386,9 @@ final class RigidContacts {
         corner[to] = c;
         feature[to] = f;
         isLine[to] = line;
-        int ofCorner = 2 * (c - things.firstCorner[t]);
-        int ofOther = line ? 2 * (f - things.firstLine[other]) + 1 : 2 * (f - things.firstCorner[other]);
-        first[to] = swapped ? ofOther : ofCorner;
+        int ofCorner = c - things.firstCorner[t];
+        int ofOther = line ? f - things.firstLine[other] : f - things.firstCorner[other];
+        first[to] = key(line ? swapped ? SWAPPED : 0 : BOTH, swapped ? ofOther : ofCorner);
         second[to] = swapped ? ofCorner : ofOther;
         ox[to] = swapped ? -pairs.ox[p] : pairs.ox[p];
         oy[to] = swapped ? -pairs.oy[p] : pairs.oy[p];
@@ -464,7 +482,7 @@ final class RigidContacts {
                 int at = RigidStep.KEYS * o + RigidStep.B;
                 if (!used[o]
                         && step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL] > 0f
-                        && (step.contactKeys[at + 1] == first[c] || step.contactKeys[at + 2] == second[c])) {
+                        && shareFeature(step.contactKeys[at + 1], step.contactKeys[at + 2], first[c], second[c])) {
                     take(c, step, o, scale);
                 }
             }

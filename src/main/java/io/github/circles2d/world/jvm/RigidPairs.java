@@ -133,6 +133,14 @@ final class RigidPairs {
         }
     }
 
+    /** Of a static circle at rest, which has no part in the step else. */
+    private void takeSurfaceAtRest(int t, int id) {
+        takeSurface(t, KindSurface.of(things.kind[t]));
+        things.friction[t] = CircleMath.orOfKind(state.fields.getFloat(CircleField.FRICTION, id), things.friction[t]);
+        things.rolling[t] =
+                CircleMath.orOfKind(state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id), things.rolling[t]);
+    }
+
     private void takeSurface(int t, float[] rows, int row) {
         things.friction[t] = rows[row + KindSurface.FRICTION];
         things.rolling[t] = rows[row + KindSurface.ROLLING_RESISTANCE];
@@ -449,9 +457,11 @@ final class RigidPairs {
             things.gainX[t] = state.gainX(slot, k);
             things.gainY[t] = state.gainY(slot, k);
         }
-        if (k.turning) {
+        if (k.turning && slot < state.awake) {
             takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
-            things.i[t] = state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
+            things.i[t] = things.w[t] == 0f ? 0f : state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
+        } else if (k.turning) {
+            takeSurfaceAtRest(t, id);
         }
         things.place(t);
         ensureNear();

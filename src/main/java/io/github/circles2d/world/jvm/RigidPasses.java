@@ -157,13 +157,14 @@ final class RigidPasses {
                 int s = CircleRow.of(slot);
                 things.vx[t] = state.motion[s + CircleRow.VX];
                 things.vy[t] = state.motion[s + CircleRow.VY];
-                if (k.turning) {
+                boolean rests = slot >= state.awake;
+                if (k.turning && !rests) {
                     things.omega[t] = state.turning.spin[s + CircleRow.SURFACE_SPEED] / things.thin[t];
                 }
                 if (before) {
-                    things.beforeX[t] = state.load[s + CircleRow.BEFORE_X];
-                    things.beforeY[t] = state.load[s + CircleRow.BEFORE_Y];
-                    things.beforeOmega[t] = k.turning ? state.turning.before(slot) / things.thin[t] : 0f;
+                    things.beforeX[t] = rests ? things.vx[t] : state.load[s + CircleRow.BEFORE_X];
+                    things.beforeY[t] = rests ? things.vy[t] : state.load[s + CircleRow.BEFORE_Y];
+                    things.beforeOmega[t] = k.turning && !rests ? state.turning.before(slot) / things.thin[t] : 0f;
                 }
             }
         }
@@ -202,7 +203,7 @@ final class RigidPasses {
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
                 float impulse = contacts.impulse[c];
                 float grip = contacts.grip[c];
-                if (impulse > 0f) {
+                if (impulse > 0f && things.w[circle] > 0f) {
                     float side = contacts.a[c] == circle ? 1f : -1f;
                     state.load[s + CircleRow.IMPULSE_X] += side * (contacts.nx[c] * impulse - contacts.ny[c] * grip);
                     state.load[s + CircleRow.IMPULSE_Y] += side * (contacts.ny[c] * impulse + contacts.nx[c] * grip);
