@@ -308,6 +308,7 @@ final class OclgrindWorlds {
                 twins.step(scene.timeStep(), 1);
                 if (k == 0) {
                     twins.giveKinds();
+                    twins.giveMotions();
                     twins.step(scene.timeStep(), 1);
                 }
                 twins.changeSurfaces(random);

@@ -139,6 +139,7 @@ class PipelinesAgreeTest {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 twins.step(scene.timeStep(), 3);
                 twins.giveKinds();
+                twins.giveMotions();
                 for (int k = 0; k < 6; k++) {
                     twins.step(k % 3 == 2 ? 0.5f : scene.timeStep(), 3);
                     twins.assertEqual(scene.name() + " with kinds, round " + k);

@@ -221,6 +221,7 @@ class SleepAgreeTest {
             twins.setKind(KindField.AWAKE, 1, 1);
             twins.setKind(KindField.DAMPING, 2, Float.floatToRawIntBits(2f));
             twins.giveKinds();
+            twins.giveMotions();
             twins.giveSensors(3, 6);
             assertThat(run(twins, "kinds", DT, 240)).isPositive();
             SplittableRandom random = new SplittableRandom(5);

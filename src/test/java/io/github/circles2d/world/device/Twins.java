@@ -972,7 +972,6 @@ final class Twins implements AutoCloseable {
                         simulation.forces.apply(handles[id], -3, 0.25f);
                     }
                     simulation.fields.set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
-                    giveMotion(simulation, id);
                 }
             }
             simulation.kinds.setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
@@ -985,7 +984,17 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Some move in another way than others of their kind. */
+    /** Makes some circles move in another way than others of their kind. */
+    void giveMotions() {
+        for (Simulation simulation : simulations) {
+            for (int id = 0; id < ids; id++) {
+                if (lives(id)) {
+                    giveMotion(simulation, id);
+                }
+            }
+        }
+    }
+
     private void giveMotion(Simulation simulation, int id) {
         if (id % 4 == 1) {
             simulation.fields.setMotion(CircleField.GRAVITY_SCALE, handles[id], 0.25f * (id % 12 - 4));
