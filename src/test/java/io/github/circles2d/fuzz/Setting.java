@@ -131,7 +131,6 @@ final class Setting {
             case 1 -> call("contactFrequency", 10_000f);
             case 2 -> call("contactDamping", 0f);
             case 3 -> call("greatestPushOutSpeed", Math.min(size, 100));
-            case 4 -> call("radii", radius, Math.min(size, radius * ratio));
             case 5 -> call("profiling", true);
             default -> {}
         }
