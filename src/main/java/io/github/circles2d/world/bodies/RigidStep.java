@@ -22,10 +22,19 @@ public final class RigidStep {
     /** The other body, of a higher id; the id of a piece of terrain; the number of a wall; the id of a circle. */
     public static final int B = 2;
 
-    /** A part of the outline of each: see {@link #isLine} and {@link #numberOf}. */
-    public static final int FEATURE_OF_A = 3;
+    /** The form of a contact, and behind it the number of a corner or a line of A. */
+    public static final int FORM_AND_FEATURE = 3;
 
+    /** The number of a corner or a line of B. */
     public static final int FEATURE_OF_B = 4;
+
+    // forms: a corner of A is on a line of B, the other way round, or both are corners
+    public static final int CORNER_ON_LINE = 0;
+    public static final int SWAPPED = 1;
+    public static final int BOTH = 2;
+
+    public static final int FORM_SHIFT = 16;
+    public static final int FEATURE = (1 << FORM_SHIFT) - 1;
 
     /** Floats of a contact in {@link #contactImpulses}: along the normal, and along the tangent. */
     public static final int IMPULSES = 2;
@@ -164,15 +173,6 @@ public final class RigidStep {
             contactKeys = newKeys;
             contactImpulses = newImpulses;
         }
-    }
-
-    public static boolean isLine(int feature) {
-        return (feature & 1) == 1;
-    }
-
-    /** Which line, or which corner. */
-    public static int numberOf(int feature) {
-        return feature >> 1;
     }
 
     /** Makes room for touches, and keeps those that there are. If there is none, nothing has changed. */

@@ -5,6 +5,11 @@ import static io.github.circles2d.world.bodies.OutlineShape.NX;
 import static io.github.circles2d.world.bodies.OutlineShape.NY;
 import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
 import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
+import static io.github.circles2d.world.bodies.RigidStep.BOTH;
+import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
+import static io.github.circles2d.world.bodies.RigidStep.FEATURE;
+import static io.github.circles2d.world.bodies.RigidStep.FORM_SHIFT;
+import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
 
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
@@ -24,12 +29,6 @@ final class RigidContacts {
 
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
-
-    // forms: a corner of the pair's first thing is on a line of the second, the other way round, or both are corners
-    private static final int SWAPPED = 1;
-    private static final int BOTH = 2;
-    private static final int FORM_SHIFT = 16;
-    private static final int FEATURE = (1 << FORM_SHIFT) - 1;
 
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
@@ -293,7 +292,7 @@ final class RigidContacts {
 
     /** Whether a corner of a body had a contact with a line before. */
     private boolean wasThere(int itsCorner, int itsLine, boolean swapped) {
-        int itsFirst = swapped ? key(SWAPPED, itsLine) : key(0, itsCorner);
+        int itsFirst = swapped ? key(SWAPPED, itsLine) : key(CORNER_ON_LINE, itsCorner);
         int itsSecond = swapped ? itsCorner : itsLine;
         for (int o = knownFrom; o < knownTo; o++) {
             int at = RigidStep.KEYS * o + RigidStep.B;
@@ -314,7 +313,7 @@ final class RigidContacts {
         int otherForm = otherFirst >> FORM_SHIFT;
         boolean same = (first & FEATURE) == (otherFirst & FEATURE);
         return same && (form == SWAPPED) == (otherForm == SWAPPED)
-                || second == otherSecond && (form == 0) == (otherForm == 0);
+                || second == otherSecond && (form == CORNER_ON_LINE) == (otherForm == CORNER_ON_LINE);
     }
 
     /** Whether a place is in front of a line. */
@@ -388,7 +387,7 @@ final class RigidContacts {
         isLine[to] = line;
         int ofCorner = c - things.firstCorner[t];
         int ofOther = line ? f - things.firstLine[other] : f - things.firstCorner[other];
-        first[to] = key(line ? swapped ? SWAPPED : 0 : BOTH, swapped ? ofOther : ofCorner);
+        first[to] = key(line ? swapped ? SWAPPED : CORNER_ON_LINE : BOTH, swapped ? ofOther : ofCorner);
         second[to] = swapped ? ofCorner : ofOther;
         ox[to] = swapped ? -pairs.ox[p] : pairs.ox[p];
         oy[to] = swapped ? -pairs.oy[p] : pairs.oy[p];

@@ -136,13 +136,13 @@ public final class CircleContacts {
             if (of.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE
                     && of.contactKeys[at + RigidStep.B] == id
                     && impulse > 0f) {
-                addBody(of, of.contactKeys[at + RigidStep.A], of.contactKeys[at + RigidStep.FEATURE_OF_A], impulse);
+                addBody(of, of.contactKeys[at + RigidStep.A], of.contactKeys[at + RigidStep.FORM_AND_FEATURE], impulse);
             }
         }
     }
 
     /** Measured as the outline lies when it is not turned. */
-    private void addBody(SavedRigids of, int body, int feature, float impulse) {
+    private void addBody(SavedRigids of, int body, int formAndFeature, float impulse) {
         OutlineShape shape = of.outlines[of.outline[body]];
         int angle = of.values[SavedRigids.VALUES * body + SavedRigids.ANGLE];
         float cos = (float) Rotation.cos(angle);
@@ -154,16 +154,17 @@ public final class CircleContacts {
         float nx;
         float ny;
         float between;
-        if (RigidStep.isLine(feature)) {
+        int feature = formAndFeature & RigidStep.FEATURE;
+        if (formAndFeature >> RigidStep.FORM_SHIFT == RigidStep.SWAPPED) {
             float[] lines = shape.lines();
-            int line = OutlineShape.LINE_STRIDE * RigidStep.numberOf(feature);
+            int line = OutlineShape.LINE_STRIDE * feature;
             nx = lines[line + OutlineShape.NX];
             ny = lines[line + OutlineShape.NY];
             between = CircleMath.dot(nx, ny, px - lines[line], py - lines[line + 1])
                     - lines[line + OutlineShape.THICKNESS];
         } else {
             float[] corners = shape.corners();
-            int corner = OutlineShape.CORNER_STRIDE * RigidStep.numberOf(feature);
+            int corner = OutlineShape.CORNER_STRIDE * feature;
             float cx = px - corners[corner];
             float cy = py - corners[corner + 1];
             float d = CircleMath.length(cx, cy);

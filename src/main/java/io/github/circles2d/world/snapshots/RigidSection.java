@@ -266,6 +266,9 @@ final class RigidSection {
             for (int key = RigidStep.TOUCH_KEYS; key < RigidStep.KEYS; key++) {
                 r.contactKeys[at + key] = in.getInt();
             }
+            SnapshotCodec.require(
+                    hasFeature(r, r.contactKeys[at + RigidStep.A], r.contactKeys[at + RigidStep.FORM_AND_FEATURE]),
+                    "a contact is at no part of its body");
             requireOrder(r.contactKeys, RigidStep.KEYS, k);
             for (int i = 0; i < RigidStep.IMPULSES; i++) {
                 float least = i == RigidStep.NORMAL ? 0f : -Limits.CACHED_IMPULSE;
@@ -273,6 +276,16 @@ final class RigidSection {
                         Limits.within("an impulse of a body", in.getFloat(), least, Limits.CACHED_IMPULSE);
             }
         }
+    }
+
+    private static boolean hasFeature(SavedRigids r, int body, int formAndFeature) {
+        OutlineShape shape = r.outlines[r.outline[body]];
+        int form = formAndFeature >> RigidStep.FORM_SHIFT;
+        int feature = formAndFeature & RigidStep.FEATURE;
+        int there = form == RigidStep.SWAPPED
+                ? shape.lines().length / OutlineShape.LINE_STRIDE
+                : shape.corners().length / OutlineShape.CORNER_STRIDE;
+        return form >= RigidStep.CORNER_ON_LINE && form <= RigidStep.BOTH && feature < there;
     }
 
     private static void readTouching(ByteBuffer in, SavedState s) {
