@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Scenes of bodies that are pushed, beside their exact values: boxes of 1 m and density 1, gravity 10, steps of 1/60 s, unless a scene says otherwise. */
@@ -115,6 +116,7 @@ class BodiesPhysicsTest {
     }
 
     @Test
+    @Tag("long")
     void aPyramidOfTwentyRowsStands() {
         try (World world = onFloor(0.6, 0)) {
             List<Long> crates = new ArrayList<>();
@@ -176,6 +178,7 @@ class BodiesPhysicsTest {
     }
 
     @Test
+    @Tag("long")
     void nineOfTenCardHousesStand() {
         int standing = 0;
         for (int house = 0; house < 10; house++) {
@@ -424,6 +427,7 @@ class BodiesPhysicsTest {
     }
 
     @Test
+    @Tag("long")
     void circlesFallOnCrates() {
         try (World world = onFloor(0.6, 0)) {
             wall(world, -7.5, 10, 0.5, 20);
