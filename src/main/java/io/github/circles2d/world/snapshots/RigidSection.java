@@ -266,10 +266,10 @@ final class RigidSection {
             for (int key = RigidStep.TOUCH_KEYS; key < RigidStep.KEYS; key++) {
                 r.contactKeys[at + key] = in.getInt();
             }
+            requireOrder(r.contactKeys, RigidStep.KEYS, k);
             SnapshotCodec.require(
                     hasFeature(r, r.contactKeys[at + RigidStep.A], r.contactKeys[at + RigidStep.FORM_AND_FEATURE]),
                     "a contact is at no part of its body");
-            requireOrder(r.contactKeys, RigidStep.KEYS, k);
             for (int i = 0; i < RigidStep.IMPULSES; i++) {
                 float least = i == RigidStep.NORMAL ? 0f : -Limits.CACHED_IMPULSE;
                 r.contactImpulses[RigidStep.IMPULSES * k + i] =

@@ -9,8 +9,10 @@ import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
+import io.github.circles2d.world.model.Sleep;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
@@ -119,25 +121,18 @@ class RigidSectionTest {
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);
         refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3 + RigidStep.B] = 5);
         refused("not in order", s -> s.rigids.contactKeys[RigidStep.KEYS + RigidStep.KEYS - 2] = Integer.MIN_VALUE);
+        refused("at no part", s -> s.rigids.contactKeys[RigidStep.FORM_AND_FEATURE] += 1 << RigidStep.FORM_SHIFT - 1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[1] = Float.NaN);
-        refused("bodies, and circles that sleep", s -> {
-            s.setParameters(sleeping().parameters());
+        refused("circles sleep beside bodies", s -> {
+            s.setParameters(s.parameters().sleeping(true));
             s.setSleeps(true);
+            Arrays.fill(s.rest, 0);
+            Arrays.fill(s.drift, 0);
+            Arrays.fill(s.turned, 0);
+            Arrays.fill(s.motion, 0);
+            s.rest[0] = Sleep.ASLEEP;
         });
-    }
-
-    private static SavedState sleeping() {
-        try (World world = WorldScenes.jvm()
-                .bounds(0, 0, 40, 20)
-                .gravity(0, -10)
-                .friction(0.5f)
-                .sleep(true)
-                .build()) {
-            SavedState s = new SavedState();
-            SnapshotCodec.read(snapshot(world), s);
-            return s;
-        }
     }
 
     private static void set(SavedState s, int value, float to) {
