@@ -22,7 +22,8 @@ import io.github.circles2d.world.model.Limits;
  * nothing stops them.
  *
  * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping, greatest speed, restitution, friction and
- * rolling resistance.
+ * rolling resistance. A body and what would sense it, or what it would sense, pass through each other, and no event tells. {@link
+ * World#contactsOf} names the bodies that press a circle.
  *
  * <p><b>Masses</b> of bodies that touch may differ as 1 to 100. Beyond that heavy ones sink into light ones.
  *
