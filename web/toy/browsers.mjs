@@ -199,6 +199,7 @@ async function play(name, program) {
 
   for (const [width, height] of [[390, 844], [844, 390], [1280, 800]]) {
     await page.setViewport({ width, height });
+    await page.evaluate(() => scrollTo(0, 0)); // clicks on lower scenes have scrolled it
     await sleep(400);
     for (const selector of ['#arena', '#bits', '#gallery [data-scene=hourglass]']) {
       const { x, y, width: w, height: h } = await (await page.$(selector)).boundingBox();

@@ -27,6 +27,9 @@ import io.github.circles2d.world.model.Limits;
  *
  * <p><b>Masses</b> of bodies that touch may differ as 1 to 100. Beyond that heavy ones sink into light ones.
  *
+ * <p><b>New:</b> arcs that meet other pieces of an outline at an angle, the bare ends of segments below round bodies, and bodies that fly 40 of their
+ * widths a second past others are not right yet; the guide has the list.
+ *
  * <p><b>Only on the JVM</b> so far. A world of {@link Backend#AUTO} goes there with its first body; one that was built for a device refuses bodies, with an
  * {@link UnsupportedOperationException}, and goes on without. While there are bodies, no circle {@linkplain World.Builder#sleep sleeps}. Queries, explosions
  * and joints do not see bodies.

@@ -156,7 +156,7 @@ final class GoldenSleep {
                 world.addJoint(
                         before,
                         bead,
-                        JointPlan.of(k == 4 ? Kind.LIMITS : Kind.DISTANCE).withLimits(0f, 0.11f));
+                        k == 4 ? JointPlan.of(Kind.LIMITS).withLimits(0f, 0.11f) : JointPlan.of(Kind.DISTANCE));
             }
             before = bead;
         }

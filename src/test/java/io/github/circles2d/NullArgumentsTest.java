@@ -258,8 +258,12 @@ class NullArgumentsTest {
     }
 
     /** Methods whose arguments may all be null. */
-    private static final Set<String> OPTIONAL =
-            Set.of("World.positionsById", "World.takePositionsById", "FixedStep.advance", "FixedStep.positions");
+    private static final Set<String> OPTIONAL = Set.of(
+            "Outline.equals",
+            "World.positionsById",
+            "World.takePositionsById",
+            "FixedStep.advance",
+            "FixedStep.positions");
 
     @Test
     void aNullIsRefusedByTheNameOfItsParameter() {

@@ -90,7 +90,7 @@ final class Api {
     /** What has no calls on a world: the engine of the thesis, calibrations. Their tests are {@code Circles2DFuzzTest} and {@code CalibrationTest}. */
     private static final Set<Class<?>> LEFT_OUT = Set.of(Circles2D.class, Calibration.class);
 
-    private static final Set<String> OF_RECORDS = Set.of("equals", "hashCode", "toString");
+    private static final Set<String> OF_VALUES = Set.of("equals", "hashCode", "toString");
 
     /** Whether a call of a method, by its name, has returned. It is false after refusals alone. */
     private final TreeMap<String, Boolean> made = new TreeMap<>();
@@ -108,8 +108,8 @@ final class Api {
             for (Method method : type.getDeclaredMethods()) {
                 boolean isCall =
                         Modifier.isPublic(method.getModifiers()) && (!method.isSynthetic() || method.isBridge());
-                boolean isOfRecord = type.isRecord() && OF_RECORDS.contains(method.getName());
-                if (isCall && !isOfRecord) {
+                boolean isOfValue = (type.isRecord() || type == Outline.class) && OF_VALUES.contains(method.getName());
+                if (isCall && !isOfValue) {
                     methods.add(method);
                 }
             }

@@ -27,6 +27,9 @@ final class RigidContacts {
     /** The same against corners: the cone itself has them. */
     private static final float STRICT = -1e-6f;
 
+    /** The same of what is round: between a line and the corner beside it is no gap by rounding. */
+    private static final float NO_GAP = 1e-5f;
+
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
@@ -367,7 +370,8 @@ final class RigidContacts {
                 if (d > reach + m || d == 0f) {
                     continue;
                 }
-                if (things.isInCone(o, rx / d, ry / d, STRICT) && things.isInCone(c, -rx / d, -ry / d, STRICT)) {
+                float tolerance = things.isRound(c) || things.isRound(o) ? NO_GAP : STRICT;
+                if (things.isInCone(o, rx / d, ry / d, tolerance) && things.isInCone(c, -rx / d, -ry / d, tolerance)) {
                     add(p, t, other, c, o, false, false);
                 }
             }
