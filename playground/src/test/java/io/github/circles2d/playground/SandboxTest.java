@@ -142,7 +142,7 @@ class SandboxTest {
                 }
                 sandbox.load(stage, Backend.JVM);
                 steps(sandbox, 2);
-                assertThat(sandbox.world().size() > 0)
+                assertThat(sandbox.world().size() + sandbox.world().bodies().size() > 0)
                         .as(stage.name())
                         .isEqualTo(!stage.name().equals("empty"));
                 assertThat(sandbox.grain().radius()).isGreaterThan(0);
