@@ -17,8 +17,7 @@ final class Platformer implements Runnable {
     static final float STEP = 1 / 60f, RADIUS = 0.5f, WIDTH = 100, HEIGHT = 25, GROUND = 4, FLAG = 96;
     static final int HERO = 1, FALLING = 2, FLOOR = 3, PLANK = 4; // kinds
     private static final float RUN = 8, JUMP = 13;
-    private static final int COYOTE = 6,
-            DROP = 12; // steps in which a jump still works, and in which a floor lets through
+    private static final int COYOTE = 6, DROP = 12; // steps: a jump still works, a floor lets through
 
     final World world;
     final long hero;
@@ -42,15 +41,13 @@ final class Platformer implements Runnable {
         world.setResponse(FALLING, FLOOR, Response.IGNORE);
         hero = world.add(4, GROUND + RADIUS, RADIUS, 1, 0, 0, HERO); // its id is 0
         Terrain terrain = world.terrain();
-        // from right to left, so that the hero is above: the cliff, the place of the see-saw, the shaft of the lift,
-        // the pit below the bridge
+        // from right to left, so that the hero is above: the cliff, the see-saw, the shaft of the lift, the pit
         terrain.addChain(Chain.of(
                 WIDTH, 9, 88, 9, 88, GROUND, 66, GROUND, 66, 10, 61, 10, 61, 2, 55, 2, 55, 7, 52, 7, 52, GROUND, 30,
                 GROUND, 30, -8, 18, -8, 18, GROUND, 0, GROUND));
         Ropes.bridge(world, Ropes.at(18, GROUND - 0.3f), Ropes.at(30, GROUND - 0.3f), 20, 0.3f, 0.6f, 0.02f, PLANK);
         for (int k = 0; k < 3; k++) {
-            terrain.addSegment(
-                    44, 6.4f + 2.4f * k, 36, 6.4f + 2.4f * k, 0.2f, FLOOR); // to the left: it carries what is above
+            terrain.addSegment(44, 6.4f + 2.4f * k, 36, 6.4f + 2.4f * k, 0.2f, FLOOR); // carries what is above
         }
         lift = terrain.addBody(58, 8.2f, 0);
         lift.addSegment(-2.6f, 0, 2.6f, 0, 0.3f, 0);

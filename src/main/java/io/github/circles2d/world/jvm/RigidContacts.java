@@ -510,8 +510,8 @@ final class RigidContacts {
                 step.contactKeys[at + RigidStep.TYPE] = things.type[other];
                 step.contactKeys[at + RigidStep.A] = things.id[t];
                 step.contactKeys[at + RigidStep.B] = things.id[other];
-                step.contactKeys[at + RigidStep.B + 1] = first[c];
-                step.contactKeys[at + RigidStep.B + 2] = second[c];
+                step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first[c];
+                step.contactKeys[at + RigidStep.FEATURE_OF_B] = second[c];
                 step.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL] = impulse[c];
                 step.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL + 1] = grip[c];
             }
