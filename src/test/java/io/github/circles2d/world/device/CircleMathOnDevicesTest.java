@@ -14,6 +14,7 @@ import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TimeOfImpact;
@@ -53,6 +54,9 @@ class CircleMathOnDevicesTest {
 
     /** Of angles in radians, which devices do not know. */
     private static final Set<String> OF_THE_HOST = Set.of("units", "radians");
+
+    /** Functions that count to their whole number, of sub-steps. */
+    private static final Set<String> COUNT_SUB_STEPS = Set.of("dampedTime", "dampedFalls");
 
     /** Sets of arguments per function. */
     private static final int FEW_INPUTS = 1 << 15;
@@ -169,6 +173,12 @@ class CircleMathOnDevicesTest {
         Class<?>[] types = function.getParameterTypes();
         int[] inputs =
                 inputs(types, count, new SplittableRandom(function.getName().hashCode()));
+        if (COUNT_SUB_STEPS.contains(function.getName())) {
+            int subSteps = Arrays.asList(types).indexOf(int.class);
+            for (int i = subSteps; i < inputs.length; i += types.length) {
+                inputs[i] = Math.floorMod(inputs[i], Limits.SUB_STEPS + 1);
+            }
+        }
         int[] onDevice = run(session, program, function, inputs, count);
         MethodHandle inJava = MethodHandles.lookup().unreflect(function).asSpreader(Object[].class, types.length);
         Object[] arguments = new Object[types.length];
