@@ -1,6 +1,6 @@
 // uses: world/shared/CrossRule.cl world/shared/PairRows.cl world/shared/Sleep.cl world/shared/Visit.cl world/shared/Wall.cl
 // uses: world/stages/CellScan.cl world/stages/Grid.cl world/stages/PairFilter.cl world/stages/Pieces.cl world/stages/Joints.cl
-// Which circles wake as a step begins, and which fall asleep behind it. The Java class world.jvm.Sleeping does the same.
+// Which circles wake as a step begins, and which fall asleep behind it. The Java classes world.jvm.Waking and FallingAsleep do the same.
 //
 // Who sleeps has the inverse mass 0, in traits and in sight: other stages need not know. Waking works on working slots, so a step that is
 // refused has woken nobody. All sums are whole numbers, and all else is a maximum.

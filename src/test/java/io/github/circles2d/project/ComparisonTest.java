@@ -46,43 +46,6 @@ class ComparisonTest {
         }
     }
 
-    /** The heading of a table, the file, and how many columns say which figures these are. */
-    @ParameterizedTest
-    @CsvSource({
-        "| circles | Box2D v3 | circles2d |, surfaces/engines.csv, 1",
-        "| level | circles | Box2D v3 | circles2d |, terrain/engines.csv, 2"
-    })
-    void frictionAndTerrainTakeWhatTheFileSays(String heading, String file, int keys) throws IOException {
-        String[] lines = page().split("\n");
-        int at = List.of(lines).indexOf(heading) + 2;
-        int rows = 0;
-        for (; lines[at].startsWith("|"); at++, rows++) {
-            String[] shown = cells(lines[at].substring(2));
-            String key = String.join(
-                            ",",
-                            List.of(shown).subList(0, keys).stream()
-                                    .map(cell -> cell.replace(",", ""))
-                                    .toList())
-                    + ",";
-            String[] figures = rest(results(file), key).split(",");
-            assertRounded(shown[keys], figures[0]);
-            assertRounded(shown[keys + 1], figures[1]);
-        }
-        assertThat(rows).isEqualTo(results(file).lines().count() - 1);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"'| 1,250 | 421 |', 1250", "'| 5,000 | 1,810 |', 5000", "'| 20,000 | 9,085 |', 20000"})
-    void figuresInNodeAreThoseOfTheFile(String row, String n) throws IOException {
-        String page = page();
-        String[] shown = cells(row.substring(2) + rest(page, row));
-        String file = results("amd-epyc-2/web.csv");
-        int k = 1;
-        for (String engine : new String[] {"world", "rapier2d-deterministic", "box2d-wasm"}) {
-            assertRounded(shown[k++], rest(file, engine + ",Node," + n + ",").split(",")[3]);
-        }
-    }
-
     @Test
     void theHashIsThatOfEachFileThatItNames() throws IOException {
         Matcher hash = Pattern.compile("the hash of the state is (\\w+)").matcher(page());
