@@ -1,6 +1,6 @@
 package io.github.circles2d.world.jvm;
 
-/** Heap sorts in place: no recursion, no memory, and no input that makes them slow. */
+/** Heap sorts in place: no recursion, no input that makes them slow, and no memory, of which {@code Arrays.sort} takes some since Java 22. */
 final class HeapSort {
     private HeapSort() {}
 
@@ -75,5 +75,35 @@ final class HeapSort {
         }
         keys[from + k] = key;
         values[from + k] = value;
+    }
+
+    /** Sorts the first keys. */
+    static void ascending(long[] keys, int count) {
+        for (int k = count / 2 - 1; k >= 0; k--) {
+            sink(keys, k, count);
+        }
+        for (int end = count - 1; end > 0; end--) {
+            long top = keys[0];
+            keys[0] = keys[end];
+            keys[end] = top;
+            sink(keys, 0, end);
+        }
+    }
+
+    private static void sink(long[] keys, int root, int count) {
+        long key = keys[root];
+        int k = root;
+        while (2 * k + 1 < count) {
+            int child = 2 * k + 1;
+            if (child + 1 < count && keys[child] < keys[child + 1]) {
+                child++;
+            }
+            if (key >= keys[child]) {
+                break;
+            }
+            keys[k] = keys[child];
+            k = child;
+        }
+        keys[k] = key;
     }
 }

@@ -27,6 +27,9 @@ final class RigidOrder {
     private long[] keys = new long[0];
     private int[] colour = new int[0];
 
+    /** By colour: the number of pairs with less, then where the next one goes. */
+    private int[] ofColour = new int[0];
+
     /** By thing: the number of its pairs, and the colours that they have. */
     private int[] degree = new int[0];
 
@@ -72,7 +75,7 @@ final class RigidOrder {
             count++;
         }
         firstWithCircle = count;
-        Arrays.sort(keys, 0, count);
+        HeapSort.ascending(keys, count);
         int words = (2 * most >> BITS_LOG) + 1;
         if (taken.length < words * things.count) {
             taken = new long[2 * words * things.count];
@@ -86,12 +89,23 @@ final class RigidOrder {
             colour[p] = least(words, moves(a), a, moves(b), b);
             colours = Math.max(colours, colour[p] + 1);
         }
-        for (int p = 0; p < count; p++) {
-            keys[p] = (long) colour[p] << 32 | p;
+        byColours();
+    }
+
+    /** Sorts the pairs by colours, and those of one by their numbers. */
+    private void byColours() {
+        if (ofColour.length <= colours) {
+            ofColour = new int[2 * (colours + 1)];
         }
-        Arrays.sort(keys, 0, count);
-        for (int k = 0; k < count; k++) {
-            order[k] = (int) keys[k];
+        Arrays.fill(ofColour, 0, colours + 1, 0);
+        for (int p = 0; p < count; p++) {
+            ofColour[colour[p] + 1]++;
+        }
+        for (int c = 0; c < colours; c++) {
+            ofColour[c + 1] += ofColour[c];
+        }
+        for (int p = 0; p < count; p++) {
+            order[ofColour[colour[p]]++] = p;
         }
     }
 
@@ -129,6 +143,6 @@ final class RigidOrder {
     }
 
     long bytes() {
-        return 16L * order.length + 4L * degree.length + 8L * taken.length;
+        return 16L * order.length + 4L * (degree.length + ofColour.length) + 8L * taken.length;
     }
 }

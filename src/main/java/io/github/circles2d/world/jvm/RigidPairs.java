@@ -76,7 +76,7 @@ final class RigidPairs {
         addBodies();
         keyCount = 0;
         findNear();
-        Arrays.sort(keys, 0, keyCount);
+        HeapSort.ascending(keys, keyCount);
         makePairs();
     }
 
