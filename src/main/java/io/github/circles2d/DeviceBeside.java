@@ -48,12 +48,7 @@ final class DeviceBeside {
         return wanted == last ? device : null;
     }
 
-    /** Begins to open it, unless that goes on or is of no use. */
-    void open(int circles) {
-        prepare(null, circles);
-    }
-
-    /** Begins to make it ready, likewise; null opens it alone. */
+    /** Begins to open it and to make it ready, unless that goes on or is of no use. */
     synchronized void prepare(Readiness wanted, int circles) {
         if (thread == null && failure == null && !closed && !refused.contains(wanted)) {
             last = null;
@@ -81,7 +76,7 @@ final class DeviceBeside {
             if (device == null) {
                 RunningBuilds.make(() -> take(opens.apply(circles)));
             }
-            if (wanted != null && !isClosed()) {
+            if (!isClosed()) {
                 device.compile(wanted);
             }
         } catch (RuntimeException | Error e) {

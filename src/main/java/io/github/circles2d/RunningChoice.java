@@ -34,6 +34,9 @@ final class RunningChoice implements Mover {
     /** From so many circles on the device lacks memory. */
     private int tooMany = Integer.MAX_VALUE;
 
+    /** Whether the first frame has begun, which has all processors: no device is opened beside it. */
+    private boolean hasBegun;
+
     /** Frames since the last move. */
     private int frames;
 
@@ -45,7 +48,6 @@ final class RunningChoice implements Mover {
 
     private boolean hasFailed;
 
-    /** A world that is expected to be large gets its device ready before it has circles. */
     RunningChoice(
             Pipeline home,
             Supplier<Pipeline> opensHome,
@@ -56,13 +58,9 @@ final class RunningChoice implements Mover {
         this.opensHome = opensHome;
         this.rule = rule;
         beside = new DeviceBeside(opensDevice);
-        if (capacity < FrameRule.LEAST_CIRCLES) {
-            reason = "no GPU is looked for below " + FrameRule.LEAST_CIRCLES + " circles, and the capacity is "
-                    + capacity;
-        } else {
-            reason = "it starts here, and a GPU is made ready beside it";
-            beside.open(capacity); // what it needs is known before its first step
-        }
+        reason = capacity < FrameRule.LEAST_CIRCLES
+                ? "no GPU is looked for below " + FrameRule.LEAST_CIRCLES + " circles, and the capacity is " + capacity
+                : "it starts here, and a GPU is made ready beside it";
     }
 
     @Override
@@ -89,6 +87,10 @@ final class RunningChoice implements Mover {
 
     private Pipeline fromHome(Pipeline now, Readiness wanted, boolean goes) {
         learn();
+        if (!hasBegun) {
+            hasBegun = true;
+            return now;
+        }
         boolean idle = frames >= FRAMES_TO_KEEP_DEVICE && !goes;
         if (hasFailed || idle || circles < FrameRule.LEAST_CIRCLES || circles >= tooMany) {
             if (frames == FRAMES_TO_KEEP_DEVICE) {

@@ -321,6 +321,7 @@ class RunningChoiceTest {
         public static void main(String[] arguments) throws InterruptedException {
             World world = world(
                     circles -> new DevicePipeline(TestDevices.all().get(0), circles, false, false), new Restless());
+            world.step(SCENE.timeStep()); // nothing is opened beside the first step
             world.step(SCENE.timeStep());
             Thread.sleep(Long.parseLong(arguments[0]));
             System.out.println("left");
@@ -343,7 +344,7 @@ class RunningChoiceTest {
         Devices devices = new Devices(3);
         for (int k = 0; k < 50; k++) {
             World world = world(devices, new Restless());
-            for (int step = 0; step < k % 7; step++) {
+            for (int step = 0; step < 2 + k % 7; step++) {
                 world.step(SCENE.timeStep());
                 Thread.sleep(k % 3);
             }
