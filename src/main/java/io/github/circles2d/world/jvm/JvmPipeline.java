@@ -10,6 +10,7 @@ import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.joints.BrokenJoints;
 import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.jvm.threads.ColdStart;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
@@ -203,7 +204,10 @@ public final class JvmPipeline implements Pipeline {
         }
         for (int step = 0; step < count; step++) {
             constants.warmScale = step > 0 ? 1f : constants.warmScale;
-            team.run(Math.max(1, Math.min(team.most(), state.awake / leastShare)), work);
+            int workers = Math.max(1, Math.min(team.most(), state.awake / leastShare));
+            long begun = System.nanoTime();
+            team.run(ColdStart.workers(workers), work);
+            ColdStart.made(System.nanoTime() - begun);
         }
     }
 

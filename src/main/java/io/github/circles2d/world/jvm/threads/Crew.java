@@ -46,8 +46,11 @@ final class Crew {
     /** Ints from a worker's element of {@link #parts} to the next one's, so that they lie in different cache lines. */
     private static final int APART = 32;
 
-    /** What a thread that sleeps in a run and is woken counts as: the caller may lose its own processor to it. */
-    private static final long NANOS_OF_A_WAKE = 100_000;
+    /**
+     * What counts as waited for a stage for which threads are woken: the caller may lose its own processor to one. Counted for each of fifteen
+     * threads, it would be longer than most steps.
+     */
+    private static final long NANOS_OF_WAKING = 100_000;
 
     private static final int ASLEEP = 1;
     private static final int CALLED = 2;
@@ -99,8 +102,11 @@ final class Crew {
     /** Whether the caller does what is left of the run alone. */
     private boolean alone;
 
-    /** How long the caller has waited in the run, and what it has cost to wake other threads. */
+    /** How long the caller has waited in the run. */
     private long waited;
+
+    /** What counts as waited besides. */
+    private long wakes;
 
     /** How long a run takes without waits. It grows slowly: in some runs the caller's thread itself loses its processor. */
     private long usual = Long.MAX_VALUE >> 1;
@@ -180,6 +186,7 @@ final class Crew {
         size = workers;
         alone = false;
         waited = 0;
+        wakes = 0;
         running = true;
         announced = before;
     }
@@ -195,7 +202,7 @@ final class Crew {
         int now = announced + 2;
         work = stage;
         announced = now;
-        waited += NANOS_OF_A_WAKE * wakeAll(size);
+        wakes += wakeAll(size) ? NANOS_OF_WAKING : 0;
         for (int worker = 0; worker < size; worker++) {
             if (claims(worker, now)) {
                 stage.run(worker);
@@ -208,7 +215,7 @@ final class Crew {
         if (end != null) {
             throw Stopped.INSTANCE;
         }
-        if (waited > Math.max(LEAST_PATIENCE, (size - 1) * usual)) {
+        if (waited + wakes > Math.max(LEAST_PATIENCE, (size - 1) * usual)) {
             pause();
         }
     }
@@ -226,7 +233,7 @@ final class Crew {
         running = false;
         pausing = true;
         pausedAt = System.nanoTime();
-        pause = together > WORTH * waited
+        pause = together > WORTH * (waited + wakes)
                 ? SHORTEST_PAUSE
                 : Math.min(LONGEST_PAUSE, Math.max(SHORTEST_PAUSE, 2 * pause));
     }
@@ -316,11 +323,11 @@ final class Crew {
         return end != null || (thread == 0 ? parts.get(place(worker)) == stage : announced != stage && thread < size);
     }
 
-    /** Returns how many of the threads have been asleep. */
-    private int wakeAll(int many) {
-        int woken = 0;
+    /** Returns whether one of the threads has been asleep. */
+    private boolean wakeAll(int many) {
+        boolean woken = false;
         for (int thread = 0; thread < many; thread++) {
-            woken += wake(thread) ? 1 : 0;
+            woken |= wake(thread);
         }
         return woken;
     }
