@@ -23,9 +23,8 @@ import io.github.circles2d.world.search.Searches;
  *
  * <p><b>Circles</b> have their present places: those after all steps that were asked for, with the changes that wait for the next step
  * (circles that were added, removed, moved or resized, and kinds). Queries find static circles and sensors like all others. A static
- * circle that {@link World#setPosition} lets travel is found at the place where it sets out. Queries do not find walls, and {@link #terrain} has
- * those for terrain. They change
- * nothing, and can be made at any time between two steps.
+ * circle that {@link World#setPosition} lets travel is found at the place where it sets out. Queries do not find walls; {@link #terrain} has
+ * those for terrain, and {@link #bodies} those for bodies. They change nothing, and can be made at any time between two steps.
  *
  * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
  * {@link #without} leaves out one circle.
@@ -88,14 +87,16 @@ public final class Queries extends ShapeQueries {
     public static final int NORMAL_Y = CastSearch.NORMAL_Y;
 
     private final TerrainQueries terrain;
+    private final BodyQueries bodies;
 
-    Queries(Searches searches, Searches ofTerrain) {
-        this(searches, new TerrainQueries(ofTerrain, null), null);
+    Queries(Searches searches, Searches ofTerrain, Searches ofBodies) {
+        this(searches, new TerrainQueries(ofTerrain, null), new BodyQueries(ofBodies, null), null);
     }
 
-    private Queries(Searches searches, TerrainQueries terrain, CircleFilter filter) {
+    private Queries(Searches searches, TerrainQueries terrain, BodyQueries bodies, CircleFilter filter) {
         super(searches, filter);
         this.terrain = terrain;
+        this.bodies = bodies;
     }
 
     /**
@@ -108,6 +109,15 @@ public final class Queries extends ShapeQueries {
     }
 
     /**
+     * The same questions about the {@link Bodies} that are pushed, with the same mask.
+     *
+     * @return always the same object
+     */
+    public BodyQueries bodies() {
+        return bodies;
+    }
+
+    /**
      * The same queries of some circles alone: those whose kind's category ({@link Kind#setCategory}) has a bit of the mask. Nothing
      * else decides; sensors, groups and the masks of kinds make no difference. The kind of a circle, and its category, count as they
      * are at each query. Keep the object, so that a frame leaves no garbage.
@@ -116,7 +126,7 @@ public final class Queries extends ShapeQueries {
      * @return queries with this mask; a mask of this object no longer counts for them, but a circle that it leaves out stays out
      */
     public Queries withMask(int mask) {
-        return new Queries(searches, terrain.withMask(mask), searches.filter(filter, mask));
+        return new Queries(searches, terrain.withMask(mask), bodies.withMask(mask), searches.filter(filter, mask));
     }
 
     /**
@@ -136,7 +146,7 @@ public final class Queries extends ShapeQueries {
      * @throws IllegalArgumentException if the handle is of a piece of terrain, a body or a joint
      */
     public Queries without(long circle) {
-        return new Queries(searches, terrain, searches.without(filter, circle));
+        return new Queries(searches, terrain, bodies, searches.without(filter, circle));
     }
 
     /**

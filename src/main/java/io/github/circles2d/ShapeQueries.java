@@ -4,7 +4,7 @@ import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.Searches;
 
-/** The queries that are the same of circles and of pieces of terrain: {@link Queries}, {@link TerrainQueries}. */
+/** The queries that are the same of circles, pieces of terrain and bodies: {@link Queries}, {@link TerrainQueries}, {@link BodyQueries}. */
 abstract class ShapeQueries {
     final Searches searches;
 

@@ -125,7 +125,7 @@ public final class World implements AutoCloseable {
         if (running != null) {
             simulation.moves.by(running);
         }
-        queries = new Queries(simulation.searches, simulation.terrainSearches);
+        queries = new Queries(simulation.searches, simulation.terrainSearches, simulation.bodySearches);
         terrain = new Terrain(simulation);
         joints = new Joints(simulation);
         bodies = new Bodies(simulation);

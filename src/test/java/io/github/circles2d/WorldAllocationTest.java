@@ -284,6 +284,8 @@ class WorldAllocationTest {
             float[] poses = new float[3 * 50];
             long[] living = new long[1];
             long[] handles = new long[50];
+            float[] hits = new float[Queries.HIT_STRIDE * handles.length];
+            BodyQueries queries = world.queries().withMask(1).bodies();
             FixedStep loop = new FixedStep(world, 1 / 60f);
             Rewind rewind = new Rewind(world, 3);
             int[] frames = new int[1];
@@ -303,6 +305,12 @@ class WorldAllocationTest {
                 world.step(1 / 60f);
                 BodyEvents touches = bodies.events();
                 consume(touches.size() + bodies.x(first) + world.hash());
+                consume(queries.pick(5, 3)
+                        + queries.overlapCircle(20, 5, 9, handles)
+                        + queries.overlapBox(5, 2, 30, 9, handles)
+                        + queries.nearest(20, 5, Float.POSITIVE_INFINITY, 50, handles, hits)
+                        + queries.rayCast(0, 5, 40, 0, hits)
+                        + queries.circleCastAll(0, 5, 0.5f, 40, 0, handles, hits));
                 rewind.restore(frames[0] - 1);
                 bodies.remove(guest);
             };

@@ -72,6 +72,7 @@ public final class Simulation implements AutoCloseable {
     public final Journal journal;
     public final Searches searches;
     public final Searches terrainSearches;
+    public final Searches bodySearches;
 
     public final Moves moves;
 
@@ -113,6 +114,7 @@ public final class Simulation implements AutoCloseable {
         journal = new Journal(world);
         searches = Searches.forCircles(world);
         terrainSearches = Searches.forTerrain(world, view);
+        bodySearches = Searches.forBodies(world);
         try {
             world.needs.prepare();
         } catch (RuntimeException | Error e) {
@@ -203,6 +205,7 @@ public final class Simulation implements AutoCloseable {
         }
         world.guard.changing = true;
         world.state.stepped(acts);
+        world.rigids.steps();
         if (acts) {
             world.copies.forget();
             prepareInput(timeStep);

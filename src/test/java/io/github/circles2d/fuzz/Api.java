@@ -3,6 +3,7 @@ package io.github.circles2d.fuzz;
 import io.github.circles2d.Blobs;
 import io.github.circles2d.Bodies;
 import io.github.circles2d.BodyEvents;
+import io.github.circles2d.BodyQueries;
 import io.github.circles2d.Calibration;
 import io.github.circles2d.Chain;
 import io.github.circles2d.Circles2D;
@@ -51,6 +52,7 @@ final class Api {
             Chain.class,
             Queries.class,
             TerrainQueries.class,
+            BodyQueries.class,
             Events.class,
             JointEvents.class,
             BodyEvents.class,

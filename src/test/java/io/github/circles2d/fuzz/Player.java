@@ -1,6 +1,7 @@
 package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.BodyQueries;
 import io.github.circles2d.FixedStep;
 import io.github.circles2d.Queries;
 import io.github.circles2d.Recording;
@@ -34,6 +35,7 @@ final class Player implements AutoCloseable {
     // with the mask that a program has set last
     Queries queries;
     TerrainQueries terrainQueries;
+    BodyQueries bodyQueries;
 
     /** Handles of bodies that the program has added, some of which may have gone. */
     final List<Long> bodies = new ArrayList<>();
@@ -73,6 +75,7 @@ final class Player implements AutoCloseable {
         ready.make(world);
         queries = world.queries();
         terrainQueries = queries.terrain();
+        bodyQueries = queries.bodies();
         rewind = new Rewind(world, setting.frames);
         fixedStep = new FixedStep(world, STEP);
         rollback = new Rollback(world, new Pushes(this), STEP, 2, setting.frames);
@@ -100,6 +103,8 @@ final class Player implements AutoCloseable {
             queries = masked;
         } else if (result instanceof TerrainQueries masked) {
             terrainQueries = masked;
+        } else if (result instanceof BodyQueries masked) {
+            bodyQueries = masked;
         } else if (result instanceof io.github.circles2d.TerrainBody body && !bodies.contains(body.handle())) {
             bodies.add(body.handle());
         }

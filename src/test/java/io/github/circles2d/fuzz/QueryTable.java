@@ -11,11 +11,12 @@ import static io.github.circles2d.fuzz.Drawn.whole;
 import static io.github.circles2d.fuzz.Drawn.x;
 import static io.github.circles2d.fuzz.Drawn.y;
 
+import io.github.circles2d.BodyQueries;
 import io.github.circles2d.Queries;
 import io.github.circles2d.TerrainQueries;
 import java.util.function.Function;
 
-/** The queries of circles and of terrain, alone and many at once. */
+/** The queries of circles, of terrain and of bodies, alone and many at once. */
 final class QueryTable extends Table {
     /** Shapes of a call. */
     private static final int SHAPES = 6;
@@ -29,18 +30,25 @@ final class QueryTable extends Table {
         type = Queries.class;
         receiver = own("queries", player -> player.queries);
         query("terrain");
+        query("bodies");
         query("without", handle(Ref.Of.CIRCLE));
         query("pick", x(), y());
         query("pick", shapes(2), count(), filled(long[].class, SHAPES));
-        both();
+        all();
         type = TerrainQueries.class;
         receiver = own("terrainQueries", player -> player.terrainQueries);
         query("pick", x(), y(), within());
         query("pick", shapes(2), count(), within(), filled(long[].class, SHAPES));
-        both();
+        all();
+        type = BodyQueries.class;
+        receiver = own("bodyQueries", player -> player.bodyQueries);
+        query("without", handle(Ref.Of.RIGID));
+        query("pick", x(), y());
+        query("pick", shapes(2), count(), filled(long[].class, SHAPES));
+        all();
     }
 
-    private void both() {
+    private void all() {
         query("withMask", whole(draw -> draw.bits(6)));
         query("overlapCircle", x(), y(), length(), room(long[].class));
         query("overlapBox", x(), y(), beyond(s -> s.maxX), beyond(s -> s.maxY), room(long[].class));

@@ -2,6 +2,7 @@ package io.github.circles2d.fuzz;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.Bodies;
+import io.github.circles2d.BodyQueries;
 import io.github.circles2d.FixedStep;
 import io.github.circles2d.Queries;
 import io.github.circles2d.RandomMoves;
@@ -224,7 +225,10 @@ final class Session implements AutoCloseable {
             compare("bytes of the log", player -> player.recording == null ? 0 : player.recording.bytes());
             for (Entry entry : Table.ALL) {
                 Class<?> of = entry.method().getDeclaringClass();
-                boolean isRead = of == Queries.class || of == TerrainQueries.class || isFrame(of, entry);
+                boolean isRead = of == Queries.class
+                        || of == TerrainQueries.class
+                        || of == BodyQueries.class
+                        || isFrame(of, entry);
                 if (isRead || entry.method().getName().equals("readLoadsById")) {
                     run(entry.draw(draw));
                 }

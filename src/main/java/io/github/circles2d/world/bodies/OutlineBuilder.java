@@ -261,6 +261,39 @@ final class OutlineBuilder {
                 && elements[before + Y] == elements[e + Y];
     }
 
+    /** As {@link OutlineShape#edges}. The centre of a line is its start. */
+    double[] edges(double centreX, double centreY) {
+        double[] to = new double[OutlineShape.EDGE_STRIDE * count];
+        double[] element = new double[STRIDE];
+        int n = 0;
+        for (int e = 0; e < count; e++) {
+            copy(e, element);
+            boolean line = element[IS_LINE] != 0;
+            if (line || element[R] > 0) {
+                to[n] = pointX(element, 0) - centreX;
+                to[n + 1] = pointY(element, 0) - centreY;
+                to[n + OutlineShape.CENTRE_X] = line ? to[n] : element[X] - centreX;
+                to[n + OutlineShape.CENTRE_Y] = line ? to[n + 1] : element[Y] - centreY;
+                to[n + OutlineShape.EDGE_RADIUS] = line ? 0 : element[R];
+                n += OutlineShape.EDGE_STRIDE;
+            }
+        }
+        return withoutPoints(to, n);
+    }
+
+    /** Leaves out edges without length. */
+    private static double[] withoutPoints(double[] edges, int n) {
+        int kept = 0;
+        for (int e = 0; e < n; e += OutlineShape.EDGE_STRIDE) {
+            int next = e + OutlineShape.EDGE_STRIDE == n ? 0 : e + OutlineShape.EDGE_STRIDE;
+            if (edges[e] != edges[next] || edges[e + 1] != edges[next + 1]) {
+                System.arraycopy(edges, e, edges, kept, OutlineShape.EDGE_STRIDE);
+                kept += OutlineShape.EDGE_STRIDE;
+            }
+        }
+        return Arrays.copyOf(edges, kept);
+    }
+
     float[] lines(double centreX, double centreY) {
         float[] to = new float[OutlineShape.LINE_STRIDE * lineCount];
         int at = 0;

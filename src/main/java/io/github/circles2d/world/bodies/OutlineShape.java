@@ -32,6 +32,13 @@ public final class OutlineShape {
     public static final int LENGTH = 4;
     public static final int THICKNESS = 5;
 
+    /** Doubles of an edge: where it begins, and the centre and the radius of an arc, which is 0 of a line. */
+    public static final int EDGE_STRIDE = 5;
+
+    public static final int CENTRE_X = 2;
+    public static final int CENTRE_Y = 3;
+    public static final int EDGE_RADIUS = 4;
+
     /** Of the least width. */
     private static final double ROUNDING = 0.05;
 
@@ -55,6 +62,14 @@ public final class OutlineShape {
     /** x and y of a polygon near the core: what lies in it is inside. */
     private final float[] core;
 
+    private final double[] edges;
+
+    // a box around it: the middle, and half its sides
+    private final float middleX;
+    private final float middleY;
+    private final float halfX;
+    private final float halfY;
+
     private final float reach;
     private final float halfThickness;
 
@@ -66,6 +81,7 @@ public final class OutlineShape {
         corners = built.corners(mass.centroidX, mass.centroidY);
         lines = built.lines(mass.centroidX, mass.centroidY);
         core = built.core(mass.centroidX, mass.centroidY);
+        edges = built.edges(mass.centroidX, mass.centroidY);
         float far = 0f;
         for (int c = 0; c < corners.length; c += CORNER_STRIDE) {
             far = Math.max(
@@ -73,7 +89,27 @@ public final class OutlineShape {
                     (float) Math.sqrt(corners[c] * corners[c] + corners[c + 1] * corners[c + 1]) + corners[c + RADIUS]);
         }
         reach = far;
+        double minX = box(0, -1);
+        double minY = box(1, -1);
+        double maxX = box(0, 1);
+        double maxY = box(1, 1);
+        middleX = (float) (0.5 * (minX + maxX));
+        middleY = (float) (0.5 * (minY + maxY));
+        halfX = (float) Math.max(maxX - middleX, middleX - minX);
+        halfY = (float) Math.max(maxY - middleY, middleY - minY);
         halfThickness = (float) Math.min(Math.sqrt(mass.area) / 2, mass.area / (2 * (double) reach));
+    }
+
+    /** The least or the greatest coordinate along an axis, at most: whole circles count of arcs, but not beyond the farthest point. */
+    private double box(int axis, int sign) {
+        double most = Double.NEGATIVE_INFINITY;
+        double farthest = reach;
+        for (int e = 0; e < edges.length; e += EDGE_STRIDE) {
+            farthest = Math.max(farthest, Math.sqrt(edges[e] * edges[e] + edges[e + 1] * edges[e + 1]));
+            double centre = sign * edges[e + CENTRE_X + axis];
+            most = Math.max(most, Math.max(sign * edges[e + axis], edges[e + EDGE_RADIUS] + centre));
+        }
+        return sign * Math.min(most, farthest);
     }
 
     /** Of a path that is closed; rounding: NaN for the usual one. */
@@ -199,6 +235,29 @@ public final class OutlineShape {
     /** By {@link #LINE_STRIDE}. Nobody may change it. */
     public float[] lines() {
         return lines;
+    }
+
+    /** By {@link #EDGE_STRIDE}: lines and arcs along the surface, anticlockwise. Each ends where the next begins. Nobody may change it. */
+    public double[] edges() {
+        return edges;
+    }
+
+    /** The middle of a box around it. */
+    public float middleX() {
+        return middleX;
+    }
+
+    public float middleY() {
+        return middleY;
+    }
+
+    /** Half a side of that box. */
+    public float halfX() {
+        return halfX;
+    }
+
+    public float halfY() {
+        return halfY;
     }
 
     public float[] core() {

@@ -39,6 +39,8 @@ public final class RigidTable {
     /** Whether a force or a torque acts in the next step, on any body. */
     private boolean pushed;
 
+    private long version;
+
     /** Circles and pieces that have gone since the last step, by id: their contacts go with the next {@link #settle}. */
     private long[] goneCircles = new long[0];
 
@@ -98,6 +100,11 @@ public final class RigidTable {
         return pushed;
     }
 
+    /** Another number once bodies have come, gone or moved. */
+    public long version() {
+        return version;
+    }
+
     // ---- changes
     // -----------------------------------------------------------------------------------------------------
 
@@ -130,6 +137,7 @@ public final class RigidTable {
     }
 
     private void count() {
+        version++;
         step.end = ids.end();
         step.count = ids.size();
     }
@@ -180,6 +188,7 @@ public final class RigidTable {
 
     /** Puts a body somewhere else; its contacts so far do not count. */
     public void teleport(int body, float x, float y, int angle) {
+        version++;
         step.x[body] = x;
         step.y[body] = y;
         step.restX[body] = 0f;
@@ -225,6 +234,11 @@ public final class RigidTable {
         step.torque[body] = 0f;
     }
 
+    /** A step is made: bodies move. */
+    public void steps() {
+        version++;
+    }
+
     /** The step has been made in which forces and torques acted. */
     public void releaseAll() {
         for (int body = 0; pushed && body < ids.end(); body++) {
@@ -244,6 +258,7 @@ public final class RigidTable {
 
     /** Brings bodies inside new bounds. */
     public void confine(Bounds bounds) {
+        version++;
         Bounds walls = bounds.walls();
         for (int body = 0; body < ids.end(); body++) {
             if (ids.lives(body)) {

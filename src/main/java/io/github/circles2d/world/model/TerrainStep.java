@@ -22,7 +22,7 @@ public final class TerrainStep {
 
     public int changedTo;
 
-    /** Number of nodes of the tree; see {@code PieceTree}. */
+    /** Number of nodes of the tree; see {@code BoxTree}. */
     public int nodes;
 
     /** Of each node: least x, least y, greatest x, greatest y of its pieces within the step. */

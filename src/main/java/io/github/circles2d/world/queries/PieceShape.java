@@ -3,10 +3,10 @@ package io.github.circles2d.world.queries;
 import io.github.circles2d.world.model.PieceRow;
 
 /**
- * A piece of terrain, and the exact tests that decide what a search finds. They compute in double precision, from the floats of its row,
- * in the order in which they are written. What touches exactly counts.
+ * A piece of terrain, or an edge of a body, and the exact tests that decide what a search finds. They compute in double precision, from the
+ * floats of a piece's row, in the order in which they are written.
  */
-final class PieceShape {
+final class PieceShape extends ThingShape {
     /** More than what two pieces differ by where they are joined, by its share of coordinates: ends are rounded. */
     private static final double JOINT = 0x1p-23;
 
@@ -71,11 +71,7 @@ final class PieceShape {
         isShallow = spread >= 0f;
         length = rows[row + PieceRow.LENGTH];
         if (!isArc) {
-            tx = lastX - firstX;
-            ty = lastY - firstY;
-            length = Math.sqrt(tx * tx + ty * ty);
-            tx /= length;
-            ty /= length;
+            findTangent();
         }
         double slack = (Math.abs(x) + Math.abs(y) + length) * JOINT;
         int first = turned ? PieceRow.endJoint(shape) : PieceRow.startJoint(shape);
@@ -84,19 +80,62 @@ final class PieceShape {
         slackLast = last == PieceRow.FREE ? 0 : slack;
     }
 
-    /** Whether a disc of radius reach around (px, py) overlaps or touches it. */
+    /**
+     * Takes an edge that is met from both sides: a line or, if the radius is more than 0, an arc around a centre, anticlockwise, by half a turn at
+     * most. A path still meets it so far beyond its ends.
+     */
+    void take(
+            double centreX,
+            double centreY,
+            double radius,
+            double fromX,
+            double fromY,
+            double toX,
+            double toY,
+            double slack) {
+        isArc = radius > 0;
+        isOneSided = false;
+        isInner = false;
+        isAllAround = false;
+        isShallow = true;
+        thickness = 0;
+        x = isArc ? centreX : fromX;
+        y = isArc ? centreY : fromY;
+        firstX = fromX - x;
+        firstY = fromY - y;
+        lastX = toX - x;
+        lastY = toY - y;
+        length = radius;
+        if (!isArc) {
+            findTangent();
+        }
+        slackFirst = slack;
+        slackLast = slack;
+    }
+
+    private void findTangent() {
+        tx = lastX - firstX;
+        ty = lastY - firstY;
+        length = Math.sqrt(tx * tx + ty * ty);
+        tx /= length;
+        ty /= length;
+    }
+
+    @Override
     boolean overlapsDisc(double px, double py, double reach) {
         near(px, py);
         double s = thickness + reach;
         return squared() <= s * s;
     }
 
-    /** The distance from a point to its surface; negative inside one that is thick. */
+    /** Negative inside one that is thick. */
+    @Override
     double distance(double px, double py) {
         near(px, py);
         return Math.sqrt(squared()) - thickness;
     }
 
+    @Override
     boolean overlapsBox(double minX, double minY, double maxX, double maxY) {
         return isArc ? arcMeetsBox(minX, minY, maxX, maxY) : lineMeetsBox(minX, minY, maxX, maxY);
     }
@@ -234,11 +273,8 @@ final class PieceShape {
     // ---- casts
     // -------------------------------------------------------------------------------------------------------
 
-    /**
-     * How far a disc of radius reach moves from (px, py) along the unit vector (ux, uy) until it touches the piece, one that is solid on
-     * one side from there: 0 if it does at the start, {@link CircleTests#NONE} if it does not within the distance. The vector may be 0, if
-     * the distance is 0.
-     */
+    /** Of one that is solid on one side from there. */
+    @Override
     double castDistance(double px, double py, double reach, double ux, double uy, double most) {
         double s = reach + thickness;
         if (overlapsDisc(px, py, reach)) {
@@ -330,6 +366,7 @@ final class PieceShape {
      * Finds the unit vector from the piece to a point that a disc of radius reach has come to along (ux, uy). Of a ray it is the normal of
      * the side that it meets. Without any direction it points against the path, and up without a path.
      */
+    @Override
     void normalAt(double px, double py, double reach, double ux, double uy) {
         near(px, py);
         if (reach + thickness > 0 && normal()) {
@@ -344,6 +381,7 @@ final class PieceShape {
     }
 
     /** Finds the unit vector from the piece to a point; from a point on it, that of its front. */
+    @Override
     void normalFrom(double px, double py) {
         near(px, py);
         if (!normal()) {
@@ -365,28 +403,41 @@ final class PieceShape {
         return true;
     }
 
+    @Override
     double normalX() {
         return normalX;
     }
 
+    @Override
     double normalY() {
         return normalY;
     }
 
     /** The normal of the front, at the last point. */
-    private double faceX() {
+    double faceX() {
         return isArc ? (isInner ? -nearX : nearX) / length : ty;
     }
 
-    private double faceY() {
+    double faceY() {
         return isArc ? (isInner ? -nearY : nearY) / length : -tx;
     }
 
+    /** The point of the line or arc itself that was nearest to the last point. */
+    double nearestX() {
+        return x + nearX;
+    }
+
+    double nearestY() {
+        return y + nearY;
+    }
+
     /** The point of the surface that {@link #normalFrom} has found. */
+    @Override
     double surfaceX() {
         return x + nearX + normalX * thickness;
     }
 
+    @Override
     double surfaceY() {
         return y + nearY + normalY * thickness;
     }

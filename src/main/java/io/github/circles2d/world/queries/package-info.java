@@ -1,2 +1,2 @@
-/** Finds circles: a tree of boxes over them, and the searches in it. Exact tests decide, in double precision, in Java alone. */
+/** Finds circles, pieces of terrain and bodies: trees of boxes over them, and the searches in them. Exact tests decide, in double precision, in Java alone. */
 package io.github.circles2d.world.queries;

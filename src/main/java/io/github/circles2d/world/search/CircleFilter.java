@@ -9,7 +9,10 @@ import io.github.circles2d.world.queries.RemoteSearch;
 import io.github.circles2d.world.shared.WorldParts;
 import java.util.Arrays;
 
-/** Admits the circles whose kind's category has a bit of a mask, by kinds and categories as of now, and leaves out one circle. */
+/**
+ * Admits the circles, pieces or bodies whose kind's category has a bit of a mask, by kinds and categories as of now, and leaves out one circle or
+ * body.
+ */
 public final class CircleFilter implements IdFilter {
     private final WorldParts world;
     private final CircleFields fields;
@@ -54,6 +57,11 @@ public final class CircleFilter implements IdFilter {
     @Override
     public boolean admits(int id) {
         return admitsKind(fields.getInt(CircleField.KIND, id)) && id != leftOut();
+    }
+
+    /** Whether a body of a kind is admitted. */
+    boolean admitsBody(int body, int kind) {
+        return admitsKind(kind) && body != world.rigids.ids.find(leftOut);
     }
 
     boolean admitsKind(int kind) {

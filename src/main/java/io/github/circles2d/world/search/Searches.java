@@ -6,7 +6,7 @@ import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.shared.WorldParts;
 
 /**
- * The searches for circles, or for pieces of terrain, one or many in a call. The device that has the circles answers where that is faster,
+ * The searches for circles, for pieces of terrain, or for bodies, one or many in a call. The device that has the circles answers where that is faster,
  * else the host; both find the same. {@code Queries} documents what each call gives. Where a call takes a filter, null admits all.
  */
 public final class Searches {
@@ -21,7 +21,7 @@ public final class Searches {
     private final QueryBatch batch;
     private final Answers host;
 
-    /** Null for pieces of terrain, which are on the host. */
+    /** Null for pieces of terrain and bodies, which are on the host. */
     private final DeviceAnswers device;
 
     /** Takes the handle that a single query finds. */
@@ -41,7 +41,12 @@ public final class Searches {
 
     /** Searches for pieces of terrain. */
     public static Searches forTerrain(WorldParts world, TerrainView terrain) {
-        return new Searches(world, new PieceAnswers(terrain), null);
+        return new Searches(world, new ThingAnswers(terrain), null);
+    }
+
+    /** Searches for bodies that are pushed. */
+    public static Searches forBodies(WorldParts world) {
+        return new Searches(world, new ThingAnswers(new BodyView(world)), null);
     }
 
     /** Does nothing, if a query can be made at all. */
@@ -62,6 +67,15 @@ public final class Searches {
             throw new IllegalArgumentException(WorldParts.goneCircle(circle));
         }
         return CircleFilter.without(world, before, circle);
+    }
+
+    /** The same with a body left out. */
+    public CircleFilter withoutBody(CircleFilter before, long body) {
+        requireOpen();
+        if (body != 0 && !Handle.has(body, Handle.RIGID)) {
+            throw new IllegalArgumentException(WorldParts.goneRigid(body));
+        }
+        return CircleFilter.without(world, before, body);
     }
 
     /** Answers on any device from now on, whether or not it is the faster way: for tests. */
@@ -103,7 +117,7 @@ public final class Searches {
         return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
     }
 
-    /** The nearest piece to a point, or 0. */
+    /** The piece or body nearest to a point, or 0. */
     public long nearestOne(CircleFilter filter, float x, float y, float within, float[] hit) {
         QueryShape shape = QueryShape.NEAREST;
         found[0] = 0;
@@ -111,7 +125,7 @@ public final class Searches {
         return found[0];
     }
 
-    /** Finds the circles nearest to a point, and their distances, or pieces, and their hits. */
+    /** Finds the circles nearest to a point, and their distances, or pieces or bodies, and their hits. */
     public int nearest(CircleFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int)

@@ -4,12 +4,13 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.queries.BoxSearch;
 import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.TerrainSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /** The terrain as it is now, to be searched. Pieces are on the host on every back end. */
-public final class TerrainView {
+public final class TerrainView implements ThingView {
     private final WorldParts world;
     private final TerrainStep step;
     private final CircleFields fields;
@@ -26,8 +27,8 @@ public final class TerrainView {
         fields = world.handles.fields();
     }
 
-    /** Makes the search one of what there is now. */
-    TerrainSearch show() {
+    @Override
+    public BoxSearch show() {
         world.terrain.makeRoom(world.settings.subSteps());
         world.terrain.refresh();
         step.kinds.update(world.kinds, world.kinds.version());
@@ -35,11 +36,17 @@ public final class TerrainView {
         return search;
     }
 
-    long handle(int piece) {
+    @Override
+    public long handle(int piece) {
         return world.terrain.pieces.ids.handle(piece);
     }
 
-    int kindOf(int piece) {
+    @Override
+    public boolean admits(CircleFilter filter, int piece) {
+        return filter.admitsKind(kindOf(piece));
+    }
+
+    private int kindOf(int piece) {
         return world.terrain.pieces.kindOf(piece);
     }
 

@@ -102,10 +102,14 @@ public final class WorldParts {
     public int rigid(long handle) {
         int body = rigids.ids.find(handle);
         if (body < 0) {
-            throw new IllegalArgumentException(
-                    "no body has the handle " + handle + Handle.reason(handle, Handle.RIGID));
+            throw new IllegalArgumentException(goneRigid(handle));
         }
         return body;
+    }
+
+    /** Why a handle of no body that is pushed is refused. */
+    public static String goneRigid(long handle) {
+        return "no body has the handle " + handle + Handle.reason(handle, Handle.RIGID);
     }
 
     /** The id of the joint that has a handle. */

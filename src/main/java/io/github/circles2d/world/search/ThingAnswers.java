@@ -1,23 +1,23 @@
 package io.github.circles2d.world.search;
 
+import io.github.circles2d.world.queries.BoxSearch;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.IdFilter;
-import io.github.circles2d.world.queries.TerrainSearch;
 
-/** Answers queries for pieces of terrain. */
-final class PieceAnswers implements Answers {
-    private final TerrainView view;
+/** Answers queries for what is searched in a tree of boxes: pieces of terrain, or bodies. */
+final class ThingAnswers implements Answers {
+    private final ThingView view;
     private final IdFilter admitted = this::admits;
 
     /** That of the batch. */
     private CircleFilter filter;
 
-    PieceAnswers(TerrainView view) {
+    ThingAnswers(ThingView view) {
         this.view = view;
     }
 
-    private boolean admits(int piece) {
-        return filter.admitsKind(view.kindOf(piece));
+    private boolean admits(int thing) {
+        return view.admits(filter, thing);
     }
 
     private IdFilter filterOf(QueryBatch batch) {
@@ -28,7 +28,7 @@ final class PieceAnswers implements Answers {
     @Override
     public int all(QueryBatch batch) {
         IdFilter only = filterOf(batch);
-        TerrainSearch search = view.show();
+        BoxSearch search = view.show();
         int room = batch.room();
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
@@ -49,13 +49,13 @@ final class PieceAnswers implements Answers {
     @Override
     public int one(QueryBatch batch) {
         IdFilter only = filterOf(batch);
-        TerrainSearch search = view.show();
+        BoxSearch search = view.show();
         int count = 0;
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);
-            int piece = search.first(batch.shape, batch.numbers, only, batch.hits, CastSearch.HIT_STRIDE * q);
-            batch.handles[q] = piece < 0 ? 0 : view.handle(piece);
-            count += piece < 0 ? 0 : 1;
+            int thing = search.first(batch.shape, batch.numbers, only, batch.hits, CastSearch.HIT_STRIDE * q);
+            batch.handles[q] = thing < 0 ? 0 : view.handle(thing);
+            count += thing < 0 ? 0 : 1;
         }
         return count;
     }
@@ -63,7 +63,7 @@ final class PieceAnswers implements Answers {
     @Override
     public int nearest(QueryBatch batch) {
         IdFilter only = filterOf(batch);
-        TerrainSearch search = view.show();
+        BoxSearch search = view.show();
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);
