@@ -745,9 +745,12 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes the circles near a point away from it. A circle gets the whole impulse if its edge is at most the radius away from the
+     * Pushes the circles and {@link #bodies} near a point away from it. A circle gets the whole impulse if its edge is at most the radius away from the
      * point, none from radius + falloff on, and in between a share that falls in a straight line. The same impulse makes a light
      * circle faster than a heavy one. Static circles stay as they are, and so does a circle whose centre is the point itself.
+     *
+     * <p>A body gets its impulse by the distance of its outline, at the point of the outline that is nearest, into the body at right angles. So it turns
+     * a body, too. If the point of the explosion is inside, the impulse is whole, and a body whose centroid is there stays as it is.
      *
      * <p>It needs the present positions. So the first explosion after a step, or after a change of circles, reads all circles back, as
      * {@link #x} does, and waits for the device. Further ones use the same positions.
@@ -757,7 +760,7 @@ public final class World implements AutoCloseable {
      * @param radius a length, 0 to 1e10
      * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
      * @param falloff a length, 0 to 1e10
-     * @return the number of circles that got an impulse
+     * @return the number of circles and bodies that got an impulse
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff) {
@@ -765,7 +768,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes some of the circles near a point away from it, as {@link #explode(float, float, float, float, float)} does: those whose
+     * Pushes some of the circles and bodies near a point away from it, as {@link #explode(float, float, float, float, float)} does: those whose
      * kind's category ({@link Kind#setCategory}) has a bit of a mask, as {@link Queries#withMask} finds them.
      *
      * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
@@ -774,7 +777,7 @@ public final class World implements AutoCloseable {
      * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
      * @param falloff a length, 0 to 1e10
      * @param mask the bits of the categories to push
-     * @return the number of circles that got an impulse
+     * @return the number of circles and bodies that got an impulse
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
@@ -782,9 +785,9 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes the circles near a point away from it, as {@link #explode(float, float, float, float, float)} does, but those that are hidden
-     * behind terrain: a circle gets nothing if a piece that would stop it is between the point and its centre. A ray from the point
-     * decides, as {@link TerrainQueries#rayCast(float, float, float, float, float[])} finds pieces, but pieces at the point itself hide
+     * Pushes the circles and bodies near a point away from it, as {@link #explode(float, float, float, float, float)} does, but those that are hidden
+     * behind terrain: a circle gets nothing if a piece that would stop it is between the point and its centre, and a body if one is between the
+     * point and the nearest point of the outline. A ray from the point decides, as {@link TerrainQueries#rayCast(float, float, float, float, float[])} finds pieces, but pieces at the point itself hide
      * nobody.
      *
      * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
@@ -792,7 +795,7 @@ public final class World implements AutoCloseable {
      * @param radius a length, 0 to 1e10
      * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
      * @param falloff a length, 0 to 1e10
-     * @return the number of circles that got an impulse
+     * @return the number of circles and bodies that got an impulse
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff) {
@@ -800,7 +803,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes some of the circles near a point away from it, as {@link #explodeInSight(float, float, float, float, float)} does: those
+     * Pushes some of the circles and bodies near a point away from it, as {@link #explodeInSight(float, float, float, float, float)} does: those
      * whose kind's category ({@link Kind#setCategory}) has a bit of a mask.
      *
      * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
@@ -809,7 +812,7 @@ public final class World implements AutoCloseable {
      * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
      * @param falloff a length, 0 to 1e10
      * @param mask the bits of the categories to push
-     * @return the number of circles that got an impulse
+     * @return the number of circles and bodies that got an impulse
      * @throws IllegalArgumentException if a value is out of range
      */
     public int explodeInSight(float x, float y, float radius, float impulse, float falloff, int mask) {

@@ -305,6 +305,7 @@ class WorldAllocationTest {
                 world.step(1 / 60f);
                 BodyEvents touches = bodies.events();
                 consume(touches.size() + bodies.x(first) + world.hash());
+                consume(world.explodeInSight(20, 5, 3, 0.1f, 3, 1));
                 consume(queries.pick(5, 3)
                         + queries.overlapCircle(20, 5, 9, handles)
                         + queries.overlapBox(5, 2, 30, 9, handles)

@@ -30,6 +30,7 @@ import io.github.circles2d.world.reads.RigidReads;
 import io.github.circles2d.world.reports.Reports;
 import io.github.circles2d.world.saves.Journal;
 import io.github.circles2d.world.saves.Snapshots;
+import io.github.circles2d.world.search.BodyView;
 import io.github.circles2d.world.search.Searches;
 import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.Calls;
@@ -97,7 +98,8 @@ public final class Simulation implements AutoCloseable {
         nets = new Nets(world, newCircles);
         circles = new Circles(world, nextStep, changes);
         TerrainView view = new TerrainView(world);
-        bulk = new BulkChanges(world, changes, view);
+        BodyView bodyView = new BodyView(world);
+        bulk = new BulkChanges(world, changes, view, bodyView);
         fields = new FieldCalls(world, kinds);
         surroundings = new Surroundings(world, nextStep);
         pieces = new Pieces(world);
@@ -114,7 +116,7 @@ public final class Simulation implements AutoCloseable {
         journal = new Journal(world);
         searches = Searches.forCircles(world);
         terrainSearches = Searches.forTerrain(world, view);
-        bodySearches = Searches.forBodies(world);
+        bodySearches = Searches.forBodies(world, bodyView);
         try {
             world.needs.prepare();
         } catch (RuntimeException | Error e) {

@@ -90,6 +90,7 @@ final class Rooms {
             entry(
                     "world.changes",
                     "world.search",
+                    "world.queries",
                     "world.shared",
                     "world.terrain",
                     "world.bodies",

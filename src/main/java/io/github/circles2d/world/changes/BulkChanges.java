@@ -1,25 +1,47 @@
 package io.github.circles2d.world.changes;
 
+import static io.github.circles2d.world.shared.Call.real;
+import static java.lang.Float.floatToRawIntBits;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.search.BodyView;
 import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.TerrainView;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
 
-/** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
+/** The calls that change many circles at once, all of them or none, and explosions. {@link PreparedChanges} has what each changes. */
 public final class BulkChanges {
+    /** Words of {@link Call#RIGID_IMPULSE}. */
+    private static final int PUSH = 5;
+
     private final WorldParts world;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
     private final CircleFilter filter;
-    private final TerrainView view;
+    private final TerrainView terrain;
+    private final BodyView bodies;
 
-    public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView view) {
+    /** Where an explosion meets a body. */
+    private final float[] hit = new float[CastSearch.HIT_STRIDE];
+
+    /** The words of pushes of bodies, {@link #PUSH} each. */
+    private int[] pushes = new int[0];
+
+    private final int[] words = new int[Call.MOST_WORDS];
+
+    public BulkChanges(WorldParts world, PreparedChanges changes, TerrainView terrain, BodyView bodies) {
         this.world = world;
         this.changes = changes;
-        this.view = view;
+        this.terrain = terrain;
+        this.bodies = bodies;
         filter = new CircleFilter(world, 0);
     }
 
@@ -148,7 +170,7 @@ public final class BulkChanges {
         return true;
     }
 
-    /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
+    /** {@link Explosion}; if masked, of circles and bodies whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         world.guard.enter();
         try {
@@ -158,7 +180,7 @@ public final class BulkChanges {
         }
     }
 
-    /** The same of the circles that no piece of terrain hides. */
+    /** The same of what no piece of terrain hides. */
     public int explodeInSight(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         world.guard.enter();
         try {
@@ -173,13 +195,16 @@ public final class BulkChanges {
         explosion.set(x, y, radius, impulse, falloff, world.settings.bounds());
         filter.setMask(mask);
         float[] circles = world.last.circles();
-        boolean hides = inSight && view.look();
+        boolean hides = inSight && terrain.look();
+        int reached = prepareBodies(masked, hides);
         changes.begin(0);
         int pushed = 0;
         int s = 0;
         for (int id = 0; id < world.handles.end(); id++) {
             if (world.handles.lives(id)) {
-                if ((!masked || filter.admits(id)) && explosion.reaches(circles, s) && !(hides && isHidden(id))) {
+                if ((!masked || filter.admits(id))
+                        && explosion.reaches(circles, s)
+                        && !(hides && isHidden(world.handles.fields().getInt(CircleField.KIND, id)))) {
                     changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     pushed++;
                 }
@@ -187,10 +212,65 @@ public final class BulkChanges {
             }
         }
         changes.make(Commands.IMPULSE);
-        return pushed;
+        pushBodies(reached);
+        return pushed + reached;
     }
 
-    private boolean isHidden(int id) {
-        return view.isHidden(id, explosion.x(), explosion.y(), explosion.dx(), explosion.dy());
+    /** Prepares the pushes of bodies, and returns how many: what may lack memory comes before the first change. */
+    private int prepareBodies(boolean masked, boolean hides) {
+        if (!world.rigids.isThere()) {
+            return 0;
+        }
+        int near = bodies.near(explosion.x(), explosion.y(), explosion.reach());
+        if (pushes.length < PUSH * near) {
+            pushes = new int[PUSH * Math.max(near, 2 * pushes.length / PUSH)];
+        }
+        int reached = 0;
+        for (int k = 0; k < near; k++) {
+            int body = bodies.id(k);
+            bodies.read(k, hit);
+            if (reaches(body, masked, hides)) {
+                int at = PUSH * reached++;
+                pushes[at] = body;
+                pushes[at + 1] = floatToRawIntBits(explosion.impulseX());
+                pushes[at + 2] = floatToRawIntBits(explosion.impulseY());
+                pushes[at + 3] = place(hit[CastSearch.X]);
+                pushes[at + 4] = place(hit[CastSearch.Y]);
+            }
+        }
+        return reached;
+    }
+
+    private static int place(float coordinate) {
+        return floatToRawIntBits(CircleMath.clamp(coordinate, -Limits.COORDINATE, Limits.COORDINATE));
+    }
+
+    /** Whether the body of the last hit gets an impulse: not if the explosion is at its centroid. */
+    private boolean reaches(int body, boolean masked, boolean hides) {
+        RigidStep step = world.rigids.step;
+        int kind = step.kind[body];
+        return (!masked || filter.admitsBody(body, kind))
+                && (step.x[body] != explosion.x() || step.y[body] != explosion.y())
+                && explosion.reaches(
+                        hit[CastSearch.DISTANCE],
+                        hit[CastSearch.X],
+                        hit[CastSearch.Y],
+                        hit[CastSearch.NORMAL_X],
+                        hit[CastSearch.NORMAL_Y])
+                && !(hides && isHidden(kind));
+    }
+
+    private void pushBodies(int count) {
+        for (int k = 0; k < count; k++) {
+            System.arraycopy(pushes, PUSH * k, words, 0, PUSH);
+            world.calls.begin(Call.RIGID_IMPULSE, words);
+            world.rigids.push(
+                    words[0], real(words[1]), real(words[2]), real(words[3]), real(words[4]), world.settings.bounds());
+            world.calls.end();
+        }
+    }
+
+    private boolean isHidden(int kind) {
+        return terrain.isHidden(kind, explosion.x(), explosion.y(), explosion.dx(), explosion.dy());
     }
 }

@@ -10,7 +10,7 @@ public final class Explosion {
     private float periodX;
     private float periodY;
 
-    // of a circle
+    // of a circle or a body
     private float dx;
 
     private float dy;
@@ -40,16 +40,40 @@ public final class Explosion {
         dx = CircleMath.shortWay(circles[row + CircleRow.X] - x, periodX);
         dy = CircleMath.shortWay(circles[row + CircleRow.Y] - y, periodY);
         float distance = CircleMath.length(dx, dy);
-        float gap = CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f);
-        float reach = radius + falloff;
-        boolean whole = gap <= radius;
-        if (!whole && !(gap < reach) || distance == 0f || CircleMath.inverseMass(circles[row + CircleRow.MASS]) == 0f) {
+        float share = share(CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f));
+        if (share < 0f || distance == 0f || CircleMath.inverseMass(circles[row + CircleRow.MASS]) == 0f) {
             return false;
         }
-        float share = whole ? 1f : CircleMath.min((reach - gap) / falloff, 1f);
         impulseX = impulse * share * (dx / distance);
         impulseY = impulse * share * (dy / distance);
         return true;
+    }
+
+    /**
+     * Whether a body gets {@link #impulseX} and {@link #impulseY} at the nearest point of its outline, which is so far away, negative if the explosion is
+     * inside. The normal leads out of the body there.
+     */
+    public boolean reaches(float distance, float pointX, float pointY, float normalX, float normalY) {
+        dx = pointX - x;
+        dy = pointY - y;
+        float share = share(CircleMath.max(distance, 0f));
+        impulseX = impulse * share * (0f - normalX);
+        impulseY = impulse * share * (0f - normalY);
+        return share >= 0f;
+    }
+
+    /** Of the impulse; negative if an edge so far away gets none. */
+    private float share(float gap) {
+        float reach = radius + falloff;
+        if (gap <= radius) {
+            return 1f;
+        }
+        return gap < reach ? CircleMath.min((reach - gap) / falloff, 1f) : -1f;
+    }
+
+    /** No edge farther away gets an impulse. */
+    public float reach() {
+        return radius + falloff;
     }
 
     public float x() {
@@ -60,7 +84,7 @@ public final class Explosion {
         return y;
     }
 
-    /** How far from it the centre of the circle is. */
+    /** How far from it the centre of the circle is, or the point of the outline. */
     public float dx() {
         return dx;
     }

@@ -5,14 +5,14 @@ import io.github.circles2d.world.queries.BoxSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /** The bodies that are pushed. */
-final class BodyView implements ThingView {
+public final class BodyView implements ThingView {
     private final WorldParts world;
     private final BodySearch search = new BodySearch();
 
     /** Which bodies the search shows, by the version of the table; none at first. */
     private long shown = -1;
 
-    BodyView(WorldParts world) {
+    public BodyView(WorldParts world) {
         this.world = world;
     }
 
@@ -34,5 +34,20 @@ final class BodyView implements ThingView {
     @Override
     public boolean admits(CircleFilter filter, int body) {
         return filter.admitsBody(body, world.rigids.step.kind[body]);
+    }
+
+    /** Finds the bodies whose outlines are so near to a place, the nearest first, and returns how many. */
+    public int near(float x, float y, float within) {
+        return show().nearest(x, y, within, Integer.MAX_VALUE, null);
+    }
+
+    /** The body with a number from 0 to those that {@link #near} has found, until something else is searched. */
+    public int id(int k) {
+        return search.nearestId(k);
+    }
+
+    /** Writes how far away it is, the nearest point of its outline and the normal there, as {@code CastSearch} lays hits out. */
+    public void read(int k, float[] to) {
+        search.writeNearest(k, to, 0);
     }
 }

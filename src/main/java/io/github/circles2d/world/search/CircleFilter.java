@@ -60,7 +60,7 @@ public final class CircleFilter implements IdFilter {
     }
 
     /** Whether a body of a kind is admitted. */
-    boolean admitsBody(int body, int kind) {
+    public boolean admitsBody(int body, int kind) {
         return admitsKind(kind) && body != world.rigids.ids.find(leftOut);
     }
 

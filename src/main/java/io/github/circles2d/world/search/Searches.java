@@ -45,8 +45,8 @@ public final class Searches {
     }
 
     /** Searches for bodies that are pushed. */
-    public static Searches forBodies(WorldParts world) {
-        return new Searches(world, new ThingAnswers(new BodyView(world)), null);
+    public static Searches forBodies(WorldParts world, BodyView bodies) {
+        return new Searches(world, new ThingAnswers(bodies), null);
     }
 
     /** Does nothing, if a query can be made at all. */

@@ -1,7 +1,5 @@
 package io.github.circles2d.world.search;
 
-import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.queries.BoxSearch;
@@ -13,10 +11,9 @@ import io.github.circles2d.world.shared.WorldParts;
 public final class TerrainView implements ThingView {
     private final WorldParts world;
     private final TerrainStep step;
-    private final CircleFields fields;
     private final TerrainSearch search = new TerrainSearch();
 
-    /** Admits the pieces that stop circles of the kind. */
+    /** Admits the pieces that stop circles and bodies of the kind. */
     private final IdFilter stopping = this::stops;
 
     private int kind;
@@ -24,7 +21,6 @@ public final class TerrainView implements ThingView {
     public TerrainView(WorldParts world) {
         this.world = world;
         step = world.input.terrain;
-        fields = world.handles.fields();
     }
 
     @Override
@@ -50,7 +46,7 @@ public final class TerrainView implements ThingView {
         return world.terrain.pieces.kindOf(piece);
     }
 
-    /** Begins with questions about terrain that is in the way of circles; false if there is none. */
+    /** Begins with questions about terrain that is in the way; false if there is none. */
     public boolean look() {
         if (world.terrain.isThere()) {
             show();
@@ -58,9 +54,9 @@ public final class TerrainView implements ThingView {
         return world.terrain.isThere();
     }
 
-    /** Whether a piece that stops a circle is between a place and its centre, which is so far from there. */
-    public boolean isHidden(int circle, float x, float y, float dx, float dy) {
-        kind = fields.getInt(CircleField.KIND, circle);
+    /** Whether a piece that stops what is of a kind is between a place and another one, which is so far from there. */
+    public boolean isHidden(int ofKind, float x, float y, float dx, float dy) {
+        kind = ofKind;
         return search.isBlocked(x, y, dx, dy, stopping);
     }
 
