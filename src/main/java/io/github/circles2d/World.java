@@ -1287,12 +1287,12 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Reads by id how hard every circle is pressed: by how many circles, walls and pieces of terrain, and the sum of the forces, without
+     * Reads by id how hard every circle is pressed: by how many circles, walls, pieces of terrain and bodies (at each of their corners and sides), and the sum of the forces, without
      * their directions, by which these do so. Joints do not count. The forces are those at the end of the last step, from which the next one starts. They hold piles up. A
      * bounce is over at once, and does not count. The numbers are the same to the bit on every back end. The call copies the state, as
      * {@link #snapshot} does.
      *
-     * @param loads takes two elements an id: the number of circles, walls and pieces that press the circle, and the sum of their forces, mass
+     * @param loads takes two elements an id: the number of circles, walls, pieces and bodies that press the circle, and the sum of their forces, mass
      *     times length per second squared. All of it is written: elements without a circle become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
      * @throws IllegalArgumentException if an array is too short

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** By how many circles, walls and pieces a circle is pressed, and how hard. */
+/** By how many circles, walls, pieces and bodies a circle is pressed, and how hard. */
 class WorldLoadsTest {
     private static final float GRAVITY = 10;
 
@@ -58,6 +58,32 @@ class WorldLoadsTest {
             world.terrain().remove(world.terrain().handle(0));
             world.readLoadsById(loads, null);
             assertThat(loads[4]).as("one is gone").isEqualTo(1);
+        }
+    }
+
+    @Test
+    void bodiesCount() {
+        try (World world = column()) {
+            float[] loads = new float[12];
+            world.clear();
+            long left = world.add(4, 1, 1, 2);
+            long right = world.add(6.5f, 1, 1, 2);
+            long plank = world.bodies().add(Outline.box(5, 0.5f), 5.25f, 2.25f, 0, 4);
+            long above = world.add(5.25f, 3, 0.5f, 1);
+            world.step(1 / 60f, 300);
+            world.readLoadsById(loads, null);
+            for (long circle : new long[] {left, right}) {
+                assertThat(loads[2 * World.id(circle)])
+                        .as("the floor and the plank")
+                        .isEqualTo(2);
+                assertThat(loads[2 * World.id(circle) + 1]).isCloseTo((4.5f + 2.5f) * GRAVITY, within(0.2f));
+            }
+            assertThat(loads[2 * World.id(above)]).isOne();
+            assertThat(loads[2 * World.id(above) + 1]).isCloseTo(GRAVITY, within(0.1f));
+            world.bodies().remove(plank);
+            world.readLoadsById(loads, null);
+            assertThat(loads[2 * World.id(left)]).isOne();
+            assertThat(loads[2 * World.id(above)]).isZero();
         }
     }
 
