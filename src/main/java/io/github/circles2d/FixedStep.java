@@ -116,7 +116,6 @@ public final class FixedStep {
     private final BodyPoses bodiesBefore = new BodyPoses();
     private final BodyPoses bodiesAfter = new BodyPoses();
     private final BodyPoses bodiesBetween = new BodyPoses();
-    private final DrawnPlaces drawn = new DrawnPlaces(bodiesBefore, bodiesAfter, bodiesBetween);
 
     /** Whether the poses of bodies that are pushed are kept likewise. */
     private boolean keepsRigids;
@@ -126,6 +125,9 @@ public final class FixedStep {
 
     private final RigidPoses rigidsBefore = new RigidPoses();
     private final RigidPoses rigidsAfter = new RigidPoses();
+
+    private final DrawnPlaces drawn =
+            new DrawnPlaces(bodiesBefore, bodiesAfter, bodiesBetween, rigidsBefore, rigidsAfter);
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -552,6 +554,7 @@ public final class FixedStep {
     public int jointEnds(float[] ends, long[] handles) {
         FloatBuffer positions = positions(null);
         keepBodies();
+        keepRigids();
         return world.simulation().jointReads.readEnds(drawn.at(positions, alpha()), ends, handles);
     }
 
@@ -567,11 +570,7 @@ public final class FixedStep {
      * @throws IllegalArgumentException if an array is too short
      */
     public void bodies(float[] bodies, long[] living) {
-        keepsRigids = true;
-        if (!hasRigids) {
-            world.simulation().rigidReads.keep(rigidsBefore);
-            world.simulation().rigidReads.keep(rigidsAfter);
-        }
+        keepRigids();
         world.simulation().rigidReads.readBetween(rigidsBefore, rigidsAfter, alpha(), bodies, living);
     }
 
@@ -580,6 +579,14 @@ public final class FixedStep {
         if (!hasBodies) {
             world.simulation().bodies.keep(bodiesBefore);
             world.simulation().bodies.keep(bodiesAfter);
+        }
+    }
+
+    private void keepRigids() {
+        keepsRigids = true;
+        if (!hasRigids) {
+            world.simulation().rigidReads.keep(rigidsBefore);
+            world.simulation().rigidReads.keep(rigidsAfter);
         }
     }
 

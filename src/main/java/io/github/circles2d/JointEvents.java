@@ -31,7 +31,7 @@ public final class JointEvents {
         /** A circle of it was removed. */
         CIRCLE_REMOVED,
 
-        /** The body of terrain of its anchor was removed. */
+        /** The body of terrain of its anchor, or another body that it held, was removed. */
         BODY_REMOVED
     }
 
@@ -66,10 +66,10 @@ public final class JointEvents {
     }
 
     /**
-     * The first circle of the joint.
+     * The first circle or body of the joint.
      *
      * @param event its number, from 0 on
-     * @return its handle; stale if the circle has been removed
+     * @return its handle; stale if the circle or body has been removed
      * @throws IndexOutOfBoundsException if there is no such event
      */
     public long circle(int event) {
@@ -77,10 +77,10 @@ public final class JointEvents {
     }
 
     /**
-     * The other circle of the joint.
+     * The other circle or body of the joint.
      *
      * @param event its number, from 0 on
-     * @return its handle; stale if the circle has been removed; 0 if the joint held one alone
+     * @return its handle; stale if the circle or body has been removed; 0 if the joint held one alone
      * @throws IndexOutOfBoundsException if there is no such event
      */
     public long other(int event) {

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Handle;
+import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.Limits;
@@ -20,14 +21,18 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>Handles</b> are as those of circles: longs, never 0, stale once the joint has gone. No joint has the handle of a circle: a call that gets one for the
  * other refuses it.
  *
- * <p><b>Joints go</b> if they are removed, if they break ({@link Joint#breakingAt}), and with each circle and each body of terrain that they hold.
+ * <p><b>Joints go</b> if they are removed, if they break ({@link Joint#breakingAt}), and with each circle and each body that they hold.
  *
- * <p><b>Collisions:</b> two circles that a joint holds do not collide, unless it is {@link Joint#colliding}.
+ * <p><b>Bodies</b> of {@link World#bodies} are held at points, in their own coordinates from the centroid on: a hinge is a {@link Joint#pin} between points
+ * of two bodies. Points are up to 100 times as far from the centroid as the outline is, along each axis. Between bodies all joints are possible but
+ * {@link Joint#friction}. A weld of a body keeps both as they lie.
+ *
+ * <p><b>Collisions:</b> two circles or bodies that a joint holds do not collide, unless it is {@link Joint#colliding}.
  *
  * <p><b>Rigid</b> joints yield a little if masses differ: a rope of 100 links with an end of 100 times the mass of a link stretches by a fifth.
  * A second joint, a rope from its first circle to its last one, keeps it from that.
  *
- * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor. A joint whose circles become static afterwards, by {@link
+ * <p><b>Static circles</b> and bodies may be held, but not two by one joint, nor one by an anchor. A joint whose circles become static afterwards, by {@link
  * World#setMass}, does nothing until one of them can move again.
  *
  * <p><b>Lengths that nobody gives</b>, and welds, take them from the circles as they are now, which are read for that if they have changed. So add
@@ -53,17 +58,97 @@ public final class Joints {
     // -------------------------------------------------------------------------------------------------
 
     /**
-     * Adds a joint between two circles.
+     * Adds a joint between two circles or bodies, which are held at their centres.
      *
-     * @param circle the handle of its first circle
+     * @param circle the handle of its first circle or body
      * @param other that of the other one
-     * @param joint what it does: no pin, and no friction
+     * @param joint what it does: no friction; no pin either, unless one is a body
      * @return the handle of the joint
-     * @throws IllegalArgumentException if a circle has been removed, both are one or are static, the joint is of no use between two circles, or
+     * @throws IllegalArgumentException if a circle or body has been removed, both are one or are static, the joint is of no use between two, or
      *     there are 2^20 joints
      */
     public long add(long circle, long other, Joint joint) {
         return simulation.joints.add(circle, other, form(joint));
+    }
+
+    /**
+     * Adds a joint between points of two bodies.
+     *
+     * @param body the handle of the first body
+     * @param x x of the point on it, in the body's coordinates
+     * @param y y of it
+     * @param other the handle of the other body
+     * @param otherX x of the point on that, in its coordinates
+     * @param otherY y of it
+     * @param joint what it does: no friction
+     * @return the handle of the joint
+     * @throws IllegalArgumentException if a body has been removed, both are one or are static, a point is too far away, the joint is of no use
+     *     between two, or there are 2^20 joints
+     */
+    public long add(long body, float x, float y, long other, float otherX, float otherY, Joint joint) {
+        return simulation.joints.add(
+                JointEndType.RIGID, body, x, y, JointEndType.RIGID, other, otherX, otherY, form(joint));
+    }
+
+    /**
+     * Adds a joint between a point of a body and a circle: a wheel, or a ball on a rope.
+     *
+     * @param body the handle of the body
+     * @param x x of the point, in the body's coordinates
+     * @param y y of it
+     * @param circle the handle of the circle
+     * @param joint what it does: no friction
+     * @return the handle of the joint
+     * @throws IllegalArgumentException as {@link #add(long, float, float, long, float, float, Joint)}
+     */
+    public long add(long body, float x, float y, long circle, Joint joint) {
+        return simulation.joints.add(JointEndType.RIGID, body, x, y, JointEndType.CIRCLE, circle, 0, 0, form(joint));
+    }
+
+    /**
+     * Adds a joint between a point of a body and a place of the world.
+     *
+     * @param body the handle of the body
+     * @param x x of the point, in the body's coordinates
+     * @param y y of it
+     * @param worldX x of the anchor, up to 1e9 in magnitude
+     * @param worldY y of it
+     * @param joint what it does: a pin, or a joint along a line, but no weld
+     * @return the handle of the joint
+     * @throws IllegalArgumentException if the body has been removed or is static, a value is out of range, the joint takes no anchor, or there are
+     *     2^20 joints
+     */
+    public long add(long body, float x, float y, float worldX, float worldY, Joint joint) {
+        return simulation.joints.add(
+                JointEndType.RIGID,
+                body,
+                x,
+                y,
+                JointEndType.ANCHOR,
+                simulation.bodies.ground(),
+                worldX,
+                worldY,
+                form(joint));
+    }
+
+    /**
+     * Adds a joint between a point of a body and a place of a body of terrain, with which the anchor moves.
+     *
+     * @param body the handle of the body that is pushed
+     * @param x x of the point, in the body's coordinates
+     * @param y y of it
+     * @param terrain the body of terrain
+     * @param terrainX x of the anchor, in the coordinates of that, up to 1e9 in magnitude
+     * @param terrainY y of it
+     * @param joint what it does: a pin, or a joint along a line, but no weld
+     * @return the handle of the joint
+     * @throws IllegalArgumentException as {@link #add(long, float, float, float, float, Joint)}, or if the body of terrain has been removed or is
+     *     none of this world's
+     */
+    public long add(long body, float x, float y, TerrainBody terrain, float terrainX, float terrainY, Joint joint) {
+        long handle = Limits.notNull("terrain", terrain).handleIn(simulation);
+        return simulation.joints.add(
+                JointEndType.RIGID, body, x, y, JointEndType.ANCHOR, handle, terrainX, terrainY, form(joint));
     }
 
     /**
@@ -98,12 +183,12 @@ public final class Joints {
     }
 
     /**
-     * Adds a joint between a circle and the world, without a place.
+     * Adds a joint between a circle or a body and the world, without a place.
      *
-     * @param circle the handle of the circle
+     * @param circle the handle of the circle or body
      * @param joint what it does: a motor, a servo or friction
      * @return the handle of the joint
-     * @throws IllegalArgumentException if the circle has been removed or is static, the joint needs another end, or there are 2^20 joints
+     * @throws IllegalArgumentException if the circle or body has been removed or is static, the joint needs another end, or there are 2^20 joints
      */
     public long add(long circle, Joint joint) {
         return simulation.joints.add(circle, form(joint));
@@ -221,25 +306,25 @@ public final class Joints {
     }
 
     /**
-     * The first circle of a joint.
+     * The first circle or body of a joint.
      *
      * @param joint the handle of a joint
-     * @return the handle of the circle
+     * @return the handle of the circle or body; {@link Bodies#contains} tells which
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public long circle(long joint) {
-        return simulation.jointReads.circle(joint, false);
+        return simulation.jointReads.end(joint, false);
     }
 
     /**
-     * The other circle of a joint.
+     * The other circle or body of a joint.
      *
      * @param joint the handle of a joint
-     * @return the handle of the circle; 0 if the joint holds one alone
+     * @return the handle of the circle or body; 0 if the joint holds one alone
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public long other(long joint) {
-        return simulation.jointReads.circle(joint, true);
+        return simulation.jointReads.end(joint, true);
     }
 
     /**
@@ -266,7 +351,19 @@ public final class Joints {
     }
 
     /**
-     * The joint whose line is nearest to a point. A joint without a place is at its circle.
+     * Lists the joints of a body of {@link World#bodies}.
+     *
+     * @param body the handle of a body
+     * @param joints takes their handles, in the order of their ids; if it is too short, the first of them
+     * @return how many joints there are, which may be more than the array takes
+     * @throws IllegalArgumentException if the body has been removed, or the handle is none
+     */
+    public int ofBody(long body, long[] joints) {
+        return simulation.jointReads.ofBody(body, joints);
+    }
+
+    /**
+     * The joint whose line is nearest to a point. A joint without a place is at its circle or body.
      *
      * @param x x of the point, up to 1e9 in magnitude
      * @param y y of it
@@ -340,8 +437,8 @@ public final class Joints {
      * How hard a joint pulls or pushes, the mean of the last step.
      *
      * @param joint the handle of a joint
-     * @return of a distance joint, a spring, a joint with limits or a weld the force along its line as it is now, positive if it pulls its ends
-     *     together; of others how great the force is
+     * @return of a distance joint, a spring, a joint with limits or a weld of circles the force along its line as it is now, positive if it pulls its
+     *     ends together; of others how great the force is
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public float force(long joint) {
@@ -362,7 +459,7 @@ public final class Joints {
     /**
      * Where both ends of all joints are now, in the order of their ids, for drawing: x and y of the first end, then of the second one. Along an
      * axis that wraps, the second one is the image nearest to the first, which may be outside of the bounds. Of a joint without a place both
-     * are at its circle. {@link FixedStep#jointEnds} gives them between two steps.
+     * are at its circle or body. {@link FixedStep#jointEnds} gives them between two steps.
      *
      * @param ends takes four elements a joint
      * @return the number of joints
@@ -403,8 +500,8 @@ public final class Joints {
     }
 
     /**
-     * Puts the anchor of a joint somewhere else. A rigid joint follows it by at most 0.2 radii of its circle a sub-step, which is 48 radii a
-     * second with 60 steps of 4 sub-steps; behind an anchor that goes on faster the circle lags. The mouse, springs and soft pins have no such
+     * Puts the anchor of a joint somewhere else. A rigid joint follows it by at most 0.2 radii of its circle a sub-step, or 0.2 times as far as its body
+     * goes from the centroid, which is 48 radii a second with 60 steps of 4 sub-steps; behind an anchor that goes on faster the circle lags. The mouse, springs and soft pins have no such
      * limit, nor has an anchor on a {@link TerrainBody} that moves by its own velocity or {@link TerrainBody#moveTo}.
      *
      * @param joint the handle of a joint

@@ -265,7 +265,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Removes all circles and joints, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
+     * Removes all circles and their joints, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
      * are free, and pairs that touched end. It takes about as long as a read. Changes of circles that still wait for a step are dropped.
      *
      * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, {@link

@@ -53,6 +53,15 @@ final class JointTable extends Table {
         add(12, "add", circle, x(), y(), joint);
         add(8, "add", circle, new Drawn(TerrainBody.class, Drawn::body), offset(), offset(), joint);
         add(8, "add", circle, alone);
+        Drawn body = handle(Ref.Of.RIGID);
+        add(8, "add", body, body, joint);
+        add(8, "add", body, circle, joint);
+        add(8, "add", circle, body, joint);
+        add(8, "add", body, alone);
+        add(20, "add", body, offset(), offset(), body, offset(), offset(), joint);
+        add(12, "add", body, offset(), offset(), circle, joint);
+        add(12, "add", body, offset(), offset(), x(), y(), joint);
+        add(8, "add", body, offset(), offset(), new Drawn(TerrainBody.class, Drawn::body), offset(), offset(), joint);
         add(20, "addAll", circles, circles, joint, handles);
         add(6, "addAll", circles, alone, handles);
     }
@@ -91,6 +100,7 @@ final class JointTable extends Table {
         add(1, "idLimit");
         add(1, "handle", whole(draw -> draw.below(5)));
         add(2, "ofCircle", handle(Ref.Of.CIRCLE), Drawn.room(long[].class));
+        add(2, "ofBody", handle(Ref.Of.RIGID), Drawn.room(long[].class));
         add(2, "pick", x(), y(), real(draw -> draw.oneOf(3) ? Float.POSITIVE_INFINITY : draw.length()));
         add(
                 2,

@@ -127,7 +127,7 @@ final class Rooms {
                     "world.events",
                     "world.circles",
                     "world.model"),
-            entry("world.joints", "world.terrain", "world.circles", "world.model"),
+            entry("world.joints", "world.bodies", "world.terrain", "world.circles", "world.model"),
             entry("world.terrain", "world.circles", "world.model"),
             entry("world.circles", "world.model"),
             entry("world.events", "world.terrain", "world.circles", "world.model"),

@@ -17,6 +17,7 @@ public final class RigidPoses {
     private float[] x = new float[0];
     private float[] y = new float[0];
     private int[] angle = new int[0];
+    private final Pose drawn = new Pose();
 
     public RigidPoses() {}
 
@@ -48,26 +49,38 @@ public final class RigidPoses {
         return id < count && handle[id] == itsHandle;
     }
 
+    /** A pose, which callers read. */
+    static final class Pose {
+        float x;
+        float y;
+        int angle;
+    }
+
     /**
-     * Writes where a body of now is on the way from before a step to after it, which is the short one: x, y, the angle in radians. One that was not there
+     * Gives where a body of now is on the way from before a step to after it, which is the short one. One that was not there
      * before the step is where it was after it, and one that is new where it is now.
      */
-    public static void readBetween(
-            RigidPoses before, RigidPoses after, float alpha, RigidTable now, int id, Bounds bounds, float[] to) {
-        float atX = now.step.x[id];
-        float atY = now.step.y[id];
-        int turned = now.step.angle[id];
+    static void between(
+            RigidPoses before, RigidPoses after, float alpha, RigidTable now, int id, Bounds bounds, Pose to) {
+        to.x = now.step.x[id];
+        to.y = now.step.y[id];
+        to.angle = now.step.angle[id];
         long its = now.ids.handle(id);
         if (after.has(id, its)) {
             RigidPoses from = before.has(id, its) ? before : after;
             float wayX = CircleMath.shortWay(after.x[id] - from.x[id], bounds.periodX());
             float wayY = CircleMath.shortWay(after.y[id] - from.y[id], bounds.periodY());
-            atX = bounds.placeX(from.x[id] + wayX * alpha);
-            atY = bounds.placeY(from.y[id] + wayY * alpha);
-            turned = from.angle[id] + (int) ((double) (after.angle[id] - from.angle[id]) * alpha);
+            to.x = bounds.placeX(from.x[id] + wayX * alpha);
+            to.y = bounds.placeY(from.y[id] + wayY * alpha);
+            to.angle = from.angle[id] + (int) ((double) (after.angle[id] - from.angle[id]) * alpha);
         }
-        to[STRIDE * id] = atX;
-        to[STRIDE * id + 1] = atY;
-        to[STRIDE * id + 2] = Surface.radians(turned);
+    }
+
+    /** Writes the same of a body: x, y, the angle in radians. */
+    public void readBetween(RigidPoses before, float alpha, RigidTable now, int id, Bounds bounds, float[] to) {
+        between(before, this, alpha, now, id, bounds, drawn);
+        to[STRIDE * id] = drawn.x;
+        to[STRIDE * id + 1] = drawn.y;
+        to[STRIDE * id + 2] = Surface.radians(drawn.angle);
     }
 }

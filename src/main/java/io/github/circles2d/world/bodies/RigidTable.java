@@ -20,6 +20,9 @@ public final class RigidTable {
 
     public final RigidEvents events;
 
+    /** Where points of bodies are, for a caller to look at. */
+    public final RigidPlaces places;
+
     /** Ids of pieces of terrain. */
     private final IdTable pieces;
 
@@ -50,6 +53,7 @@ public final class RigidTable {
     /** No bodies. */
     public RigidTable(HandleTable circles, IdTable pieces) {
         this.pieces = pieces;
+        places = new RigidPlaces(this);
         events = new RigidEvents(step, ids, circles, pieces);
     }
 
@@ -93,6 +97,11 @@ public final class RigidTable {
 
     public long tag(int body) {
         return tag[body];
+    }
+
+    /** Whether something moves or turns a body. */
+    public boolean moves(int body) {
+        return step.inverseMass[body] > 0f || step.inverseInertia[body] > 0f;
     }
 
     /** Whether a force or a torque acts in the next step, which is made alone then. */

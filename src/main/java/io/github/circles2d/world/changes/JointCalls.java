@@ -4,7 +4,9 @@ import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.joints.GoneJoints;
+import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
@@ -31,6 +33,9 @@ public final class JointCalls implements Calls.Effects {
 
     private final int[] words = new int[Call.MOST_WORDS];
 
+    /** Points of a new joint on bodies that are pushed. */
+    private final float[] points = new float[4];
+
     // circles as of now, if new joints look at them
     private float[] circles;
     private int[] angles;
@@ -44,6 +49,7 @@ public final class JointCalls implements Calls.Effects {
                 Call.JOINT,
                 Call.ANCHORED_JOINT,
                 Call.JOINT_ALONE,
+                Call.RIGID_JOINT,
                 Call.JOINT_SETTING,
                 Call.REMOVE_JOINT,
                 Call.CLEAR_JOINTS);
@@ -69,14 +75,58 @@ public final class JointCalls implements Calls.Effects {
     // ---- joints come
     // -------------------------------------------------------------------------------------------------
 
-    /** Adds a joint between two circles, and returns its handle. */
-    public long add(long circle, long other, JointForm form) {
-        return add(Call.JOINT, circle, other, 0, 0, form);
+    /** Adds a joint between two circles or bodies, which are held at their centroids, and returns its handle. */
+    public long add(long first, long other, JointForm form) {
+        if (Handle.has(first, Handle.RIGID) || Handle.has(other, Handle.RIGID)) {
+            return add(typeOf(first), first, 0, 0, typeOf(other), other, 0, 0, form);
+        }
+        return add(Call.JOINT, first, other, 0, 0, form);
     }
 
-    /** Adds a joint that holds a circle to no place, and returns its handle. */
+    private static int typeOf(long handle) {
+        return Handle.has(handle, Handle.RIGID) ? JointEndType.RIGID : JointEndType.CIRCLE;
+    }
+
+    /** Adds a joint that holds a circle or a body to no place, and returns its handle. */
     public long add(long circle, JointForm form) {
+        if (Handle.has(circle, Handle.RIGID)) {
+            return add(JointEndType.RIGID, circle, 0, 0, JointEndType.NOTHING, 0, 0, 0, form);
+        }
         return add(Call.JOINT_ALONE, circle, 0, 0, 0, form);
+    }
+
+    /** Adds a joint of which an end is a body that is pushed, and returns its handle. Types are those of {@link JointEndType}. */
+    public long add(
+            int typeA, long first, float ax, float ay, int typeB, long other, float bx, float by, JointForm form) {
+        world.guard.enter();
+        try {
+            world.pending.settleJoints();
+            words[0] = typeA;
+            words[1] = find(typeA, first);
+            words[2] = floatToRawIntBits(ax);
+            words[3] = floatToRawIntBits(ay);
+            words[4] = typeB;
+            words[5] = find(typeB, other);
+            words[6] = floatToRawIntBits(bx);
+            words[7] = floatToRawIntBits(by);
+            prepare(Call.RIGID_JOINT, words, form);
+            world.log.joints(form);
+            world.calls.begin(Call.RIGID_JOINT, words);
+            long joint = apply(Call.RIGID_JOINT, words, form);
+            world.calls.end();
+            return joint;
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    private int find(int type, long handle) {
+        return switch (type) {
+            case JointEndType.CIRCLE -> world.circle(handle);
+            case JointEndType.RIGID -> world.rigid(handle);
+            case JointEndType.ANCHOR -> world.body(handle);
+            default -> 0;
+        };
     }
 
     /** Adds a joint that holds a circle to a place of a body of terrain, in the body's coordinates, and returns its handle. */
@@ -118,7 +168,9 @@ public final class JointCalls implements Calls.Effects {
     /** The circles of a joint wake that comes, goes or changes. There is room. */
     private void wake(int joint) {
         if (world.settings.sleeps()) {
-            world.commands.set(Commands.WAKE, table.a(joint), 0, 0);
+            if (table.a(joint) != JointRow.NONE) {
+                world.commands.set(Commands.WAKE, table.a(joint), 0, 0);
+            }
             if (table.b(joint) != JointRow.NONE) {
                 world.commands.set(Commands.WAKE, table.b(joint), 0, 0);
             }
@@ -127,7 +179,9 @@ public final class JointCalls implements Calls.Effects {
 
     /** Checks a joint that is to come, and makes room for it. */
     private void prepare(Call call, int[] w, JointForm of) {
-        if (call == Call.ANCHORED_JOINT) {
+        if (call == Call.RIGID_JOINT) {
+            prepareOfBodies(w, of);
+        } else if (call == Call.ANCHORED_JOINT) {
             JointLimits.anchor(of, w[0], real(w[2]), real(w[3]), world.handles);
         } else {
             check(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE);
@@ -135,8 +189,83 @@ public final class JointCalls implements Calls.Effects {
         begin(of, 1);
     }
 
+    /** Checks a joint of bodies that are pushed. */
+    private void prepareOfBodies(int[] w, JointForm of) {
+        switch (w[4]) {
+            case JointEndType.ANCHOR -> JointLimits.anchorOfBody(of, real(w[6]), real(w[7]));
+            case JointEndType.NOTHING -> JointLimits.bodyAlone(of);
+            default -> JointLimits.things(of);
+        }
+        if (w[0] == w[4] && w[1] == w[5]) {
+            throw new IllegalArgumentException("both bodies have the handle " + world.rigids.ids.handle(w[1])
+                    + ", but a joint holds two different ones");
+        }
+        boolean moves = false;
+        for (int end = 0; end <= 4; end += 4) {
+            if (w[end] == JointEndType.RIGID) {
+                JointLimits.point(real(w[end + 2]), real(w[end + 3]), world.rigids.step.outline[w[end + 1]]);
+                moves |= world.rigids.moves(w[end + 1]);
+            } else if (w[end] == JointEndType.CIRCLE) {
+                moves |= !world.handles.isStatic(w[end + 1]);
+            }
+        }
+        if (!moves) {
+            throw new IllegalArgumentException("nothing that the joint holds can move: "
+                    + (w[0] == JointEndType.RIGID
+                            ? "the body with the handle " + world.rigids.ids.handle(w[1])
+                            : "the circle with the handle " + world.handles.handle(w[1])));
+        }
+    }
+
+    /** Adds a joint of bodies that are pushed, and returns its id. */
+    private int addOfBodies(int[] w, JointForm of) {
+        for (int k = 0; k < points.length; k++) {
+            points[k] = w[k < 2 ? 0 : 4] == JointEndType.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
+        }
+        int joint = world.joints.add(
+                of,
+                w[0] == JointEndType.CIRCLE ? w[1] : JointRow.NONE,
+                w[4] == JointEndType.CIRCLE ? w[5] : JointRow.NONE,
+                w[0] == JointEndType.RIGID ? w[1] : JointRow.NONE,
+                w[4] == JointEndType.RIGID ? w[5] : JointRow.NONE,
+                points);
+        if (w[4] == JointEndType.ANCHOR) {
+            world.joints.anchor(joint, w[5], real(w[6]), real(w[7]));
+        }
+        return joint;
+    }
+
+    /** Refuses types of ends in a log that no joint of bodies has, and ids of nothing. */
+    private void requireEnds(int[] w) {
+        boolean fits = (w[0] == JointEndType.RIGID || w[0] == JointEndType.CIRCLE && w[4] == JointEndType.RIGID)
+                && w[4] >= JointEndType.CIRCLE
+                && w[4] <= JointEndType.NOTHING;
+        if (!fits) {
+            throw new IllegalArgumentException("no joint of bodies has ends of the types " + w[0] + " and " + w[4]);
+        }
+        requireEnd(w[0], w[1]);
+        requireEnd(w[4], w[5]);
+    }
+
+    private void requireEnd(int type, int id) {
+        Call.Named named =
+                switch (type) {
+                    case JointEndType.CIRCLE -> Call.Named.CIRCLE;
+                    case JointEndType.RIGID -> Call.Named.RIGID;
+                    case JointEndType.ANCHOR -> Call.Named.BODY;
+                    default -> Call.Named.NOTHING;
+                };
+        world.calls.requireId(named, id);
+    }
+
     /** Adds a joint, for which there is room, and returns its handle. */
     private long apply(Call call, int[] w, JointForm of) {
+        if (call == Call.RIGID_JOINT) {
+            int joint = addOfBodies(w, of);
+            complete(of, joint);
+            wake(joint);
+            return table.ids.handle(joint);
+        }
         if (call != Call.ANCHORED_JOINT) {
             return table.ids.handle(addOne(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE));
         }
@@ -341,11 +470,13 @@ public final class JointCalls implements Calls.Effects {
                 }
                 world.calls.begin(call, w); // it changes nothing yet
             }
-            case JOINT, ANCHORED_JOINT, JOINT_ALONE -> {
+            case JOINT, ANCHORED_JOINT, JOINT_ALONE, RIGID_JOINT -> {
                 if (form == null) {
                     throw new IllegalArgumentException("a joint comes without a form");
                 }
-                if (call != Call.JOINT_ALONE) {
+                if (call == Call.RIGID_JOINT) {
+                    requireEnds(w);
+                } else if (call != Call.JOINT_ALONE) {
                     world.calls.requireId(call == Call.JOINT ? Call.Named.CIRCLE : Call.Named.BODY, w[1]);
                 }
                 prepare(call, w, form);

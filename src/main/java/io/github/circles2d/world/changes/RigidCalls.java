@@ -194,6 +194,10 @@ public final class RigidCalls implements Calls.Effects {
                 System.arraycopy(w, 0, words, 0, Call.RIGID.words);
                 return add(told.get(w[0]), words);
             }
+            case REMOVE_RIGID, CLEAR_RIGIDS -> {
+                world.pending.settleJoints();
+                world.joints.departures().ensure(world.joints.table.rigid.count());
+            }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
             default -> {
                 // nothing depends on the state
@@ -206,8 +210,14 @@ public final class RigidCalls implements Calls.Effects {
 
     private void change(Call call, int[] w) {
         switch (call) {
-            case REMOVE_RIGID -> table.remove(w[0]);
-            case CLEAR_RIGIDS -> table.clear();
+            case REMOVE_RIGID -> {
+                world.joints.departures().removeOfRigid(w[0]);
+                table.remove(w[0]);
+            }
+            case CLEAR_RIGIDS -> {
+                world.joints.departures().removeOfRigids();
+                table.clear();
+            }
             case RIGID_VELOCITY -> table.setVelocity(w[0], real(w[1]), real(w[2]));
             case RIGID_ANGULAR_VELOCITY -> table.setOmega(w[0], real(w[1]));
             case RIGID_IMPULSE ->

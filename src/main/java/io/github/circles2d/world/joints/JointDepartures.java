@@ -1,5 +1,6 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.JointRow;
 import java.util.Arrays;
@@ -8,15 +9,17 @@ import java.util.Arrays;
 public final class JointDepartures {
     private final JointTable table;
     private final HandleTable handles;
+    private final RigidTable rigids;
     private final GoneJoints gone = new GoneJoints();
     private boolean reports;
 
     /** The joints of a circle. */
     private int[] leaving = new int[0];
 
-    JointDepartures(JointTable table, HandleTable handles) {
+    JointDepartures(JointTable table, HandleTable handles, RigidTable rigids) {
         this.table = table;
         this.handles = handles;
+        this.rigids = rigids;
     }
 
     /** Whether somebody is told of joints that go. */
@@ -99,6 +102,35 @@ public final class JointDepartures {
         }
     }
 
+    /** A body that is pushed goes, which has its handle yet; there is room. */
+    public void removeOfRigid(int body) {
+        for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint)
+                    && (table.rigid.body(joint, RigidEnds.A) == body || table.rigid.body(joint, RigidEnds.B) == body)) {
+                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
+            }
+        }
+    }
+
+    /** All bodies that are pushed go. */
+    public void removeOfRigids() {
+        for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.rigid.has(joint)) {
+                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
+            }
+        }
+    }
+
+    /** The handle of the circle or the body at an end of a joint; 0 if there is none. */
+    public long handle(int joint, int end) {
+        int body = table.rigid.body(joint, end);
+        if (body != JointRow.NONE) {
+            return rigids.ids.handle(body);
+        }
+        int circle = end == RigidEnds.A ? table.a(joint) : table.b(joint);
+        return circle == JointRow.NONE ? 0 : handles.handle(circle);
+    }
+
     /** A joint has broken. */
     public void breakJoint(int joint, float force, float torque) {
         remove(joint, GoneJoints.BROKEN, force, torque);
@@ -106,8 +138,13 @@ public final class JointDepartures {
 
     private void remove(int joint, int reason, float force, float torque) {
         if (reports) {
-            long other = table.b(joint) == JointRow.NONE ? 0 : handles.handle(table.b(joint));
-            gone.add(table.ids.handle(joint), handles.handle(table.a(joint)), other, reason, force, torque);
+            gone.add(
+                    table.ids.handle(joint),
+                    handle(joint, RigidEnds.A),
+                    handle(joint, RigidEnds.B),
+                    reason,
+                    force,
+                    torque);
         }
         table.remove(joint);
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
@@ -9,13 +10,14 @@ import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
 /**
- * Where the two ends of a joint are, now or as they are drawn: with their circles and bodies of terrain. Of a joint without a place both are at its
+ * Where the two ends of a joint are, now or as they are drawn: with their circles and bodies. Of a joint without a place both are at its
  * circle. The second one is the image nearest to the first.
  */
 public final class JointEnds {
     private final JointTables joints;
     private final HandleTable handles;
     private final TerrainTables terrain;
+    private final RigidTable rigids;
 
     /** Of now, as a bulk read gives them. */
     private float[] circles;
@@ -28,10 +30,11 @@ public final class JointEnds {
     private float dx;
     private float dy;
 
-    JointEnds(JointTables joints, HandleTable handles, TerrainTables terrain) {
+    JointEnds(JointTables joints, HandleTable handles, TerrainTables terrain, RigidTable rigids) {
         this.joints = joints;
         this.handles = handles;
         this.terrain = terrain;
+        this.rigids = rigids;
     }
 
     /** Ends are as they are now, with circles as a bulk read gives them. */
@@ -52,12 +55,12 @@ public final class JointEnds {
 
     /** Whether {@link #takeNew} has to be called before a joint is looked at: a circle that is new is drawn where it is now. */
     public boolean hasNewCircle(int joint) {
-        int other = joints.table.b(joint);
-        return drawn != null && (isNew(joints.table.a(joint)) || other != JointRow.NONE && isNew(other));
+        return drawn != null && (isNew(joints.table.a(joint)) || isNew(joints.table.b(joint)));
     }
 
     private boolean isNew(int circle) {
-        return 2 * circle >= drawn.positions.limit() || Float.isNaN(drawn.positions.get(2 * circle));
+        return circle != JointRow.NONE
+                && (2 * circle >= drawn.positions.limit() || Float.isNaN(drawn.positions.get(2 * circle)));
     }
 
     /** Takes circles of now, as a bulk read gives them. */
@@ -70,15 +73,42 @@ public final class JointEnds {
         JointTable table = joints.table;
         int a = table.a(joint);
         int b = table.b(joint);
-        x = circleX(a);
-        y = circleY(a);
+        if (a != JointRow.NONE) {
+            x = circleX(a);
+            y = circleY(a);
+        } else {
+            place(joint, RigidEnds.A);
+            x = rigids.places.x();
+            y = rigids.places.y();
+        }
         dx = 0f;
         dy = 0f;
-        if (b != JointRow.NONE) {
+        if (table.rigid.body(joint, RigidEnds.B) != JointRow.NONE) {
+            place(joint, RigidEnds.B);
+            to(rigids.places.x(), rigids.places.y());
+        } else if (b != JointRow.NONE) {
             to(circleX(b), circleY(b));
         } else if (JointForm.takesAnchor(table.form(joint))) {
             BodyPoses poses = drawn == null ? null : drawn.between;
             to(joints.anchors.x(joint, poses), joints.anchors.y(joint, poses));
+        }
+    }
+
+    /** Where a body that is pushed is held. */
+    private void place(int joint, int end) {
+        RigidEnds held = joints.table.rigid;
+        int body = held.body(joint, end);
+        if (drawn == null) {
+            rigids.places.of(body, held.x(joint, end), held.y(joint, end), terrain.bounds());
+        } else {
+            rigids.places.of(
+                    drawn.rigidsBefore,
+                    drawn.rigidsAfter,
+                    drawn.alpha,
+                    body,
+                    held.x(joint, end),
+                    held.y(joint, end),
+                    terrain.bounds());
         }
     }
 

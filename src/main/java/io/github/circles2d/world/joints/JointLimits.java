@@ -1,10 +1,15 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.JointRules;
+import io.github.circles2d.world.model.Limits;
 
 /** Which joints there can be. */
 public final class JointLimits {
+    /** How far a point of a body is from its centroid at most, along each axis, by the reach of its outline. */
+    private static final float POINT_REACH = 100f;
+
     private JointLimits() {}
 
     /** Of two circles. */
@@ -49,6 +54,36 @@ public final class JointLimits {
             throw new IllegalArgumentException("a " + form.name() + " must hold a circle to " + form.place());
         }
         moves(a, handles);
+    }
+
+    /** Of two things, of which one is a body that is pushed. */
+    public static void things(JointForm form) {
+        if (JointRules.takesNothing(form.traits) && !JointRules.takesCircles(form.traits)) {
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " cannot hold two things, but must hold one to " + form.place());
+        }
+    }
+
+    /** Of a body that is pushed and a place. */
+    public static void anchorOfBody(JointForm form, float x, float y) {
+        if (!JointForm.takesAnchor(form.traits)) {
+            throw new IllegalArgumentException("a " + form.name() + " takes no anchor");
+        }
+        JointSetting.ANCHOR.check(form.traits, x, y);
+    }
+
+    /** Of a body that is pushed and the world, without a place. */
+    public static void bodyAlone(JointForm form) {
+        if (!JointForm.takesNothing(form.traits)) {
+            throw new IllegalArgumentException("a " + form.name() + " needs two ends");
+        }
+    }
+
+    /** A point of a body that is pushed, in its coordinates. */
+    public static void point(float x, float y, OutlineShape outline) {
+        float most = POINT_REACH * outline.reach();
+        Limits.within("x of the point on the body", x, -most, most);
+        Limits.within("y of the point on the body", y, -most, most);
     }
 
     private static void moves(int a, HandleTable handles) {

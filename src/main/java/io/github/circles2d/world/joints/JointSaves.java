@@ -29,6 +29,9 @@ public final class JointSaves {
         to.a[joint] = table.a(joint);
         to.b[joint] = table.b(joint);
         to.body[joint] = table.places.body(joint);
+        for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+            to.setRigid(joint, end, table.rigid.body(joint, end), table.rigid.x(joint, end), table.rigid.y(joint, end));
+        }
         to.referenceA[joint] = table.trait(joint, JointRow.REFERENCE_A);
         to.referenceB[joint] = table.trait(joint, JointRow.REFERENCE_B);
         for (int k = 0; k < SavedJoints.VALUES; k++) {
@@ -91,11 +94,19 @@ public final class JointSaves {
                 && from.body[joint] == table.places.body(joint)
                 && from.referenceA[joint] == table.trait(joint, JointRow.REFERENCE_A)
                 && from.referenceB[joint] == table.trait(joint, JointRow.REFERENCE_B);
+        for (int end = RigidEnds.A; same && end <= RigidEnds.B; end++) {
+            same = from.rigid(joint, end) == table.rigid.body(joint, end)
+                    && isSame(from.rigidX(joint, end), table.rigid.x(joint, end))
+                    && isSame(from.rigidY(joint, end), table.rigid.y(joint, end));
+        }
         for (int k = 0; same && k < SavedJoints.VALUES; k++) {
-            same = Float.floatToRawIntBits(from.values[SavedJoints.VALUES * joint + k])
-                    == Float.floatToRawIntBits(value(joint, k));
+            same = isSame(from.values[SavedJoints.VALUES * joint + k], value(joint, k));
         }
         return same;
+    }
+
+    private static boolean isSame(float a, float b) {
+        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
     }
 
     private void load(int joint, SavedJoints from) {
@@ -106,6 +117,11 @@ public final class JointSaves {
         form.dampingRatio = from.values[values + SavedJoints.DAMPING_RATIO];
         table.revive(joint, form, from.a[joint], from.b[joint]);
         table.setReferences(joint, from.referenceA[joint], from.referenceB[joint]);
+        if (from.holdsRigid(joint)) {
+            table.rigid.enter(joint, from.rigid(joint, RigidEnds.A), from.rigid(joint, RigidEnds.B));
+            table.rigid.setPoint(joint, RigidEnds.A, from.rigidX(joint, RigidEnds.A), from.rigidY(joint, RigidEnds.A));
+            table.rigid.setPoint(joint, RigidEnds.B, from.rigidX(joint, RigidEnds.B), from.rigidY(joint, RigidEnds.B));
+        }
         table.ofCircles.setColour(joint, from.colour[joint]);
         table.link(joint);
         if (from.body[joint] != AnchorPlaces.WORLD) {

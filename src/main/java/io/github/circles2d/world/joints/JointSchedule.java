@@ -49,6 +49,9 @@ final class JointSchedule {
             step.splitIds = newSplitIds;
             step.splitEnds = newSplitEnds;
         }
+        if (step.rigidOrder.length < table.rigid.count()) {
+            step.rigidOrder = Arrays.copyOf(step.rigidOrder, table.rigid.count() + (table.rigid.count() >> 1));
+        }
         int starts = JointStep.BATCH_STRIDE * (mostBatches(step.order.length) + 1);
         if (step.starts.length < starts) {
             step.starts = Arrays.copyOf(step.starts, starts);
@@ -75,6 +78,7 @@ final class JointSchedule {
         step.batches = pack();
         order(step);
         split(step, circleIds);
+        listRigid(step);
         step.orderVersion++;
     }
 
@@ -176,7 +180,7 @@ final class JointSchedule {
         int[] number = sizes; // by circle: its number; the sizes have served
         Arrays.fill(number, 0, circleIds, NONE);
         for (int joint = 0; joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && !hasColour(joint)) {
+            if (table.ids.lives(joint) && !hasColour(joint) && !table.rigid.has(joint)) {
                 step.order[count++] = joint;
                 number[table.a(joint)] = 0;
                 if (table.b(joint) != JointRow.NONE) {
@@ -199,6 +203,17 @@ final class JointSchedule {
             step.splitEnds[at] = number[table.a(step.order[k])];
             step.splitEnds[at + 1] = b == JointRow.NONE ? NONE : number[b];
         }
+    }
+
+    /** Lists the joints of bodies that are pushed, which have no colour. */
+    private void listRigid(JointStep step) {
+        int count = 0;
+        for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.rigid.has(joint)) {
+                step.rigidOrder[count++] = joint;
+            }
+        }
+        step.rigidCount = count;
     }
 
     // ---- partners

@@ -21,6 +21,9 @@ public final class JointTable {
     /** Anchors on bodies of terrain. */
     public final AnchorPlaces places = new AnchorPlaces();
 
+    /** Ends at bodies that are pushed. */
+    public final RigidEnds rigid = new RigidEnds();
+
     final JointsOfCircles ofCircles = new JointsOfCircles();
 
     // by joint, as steps see it
@@ -61,6 +64,7 @@ public final class JointTable {
         traits = newTraits;
         ofCircles.setRoom(c);
         places.setRoom(c);
+        rigid.setRoom(c);
         ids.setRoom(c);
     }
 
@@ -82,6 +86,7 @@ public final class JointTable {
         return traits[JointRow.traits(joint) + which];
     }
 
+    /** {@link JointRow#NONE} if a body that is pushed is its first end. */
     public int a(int joint) {
         return trait(joint, JointRow.A);
     }
@@ -155,7 +160,12 @@ public final class JointTable {
     }
 
     boolean isParting(int joint) {
-        return b(joint) != JointRow.NONE && !JointForm.has(form(joint), JointRow.COLLIDE);
+        return isPair(joint) && !JointForm.has(form(joint), JointRow.COLLIDE);
+    }
+
+    /** Whether a joint holds two circles. */
+    private boolean isPair(int joint) {
+        return a(joint) != JointRow.NONE && b(joint) != JointRow.NONE;
     }
 
     // ---- the joints of a circle, in any order
@@ -191,11 +201,21 @@ public final class JointTable {
         return joint;
     }
 
+    /** A joint of circles or bodies at A and at B, of which those that are not there are {@link JointRow#NONE}. Its points follow. */
+    int add(JointForm form, int a, int b, int bodyA, int bodyB) {
+        int joint = ids.add();
+        put(joint, form, a, b);
+        rigid.enter(joint, bodyA, bodyB);
+        ofCircles.setColour(joint, SPLIT);
+        link(joint);
+        return joint;
+    }
+
     /** Splits the joints of a circle with others that has so many. It does so once for all; then a new joint alone has a colour. */
     private void splitIfHub(int joint, int circle) {
         if (ofCircles.becomesHub(circle)) {
             for (int place = firstOfCircle(circle); place >= 0; place = nextOfCircle(place)) {
-                if (b(jointAt(place)) != JointRow.NONE) {
+                if (isPair(jointAt(place))) {
                     split(jointAt(place));
                 }
             }
@@ -221,6 +241,7 @@ public final class JointTable {
         traits[at + JointRow.REFERENCE_B] = 0;
         renew(joint);
         places.begin(joint);
+        rigid.begin(joint);
     }
 
     /** Its impulses so far do not count. */
@@ -313,6 +334,7 @@ public final class JointTable {
     public void remove(int joint) {
         unlink(joint);
         places.leave(joint);
+        rigid.leave(joint);
         if (JointForm.has(form(joint), JointRow.ELASTIC)) {
             springs.release(spring(joint));
         }
@@ -351,6 +373,7 @@ public final class JointTable {
         breakable = 0;
         parting = 0;
         places.clear();
+        rigid.clear();
         orderChanged = true;
         partnersChanged = true;
         ids.load(generations, joints);
@@ -375,6 +398,7 @@ public final class JointTable {
         step.parts = parts();
         step.rows = rows;
         step.traits = traits;
+        rigid.publish(step);
         if (changedTo > 0) {
             step.changedFrom = changedFrom;
             step.changedTo = changedTo;
@@ -386,6 +410,10 @@ public final class JointTable {
 
     /** Bytes of the table. */
     long bytes() {
-        return 4L * (rows.length + traits.length) + places.bytes() + ofCircles.bytes() + springs.bytes();
+        return 4L * (rows.length + traits.length)
+                + places.bytes()
+                + rigid.bytes()
+                + ofCircles.bytes()
+                + springs.bytes();
     }
 }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
@@ -16,19 +17,21 @@ public final class JointTables {
 
     private final JointStep step;
     private final HandleTable handles;
+    private final RigidTable rigids;
     private final TerrainTables terrain;
     private final JointSchedule schedule = new JointSchedule(table);
     private final JointEnds ends;
     private final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
-    public JointTables(JointStep step, HandleTable handles, TerrainTables terrain) {
+    public JointTables(JointStep step, HandleTable handles, TerrainTables terrain, RigidTable rigids) {
         this.step = step;
         this.handles = handles;
         this.terrain = terrain;
+        this.rigids = rigids;
         anchors = new JointAnchors(table, terrain);
-        ends = new JointEnds(this, handles, terrain);
-        departures = new JointDepartures(table, handles);
+        ends = new JointEnds(this, handles, terrain, rigids);
+        departures = new JointDepartures(table, handles, rigids);
     }
 
     /** Whether there are joints. */
@@ -55,6 +58,26 @@ public final class JointTables {
     }
 
     /**
+     * Adds a joint of which an end is a body that is pushed.
+     *
+     * @param at the points on the bodies, in their coordinates: x and y of that at A, then of that at B
+     */
+    public int add(JointForm form, int circleA, int circleB, int bodyA, int bodyB, float[] at) {
+        int joint = table.add(form, circleA, circleB, bodyA, bodyB);
+        table.rigid.setPoint(joint, RigidEnds.A, at[0], at[1]);
+        table.rigid.setPoint(joint, RigidEnds.B, at[2], at[3]);
+        return joint;
+    }
+
+    /** Gives the last joint of a body an anchor in the world, or on a body of terrain. */
+    public void anchor(int joint, int body, float x, float y) {
+        if (body != AnchorPlaces.WORLD) {
+            table.places.enter(joint, body);
+        }
+        anchors.set(joint, x, y);
+    }
+
+    /**
      * Gives a new joint what it takes from its ends as they are now: its length, and a weld its direction and angles.
      *
      * @param circles as a bulk read gives them
@@ -62,6 +85,10 @@ public final class JointTables {
      */
     public void complete(int joint, float[] circles, int[] angles) {
         ends.look(circles).of(joint);
+        if (table.rigid.has(joint) && JointForm.kind(table.form(joint)) == JointForm.WELD) {
+            weld(joint, angles);
+            return;
+        }
         if (Float.isNaN(table.value(joint, JointRow.LENGTH))) {
             table.setValue(joint, JointRow.LENGTH, ends.length());
         }
@@ -74,6 +101,36 @@ public final class JointTables {
                 table.setReferences(joint, a, angles[handles.place(table.b(joint))]);
             }
         }
+    }
+
+    /** A weld of a body holds both as they lie, at the middle between their points, or at the centre of a circle. */
+    private void weld(int joint, int[] angles) {
+        float share = table.a(joint) != JointRow.NONE ? 0f : table.b(joint) != JointRow.NONE ? 1f : 0.5f;
+        float x = ends.x() + share * ends.dx();
+        float y = ends.y() + share * ends.dy();
+        for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+            int body = table.rigid.body(joint, end);
+            if (body != JointRow.NONE) {
+                rigids.places.look(body, x, y, terrain.bounds());
+                table.rigid.setPoint(joint, end, rigids.places.x(), rigids.places.y());
+            }
+        }
+        table.setValue(joint, JointRow.LENGTH, 0f);
+        table.setValue(joint, JointRow.DIRECTION_X, 1f);
+        table.setValue(joint, JointRow.DIRECTION_Y, 0f);
+        table.setReferences(
+                joint,
+                angle(joint, RigidEnds.A, table.a(joint), angles),
+                angle(joint, RigidEnds.B, table.b(joint), angles));
+    }
+
+    /** Of an end, in units. */
+    private int angle(int joint, int end, int circle, int[] angles) {
+        int body = table.rigid.body(joint, end);
+        if (body != JointRow.NONE) {
+            return rigids.step.angle[body];
+        }
+        return angles == null ? 0 : angles[handles.place(circle)];
     }
 
     /** Where the ends of joints are, for a caller to look at. */
@@ -92,9 +149,10 @@ public final class JointTables {
     /** Refuses a joint without an anchor. */
     public void requireAnchor(int joint) {
         JointSetting.require(JointForm.takesAnchor(table.form(joint)), table.form(joint), "anchor");
-        if (table.b(joint) != JointRow.NONE) {
+        if (table.b(joint) != JointRow.NONE || table.rigid.body(joint, RigidEnds.B) != JointRow.NONE) {
             throw new IllegalArgumentException("the " + JointForm.name(table.form(joint)) + " with the handle "
-                    + table.ids.handle(joint) + " holds two circles, and has no anchor");
+                    + table.ids.handle(joint) + " holds two "
+                    + (table.rigid.has(joint) ? "things" : "circles") + ", and has no anchor");
         }
     }
 
@@ -161,6 +219,7 @@ public final class JointTables {
                         + step.starts.length
                         + step.splitIds.length
                         + step.splitEnds.length
+                        + step.rigidOrder.length
                         + step.anchors.length
                         + step.springs.length
                         + step.partnerStart.length

@@ -89,9 +89,13 @@ final class JointsOfCircles {
 
     /** A joint comes, which has its colour; there is room. */
     void enter(int joint, int a, int b) {
-        enter(ENDS * joint + A, a);
+        if (a != JointRow.NONE) {
+            enter(ENDS * joint + A, a);
+        }
         if (b != JointRow.NONE) {
             enter(ENDS * joint + B, b);
+        }
+        if (a != JointRow.NONE && b != JointRow.NONE) {
             partners[a]++;
             partners[b]++;
         }
@@ -110,9 +114,13 @@ final class JointsOfCircles {
 
     /** A joint goes. */
     void leave(int joint, int a, int b) {
-        leave(ENDS * joint + A, a);
+        if (a != JointRow.NONE) {
+            leave(ENDS * joint + A, a);
+        }
         if (b != JointRow.NONE) {
             leave(ENDS * joint + B, b);
+        }
+        if (a != JointRow.NONE && b != JointRow.NONE) {
             partners[a]--;
             partners[b]--;
         }

@@ -28,7 +28,7 @@ public final class SavedJoints {
     /** By id: the colour, or {@link JointTable#SPLIT}. */
     public byte[] colour = new byte[0];
 
-    /** By id: the id of the circle. */
+    /** By id: the id of the circle, or {@link JointRow#NONE} if a body that is pushed is there. */
     public int[] a = new int[0];
 
     /** By id: the id of the other circle, or {@link JointRow#NONE}. */
@@ -36,6 +36,12 @@ public final class SavedJoints {
 
     /** By id: the body of terrain that has the anchor; 0 is the ground, and the world. */
     public int[] body = new int[0];
+
+    /** Two elements an id: the bodies that are pushed at A and B, or {@link JointRow#NONE}. */
+    public int[] rigid = new int[0];
+
+    /** Four elements an id: x and y of the points on these bodies. */
+    public float[] rigidPoints = new float[0];
 
     /** By id: angles of A and B, in units. */
     public int[] referenceA = new int[0];
@@ -58,6 +64,31 @@ public final class SavedJoints {
 
     public boolean lives(int joint) {
         return form[joint] != JointRow.NO_JOINT;
+    }
+
+    /** The body that is pushed at an end of a joint, or {@link JointRow#NONE}. */
+    public int rigid(int joint, int end) {
+        return rigid[2 * joint + end];
+    }
+
+    /** Whether a joint holds a body that is pushed. */
+    public boolean holdsRigid(int joint) {
+        return rigid(joint, RigidEnds.A) != JointRow.NONE || rigid(joint, RigidEnds.B) != JointRow.NONE;
+    }
+
+    /** Sets an end of a joint: a body that is pushed, or {@link JointRow#NONE}, and the point on it. */
+    public void setRigid(int joint, int end, int body, float x, float y) {
+        rigid[2 * joint + end] = body;
+        rigidPoints[4 * joint + 2 * end] = x;
+        rigidPoints[4 * joint + 2 * end + 1] = y;
+    }
+
+    public float rigidX(int joint, int end) {
+        return rigidPoints[4 * joint + 2 * end];
+    }
+
+    public float rigidY(int joint, int end) {
+        return rigidPoints[4 * joint + 2 * end + 1];
     }
 
     /** Whether there are joints. */
@@ -97,6 +128,12 @@ public final class SavedJoints {
         h = StateHash.absorb(StateHash.absorb(StateHash.absorb(h, colour[joint]), a[joint]), b[joint]);
         h = StateHash.absorb(StateHash.absorb(h, body[joint]), referenceA[joint]);
         h = StateHash.absorb(h, referenceB[joint]);
+        if (holdsRigid(joint)) {
+            for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+                h = StateHash.absorb(h, rigid(joint, end));
+                h = StateHash.absorb(StateHash.absorb(h, rigidX(joint, end)), rigidY(joint, end));
+            }
+        }
         for (int k = VALUES * joint; k < VALUES * (joint + 1); k++) {
             h = StateHash.absorb(h, values[k]);
         }
@@ -117,6 +154,8 @@ public final class SavedJoints {
             int[] newA = new int[c];
             int[] newB = new int[c];
             int[] newBody = new int[c];
+            int[] newRigid = new int[2 * c];
+            float[] newRigidPoints = new float[4 * c];
             int[] newReferenceA = new int[c];
             int[] newReferenceB = new int[c];
             float[] newValues = new float[VALUES * c];
@@ -126,6 +165,8 @@ public final class SavedJoints {
             a = newA;
             b = newB;
             body = newBody;
+            rigid = newRigid;
+            rigidPoints = newRigidPoints;
             referenceA = newReferenceA;
             referenceB = newReferenceB;
             values = newValues;

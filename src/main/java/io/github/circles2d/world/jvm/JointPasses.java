@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
@@ -110,6 +111,18 @@ final class JointPasses {
         }
     }
 
+    /** Takes note of circles that joints hold to rigid bodies, which are none of these passes. */
+    void beginRigid(JointStep all) {
+        for (int n = 0; n < all.rigidCount; n++) {
+            int traits = JointRow.traits(all.rigidOrder[n]);
+            for (int end = JointRow.A; end <= JointRow.B; end++) {
+                if (all.traits[traits + end] != JointRow.NONE) {
+                    mark(state.slotOf[all.traits[traits + end]]);
+                }
+            }
+        }
+    }
+
     private void mark(int slot) {
         if (slot >= 0) {
             jointed[slot] = true;
@@ -148,12 +161,14 @@ final class JointPasses {
             split.relax(subStep);
             split.end(last);
         }
-        if (last) {
-            if (joints.breakable) {
-                breakJoints();
-            }
-            states.endStep();
+    }
+
+    /** Ends a step: joints break. Those of rigid bodies have broken before. */
+    void end() {
+        if (joints.breakable) {
+            breakJoints();
         }
+        states.endStep();
     }
 
     /** A pass over the joints that have a colour. */

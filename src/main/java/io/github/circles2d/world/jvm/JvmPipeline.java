@@ -249,6 +249,7 @@ public final class JvmPipeline implements Pipeline {
         }
         if (constants.joints) {
             joints.begin();
+            joints.beginRigid(jointStep);
         }
         sweep.sweep(constants);
         if (constants.terrain) {
@@ -274,12 +275,16 @@ public final class JvmPipeline implements Pipeline {
         }
         contacts.settleResting();
         if (constants.rigid) {
-            rigidPasses.begin(rigids, constants, terrain);
+            boolean joined = constants.joints && jointStep.rigidCount > 0;
+            rigidPasses.begin(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
         }
         times.end(CONTACTS);
         solver.solve();
         if (constants.rigid) {
             rigidPasses.end();
+        }
+        if (constants.joints) {
+            joints.end();
         }
         if (recorder != null) {
             recorder.end(terrain, constants);

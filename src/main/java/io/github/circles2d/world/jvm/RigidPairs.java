@@ -33,6 +33,9 @@ final class RigidPairs {
     final RigidPieces pieces = new RigidPieces(things);
     private final RigidTree tree = new RigidTree();
 
+    /** Pairs that do not collide, since a joint holds both. */
+    final RigidPartners partners = new RigidPartners();
+
     private long[] keys = new long[64];
     private int keyCount;
 
@@ -166,6 +169,9 @@ final class RigidPairs {
     // ------------------------------------------------------------------------------------------------------
 
     private void add(int type, int body, int other) {
+        if (partners.has(type, body, other)) {
+            return;
+        }
         if (keyCount == keys.length) {
             keys = Arrays.copyOf(keys, 2 * keyCount);
         }
@@ -402,6 +408,11 @@ final class RigidPairs {
         }
     }
 
+    /** The thing of a body. */
+    int bodyThing(int id) {
+        return thingOfBody[id];
+    }
+
     private boolean isKnown(int[] known, int id, int type) {
         int t = known[id];
         return t >= things.bodies && t < things.count && things.type[t] == type && things.id[t] == id;
@@ -473,6 +484,7 @@ final class RigidPairs {
     long bytes() {
         return things.bytes()
                 + tree.bytes()
+                + partners.bytes()
                 + 8L * keys.length
                 + 20L * a.length
                 + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);

@@ -8,6 +8,7 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.StepConstants;
@@ -27,6 +28,7 @@ final class RigidPasses {
     private final RigidCover cover;
     private final RigidOrder order;
     private final RigidVisits visits;
+    private final RigidJoints joints;
 
     // within a step
     private RigidStep step;
@@ -41,19 +43,22 @@ final class RigidPasses {
         cover = new RigidCover(contacts, things);
         order = new RigidOrder(contacts, pairs);
         visits = new RigidVisits(contacts, pairs, order);
+        joints = new RigidJoints(state, pairs);
     }
 
-    /** Begins a step, in which circles have begun theirs. */
-    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground) {
+    /** Begins a step, in which circles have begun theirs. Without joints of bodies, theirs are null. */
+    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
         step = bodies;
         k = constants;
         terrain = ground;
+        joints.findPartners(jointStep, states);
         pairs.find(bodies, constants, ground);
         contacts.find(bodies, constants);
         cover.apply();
         order.find();
         takeCircles(false);
         visits.begin(constants);
+        joints.begin(constants);
         pushCircles();
     }
 
@@ -88,11 +93,13 @@ final class RigidPasses {
                 things.beforeOmega[t] = things.omega[t];
             }
         }
+        joints.warmStart();
         visits.warmStart();
     }
 
-    /** The biased pass over bodies, pieces and walls. */
-    void solve() {
+    /** The biased pass over joints, bodies, pieces and walls. */
+    void solve(int sub) {
+        joints.solve(sub);
         visits.solve();
     }
 
@@ -132,8 +139,9 @@ final class RigidPasses {
         things.turn(t);
     }
 
-    /** The relaxing pass over bodies, pieces and walls. */
-    void relax() {
+    /** The relaxing pass over joints, bodies, pieces and walls. */
+    void relax(int sub, boolean last) {
+        joints.relax(sub, last);
         visits.relax();
     }
 
@@ -237,6 +245,7 @@ final class RigidPasses {
             step.omega[id] = Velocity.limitSpeed(things.omega[t]);
         }
         contacts.keep(step);
+        joints.end();
         tell();
     }
 
@@ -301,6 +310,6 @@ final class RigidPasses {
     }
 
     long bytes() {
-        return pairs.bytes() + contacts.bytes() + cover.bytes() + order.bytes() + visits.bytes();
+        return pairs.bytes() + contacts.bytes() + cover.bytes() + order.bytes() + visits.bytes() + joints.bytes();
     }
 }

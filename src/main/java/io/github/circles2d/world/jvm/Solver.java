@@ -348,7 +348,7 @@ public final class Solver {
                 joints.solve(sub);
             }
             if (rigids != null) {
-                rigids.solve();
+                rigids.solve(sub);
             }
             if (crosses) {
                 team.all(look);
@@ -367,7 +367,7 @@ public final class Solver {
                 joints.relax(sub);
             }
             if (rigids != null) {
-                rigids.relax();
+                rigids.relax(sub, isLast());
             }
             if (crosses) {
                 team.all(look);

@@ -69,6 +69,17 @@ public final class JointStep {
     /** Of each split joint, in order: the numbers of A and B, or -1. */
     public int[] splitEnds = new int[0];
 
+    /** Ids of the joints that hold bodies that are pushed, ascending. No other order has them. */
+    public int[] rigidOrder = new int[0];
+
+    public int rigidCount;
+
+    /** Two elements a joint: the ids of the bodies at A and at B, or {@link JointRow#NONE}. */
+    public int[] rigidBodies = new int[0];
+
+    /** Four elements a joint: x and y of its points on these bodies, from the centroid, in the body's coordinates. */
+    public float[] rigidPoints = new float[0];
+
     /** Of order, starts and split circles. */
     public int orderVersion;
 

@@ -5,6 +5,7 @@ import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
@@ -54,13 +55,11 @@ public final class JointReads {
         }
     }
 
-    /** The handle of the first circle of a joint, or of the other one; 0 if there is none. */
-    public long circle(long handle, boolean other) {
+    /** The handle of the circle or body that is the first end of a joint, or the other one; 0 if there is none. */
+    public long end(long handle, boolean other) {
         world.guard.enter();
         try {
-            int joint = find(handle);
-            int circle = other ? table.b(joint) : table.a(joint);
-            return circle == JointRow.NONE ? 0 : world.handles.handle(circle);
+            return world.joints.departures().handle(find(handle), other ? RigidEnds.B : RigidEnds.A);
         } finally {
             world.guard.leave();
         }
@@ -215,6 +214,29 @@ public final class JointReads {
         }
     }
 
+    /** The joints of a body that is pushed, likewise. */
+    public int ofBody(long body, long[] into) {
+        world.guard.enter();
+        try {
+            world.pending.settleJoints();
+            Limits.notNull("joints", into);
+            int id = world.rigid(body);
+            int count = 0;
+            for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
+                if (table.ids.lives(joint)
+                        && (table.rigid.body(joint, RigidEnds.A) == id || table.rigid.body(joint, RigidEnds.B) == id)) {
+                    if (count < into.length) {
+                        into[count] = table.ids.handle(joint);
+                    }
+                    count++;
+                }
+            }
+            return count;
+        } finally {
+            world.guard.leave();
+        }
+    }
+
     // ---- what they do
     // ------------------------------------------------------------------------------------------------
 
@@ -257,7 +279,7 @@ public final class JointReads {
             case FORCE_Y -> JointLoads.forceY(states, joint, dt);
             case TORQUE -> JointLoads.torque(states, joint, dt);
             default -> {
-                if (!JointForm.isAxial(table.form(joint))) {
+                if (!JointForm.isAxial(table.form(joint)) || isWeldOfBody(joint)) {
                     yield JointLoads.force(states, joint, dt);
                 }
                 JointEnds ends = world.joints.ends().look(world.last.circles());
@@ -265,5 +287,10 @@ public final class JointReads {
                 yield ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
             }
         };
+    }
+
+    /** Both ends of a weld of a body are at one place, so it has no line. */
+    private boolean isWeldOfBody(int joint) {
+        return table.rigid.has(joint) && (table.form(joint) & JointRow.ACROSS) != 0;
     }
 }

@@ -136,7 +136,7 @@ public final class RigidReads {
             beginById("bodies", poses, living);
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {
-                    RigidPoses.readBetween(before, after, alpha, table, id, world.settings.bounds(), poses);
+                    after.readBetween(before, alpha, table, id, world.settings.bounds(), poses);
                 }
             }
         } finally {

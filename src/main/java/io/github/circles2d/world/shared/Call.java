@@ -196,6 +196,12 @@ public enum Call {
     /** All circles wake. */
     WAKE_ALL(99, 0),
 
+    /**
+     * A joint of which an end is a rigid body: of each end its type, an id, x and y. The type is a number of {@link JointEndType}; a body has a point
+     * in its coordinates, an anchor the id of its body of terrain and a point of that, a circle no point.
+     */
+    RIGID_JOINT(100, 8),
+
     /** An outline that bodies behind it have: how many words it has, and the first of them. */
     OUTLINE(120, 16),
 

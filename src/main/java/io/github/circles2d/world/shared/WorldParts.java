@@ -47,7 +47,7 @@ public final class WorldParts {
         events.setPieces(terrain.pieces);
         rigids = new RigidTable(handles, terrain.pieces.ids);
         terrain.pieces.watch(rigids::pieceGoes);
-        joints = new JointTables(input.joints, handles, terrain);
+        joints = new JointTables(input.joints, handles, terrain, rigids);
     }
 
     /** Sets who makes the steps to come. */

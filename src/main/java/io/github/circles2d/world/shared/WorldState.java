@@ -137,6 +137,10 @@ public final class WorldState {
     /** Makes room for {@link #removeCircles}. If that fails, nothing has changed. */
     public void makeRoomToRemoveCircles() {
         empty.ids = world.handles.end();
+        empty.jointStates.begin(0);
+        if (world.joints.table.rigid.count() > 0) {
+            saveJointStates(empty.jointStates); // those between bodies stay
+        }
         makePipelineRoom(empty);
     }
 

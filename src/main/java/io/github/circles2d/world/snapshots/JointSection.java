@@ -1,6 +1,9 @@
 package io.github.circles2d.world.snapshots;
 
+import io.github.circles2d.world.bodies.SavedRigids;
+import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.Bounds;
@@ -19,7 +22,9 @@ import java.util.Arrays;
  * section    int ids of joints; for each: byte flags; if the flags say so: varint generation; of a joint: varint form, byte colour, varint id
  *            of A; if the flags say so: varint id of B, varint body of the anchor, int reference angles of A and B; varint with a bit for
  *            each value of {@link SavedJoints} that differs from the initial one, float each of these; if the flags say so: byte with a bit for each
- *            number of {@link JointState} that is not 0, float each of these
+ *            number of {@link JointState} that is not 0, float each of these.
+ *            Of a joint of bodies that are pushed: byte with a bit for A and one for B before the id of A, which is not there if A is a body; varint id,
+ *            float x and y of the point of each body before the reference angles
  * </pre>
  */
 final class JointSection {
@@ -32,6 +37,11 @@ final class JointSection {
     private static final int HAS_BODY = 8;
     private static final int HAS_REFERENCES = 16;
     private static final int HAS_STATE = 32;
+    private static final int HAS_RIGID = 64;
+
+    // the ends that are bodies that are pushed
+    private static final int IS_A = 1;
+    private static final int IS_B = 2;
 
     /** Of a joint: flags, form, colour, A, values. */
     private static final int LEAST = 5;
@@ -59,7 +69,11 @@ final class JointSection {
             sum += 1 + ((flags & HAS_GENERATION) == 0 ? 0 : Varint.bytes(j.generation[joint]));
             if ((flags & LIVES) != 0) {
                 int values = values(j, joint);
-                sum += Varint.bytes(j.form[joint]) + 1 + Varint.bytes(j.a[joint]);
+                sum += Varint.bytes(j.form[joint]) + 1;
+                sum += j.a[joint] == JointRow.NONE ? 0 : Varint.bytes(j.a[joint]);
+                sum += (flags & HAS_RIGID) == 0
+                        ? 0
+                        : 1 + rigidBytes(j, joint, RigidEnds.A) + rigidBytes(j, joint, RigidEnds.B);
                 sum += (flags & HAS_B) == 0 ? 0 : Varint.bytes(j.b[joint]);
                 sum += (flags & HAS_BODY) == 0 ? 0 : Varint.bytes(j.body[joint]);
                 sum += (flags & HAS_REFERENCES) == 0 ? 0 : 2 * Integer.BYTES;
@@ -68,6 +82,11 @@ final class JointSection {
             }
         }
         return sum;
+    }
+
+    private static int rigidBytes(SavedJoints j, int joint, int end) {
+        int body = j.rigid(joint, end);
+        return body == JointRow.NONE ? 0 : Varint.bytes(body) + 2 * Float.BYTES;
     }
 
     private static int flags(SavedJoints j, int joint, int state) {
@@ -80,7 +99,8 @@ final class JointSection {
                 | (j.b[joint] == JointRow.NONE ? 0 : HAS_B)
                 | (j.body[joint] == 0 ? 0 : HAS_BODY)
                 | ((j.referenceA[joint] | j.referenceB[joint]) == 0 ? 0 : HAS_REFERENCES)
-                | (state == 0 ? 0 : HAS_STATE);
+                | (state == 0 ? 0 : HAS_STATE)
+                | (j.holdsRigid(joint) ? HAS_RIGID : 0);
     }
 
     /** A bit for each value that is not the initial one. */
@@ -121,12 +141,20 @@ final class JointSection {
     private static void writeJoint(SavedJoints j, int joint, int flags, ByteBuffer out) {
         Varint.put(out, j.form[joint]);
         out.put(j.colour[joint]);
-        Varint.put(out, j.a[joint]);
+        if ((flags & HAS_RIGID) != 0) {
+            out.put((byte) rigidEnds(j, joint));
+        }
+        if (j.a[joint] != JointRow.NONE) {
+            Varint.put(out, j.a[joint]);
+        }
         if ((flags & HAS_B) != 0) {
             Varint.put(out, j.b[joint]);
         }
         if ((flags & HAS_BODY) != 0) {
             Varint.put(out, j.body[joint]);
+        }
+        if ((flags & HAS_RIGID) != 0) {
+            writeRigid(j, joint, out);
         }
         if ((flags & HAS_REFERENCES) != 0) {
             out.putInt(j.referenceA[joint]).putInt(j.referenceB[joint]);
@@ -138,6 +166,20 @@ final class JointSection {
                 out.putFloat(j.values[SavedJoints.VALUES * joint + k]);
             }
         }
+    }
+
+    private static void writeRigid(SavedJoints j, int joint, ByteBuffer out) {
+        for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+            if (j.rigid(joint, end) != JointRow.NONE) {
+                Varint.put(out, j.rigid(joint, end));
+                out.putFloat(j.rigidX(joint, end)).putFloat(j.rigidY(joint, end));
+            }
+        }
+    }
+
+    private static int rigidEnds(SavedJoints j, int joint) {
+        return (j.rigid(joint, RigidEnds.A) == JointRow.NONE ? 0 : IS_A)
+                | (j.rigid(joint, RigidEnds.B) == JointRow.NONE ? 0 : IS_B);
     }
 
     private static void writeState(SavedJointStates states, int joint, int state, ByteBuffer out) {
@@ -154,7 +196,7 @@ final class JointSection {
     // ---- reading
     // -----------------------------------------------------------------------------------------------------
 
-    /** Reads the section behind its number, and checks all but the colours; circles and terrain have been read. */
+    /** Reads the section behind its number, and checks all but the colours and bodies that are pushed; circles and terrain have been read. */
     static void read(ByteBuffer in, SavedState s) {
         room(in, HEAD);
         int ids = in.getInt();
@@ -167,7 +209,7 @@ final class JointSection {
             int flags = SnapshotCodec.getByte(in);
             boolean lives = (flags & LIVES) != 0;
             SnapshotCodec.require(
-                    flags < 2 * HAS_STATE && (lives || (flags & ~HAS_GENERATION) == 0), "a joint has no such flags");
+                    flags < 2 * HAS_RIGID && (lives || (flags & ~HAS_GENERATION) == 0), "a joint has no such flags");
             s.joints.generation[joint] = SnapshotCodec.getGeneration(in, (flags & HAS_GENERATION) != 0);
             s.joints.form[joint] = JointRow.NO_JOINT;
             Arrays.fill(s.jointStates.rows, JointState.of(joint), JointState.of(joint + 1), 0f);
@@ -184,19 +226,26 @@ final class JointSection {
     private static void readJoint(ByteBuffer in, SavedState s, int joint, int flags) {
         SavedJoints j = s.joints;
         int form = Varint.get(in);
-        boolean hasB = (flags & HAS_B) != 0;
-        boolean takesEnd =
-                hasB ? JointRules.takesCircles(form) : JointRules.takesAnchor(form) || JointRules.takesNothing(form);
-        SnapshotCodec.require(JointRules.isForm(form) && takesEnd, "a joint has a form that makes no sense");
-        boolean hasAnchor = !hasB && JointRules.takesAnchor(form);
-        j.form[joint] = form;
         int colour = SnapshotCodec.getByte(in);
         SnapshotCodec.require(colour <= JointTable.SPLIT, "a joint has no such colour");
+        boolean hasRigid = (flags & HAS_RIGID) != 0;
+        j.form[joint] = form;
         j.colour[joint] = (byte) colour;
-        j.a[joint] = circle(in, s);
-        j.b[joint] = hasB ? circle(in, s) : JointRow.NONE;
-        SnapshotCodec.require(j.a[joint] != j.b[joint], "a joint holds a circle to itself");
+        j.setRigid(joint, RigidEnds.A, JointRow.NONE, 0f, 0f);
+        j.setRigid(joint, RigidEnds.B, JointRow.NONE, 0f, 0f);
+        SnapshotCodec.require(!hasRigid || colour == JointTable.SPLIT, "a joint of a body has a colour");
+        int ends = hasRigid ? rigidEnds(in) : 0;
+        j.a[joint] = (ends & IS_A) == 0 ? circle(in, s) : JointRow.NONE;
+        boolean hasCircle = (flags & HAS_B) != 0;
+        SnapshotCodec.require(!hasCircle || (ends & IS_B) == 0, "a joint has two other ends");
+        j.b[joint] = hasCircle ? circle(in, s) : JointRow.NONE;
+        SnapshotCodec.require(hasRigid || j.a[joint] != j.b[joint], "a joint holds a circle to itself");
+        boolean hasB = hasCircle || (ends & IS_B) != 0;
+        SnapshotCodec.require(
+                JointRules.isForm(form) && takesEnd(form, hasB, hasRigid), "a joint has a form that makes no sense");
+        boolean hasAnchor = !hasB && JointRules.takesAnchor(form);
         j.body[joint] = (flags & HAS_BODY) != 0 ? body(in, s, hasAnchor) : 0;
+        readRigid(in, j, joint, ends);
         j.referenceA[joint] = 0;
         j.referenceB[joint] = 0;
         if ((flags & HAS_REFERENCES) != 0) {
@@ -212,6 +261,52 @@ final class JointSection {
         readValues(in, j, joint, hasAnchor, s.parameters().bounds());
         if ((flags & HAS_STATE) != 0) {
             readState(in, s, joint);
+        }
+    }
+
+    private static boolean takesEnd(int form, boolean hasB, boolean hasRigid) {
+        return hasB
+                ? JointRules.takesCircles(form) || hasRigid && !JointRules.takesNothing(form)
+                : JointRules.takesAnchor(form) || JointRules.takesNothing(form);
+    }
+
+    /** Which ends are bodies that are pushed. */
+    private static int rigidEnds(ByteBuffer in) {
+        int ends = SnapshotCodec.getByte(in);
+        SnapshotCodec.require(ends > 0 && ends <= (IS_A | IS_B), "a joint has no such ends");
+        return ends;
+    }
+
+    private static void readRigid(ByteBuffer in, SavedJoints j, int joint, int ends) {
+        for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+            if ((ends & (end == RigidEnds.A ? IS_A : IS_B)) != 0) {
+                int body = Varint.get(in);
+                SnapshotCodec.require(body >= 0, "a joint lacks a body");
+                room(in, 2 * Float.BYTES);
+                j.setRigid(joint, end, body, in.getFloat(), in.getFloat());
+            }
+        }
+    }
+
+    /** Checks the bodies that are pushed that joints hold, which have been read. */
+    static void checkRigids(SavedState s) {
+        SavedJoints j = s.joints;
+        for (int joint = 0; joint < j.ids; joint++) {
+            if (j.lives(joint) && j.holdsRigid(joint)) {
+                checkRigid(s, joint, RigidEnds.A);
+                checkRigid(s, joint, RigidEnds.B);
+                SnapshotCodec.require(
+                        j.rigid(joint, RigidEnds.A) != j.rigid(joint, RigidEnds.B), "a joint holds a body to itself");
+            }
+        }
+    }
+
+    private static void checkRigid(SavedState s, int joint, int end) {
+        SavedRigids r = s.rigids;
+        int body = s.joints.rigid(joint, end);
+        if (body != JointRow.NONE) {
+            SnapshotCodec.require(body >= 0 && body < r.ids && r.lives(body), "a joint lacks a body");
+            JointLimits.point(s.joints.rigidX(joint, end), s.joints.rigidY(joint, end), r.outlines[r.outline[body]]);
         }
     }
 

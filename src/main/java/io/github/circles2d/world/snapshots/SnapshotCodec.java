@@ -238,6 +238,7 @@ public final class SnapshotCodec {
         checkGrowth(s);
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
+        JointSection.checkRigids(s);
         require(!s.rigids.hasBodies() || !SleepSection.hasSleepers(s), "circles sleep beside bodies");
         return length;
     }

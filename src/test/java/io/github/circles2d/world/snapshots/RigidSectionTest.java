@@ -9,6 +9,10 @@ import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
+import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.RigidEnds;
+import io.github.circles2d.world.joints.SavedJoints;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Sleep;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -133,6 +137,43 @@ class RigidSectionTest {
             Arrays.fill(s.motion, 0);
             s.rest[0] = Sleep.ASLEEP;
         });
+    }
+
+    @Test
+    void jointsThatCallsCannotLeadToAreRefused() {
+        refused("a joint lacks a body", s -> join(s, GONE, 2, 0));
+        refused("a joint lacks a body", s -> join(s, 0, 77, 0));
+        refused("holds a body to itself", s -> join(s, 2, 2, 0));
+        refused("x of the point", s -> join(s, 0, 2, 1000));
+        refused("x of the point", s -> join(s, 0, 2, Float.NaN));
+        refused("a joint of a body has a colour", s -> {
+            join(s, 0, 2, 0);
+            s.joints.colour[0] = 1;
+        });
+        refused("a joint has two other ends", s -> {
+            join(s, 0, 2, 0);
+            s.joints.b[0] = 0;
+        });
+        refused("makes no sense", s -> {
+            join(s, 0, 2, 0);
+            s.joints.form[0] = JointRow.DRAG | JointRow.TURN_SPEED;
+        });
+    }
+
+    /** Adds a pin between two bodies. */
+    private static void join(SavedState s, int a, int b, float x) {
+        s.joints.setIds(1);
+        s.jointStates.begin(1);
+        s.jointStates.clear(0);
+        s.joints.form[0] = JointRow.POINT | JointRow.RIGID;
+        s.joints.colour[0] = JointTable.SPLIT;
+        s.joints.a[0] = JointRow.NONE;
+        s.joints.b[0] = JointRow.NONE;
+        s.joints.setRigid(0, RigidEnds.A, a, x, 0);
+        s.joints.setRigid(0, RigidEnds.B, b, 0, 0);
+        for (int k = 0; k < SavedJoints.VALUES; k++) {
+            s.joints.values[k] = SavedJoints.initial(k);
+        }
     }
 
     private static void set(SavedState s, int value, float to) {
