@@ -35,7 +35,7 @@ final class RigidPartners {
 
     /** All are in. */
     void sort() {
-        Arrays.sort(keys, 0, count);
+        HeapSort.ascending(keys, count);
     }
 
     /** Whether a body and something of a type of {@link RigidStep}, of two bodies that of the higher id, do not collide. */
