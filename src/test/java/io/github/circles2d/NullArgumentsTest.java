@@ -184,7 +184,8 @@ class NullArgumentsTest {
                                     refusal(() -> joints.add(1, terrain.ground(), 0, 0, null), "joint");
                                     joints.add(1, null);
                                 },
-                        "body", () -> joints.add(1, null, 0, 0, Joint.pin())));
+                        "body", () -> joints.add(1, null, 0, 0, Joint.pin()),
+                        "terrain", () -> joints.add(1, 0, 0, null, 0, 0, Joint.pin())));
         calls.put(
                 "Joints.addAll",
                 Map.of(
@@ -201,6 +202,7 @@ class NullArgumentsTest {
                                 }));
         calls.put("Joints.removeAll", Map.of("joints", () -> joints.removeAll(null)));
         calls.put("Joints.ofCircle", Map.of("joints", () -> joints.ofCircle(world.handle(0), null)));
+        calls.put("Joints.ofBody", Map.of("joints", () -> joints.ofBody(1, null)));
         calls.put("Joints.readEnds", Map.of("ends", () -> joints.readEnds(null)));
         Ropes.End end = Ropes.at(0, 0);
         calls.put("Ropes.on", Map.of("body", () -> Ropes.on(null, 0, 0)));

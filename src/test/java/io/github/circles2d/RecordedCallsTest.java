@@ -217,6 +217,14 @@ class RecordedCallsTest {
                 w.joints().add(a, Joint.friction(0.5f, 0.25f));
                 w.joints().add(b, Joint.servo(2, 5, 0.5f, 3));
             }),
+            change("Joints.add(long, float, float, long, float, float, Joint)", (w, a, b) -> w.joints()
+                    .add(body(w), 0.1f, 0, body(w), 0, 0.1f, Joint.pin())),
+            change("Joints.add(long, float, float, long, Joint)", (w, a, b) -> w.joints()
+                    .add(body(w), 0.1f, 0, a, Joint.weld())),
+            change("Joints.add(long, float, float, float, float, Joint)", (w, a, b) -> w.joints()
+                    .add(body(w), 0.1f, 0, 0.5f, 0.6f, Joint.rope(0.5f))),
+            change("Joints.add(long, float, float, TerrainBody, float, float, Joint)", (w, a, b) -> w.joints()
+                    .add(body(w), 0.1f, 0, liftOf(w), 0.1f, 0.2f, Joint.mouse(5, 1, 30))),
             change("Joints.addAll(long[], long[], Joint, long[])", (w, a, b) -> w.joints()
                     .addAll(new long[] {a, b}, new long[] {b, a}, Joint.distance(), new long[2])),
             change("Joints.addAll(long[], Joint, long[])", (w, a, b) -> w.joints()
@@ -424,6 +432,7 @@ class RecordedCallsTest {
             "Joints.idLimit",
             "Joints.joint",
             "Joints.length",
+            "Joints.ofBody",
             "Joints.ofCircle",
             "Joints.other",
             "Joints.pick",
