@@ -12,7 +12,7 @@ import java.nio.file.Path;
  * on record. The file {@code expected.txt} has a line for each log: its number of steps, "same" and the hash.
  */
 final class GoldenLogs {
-    /** Circles times steps that one log may take. */
+    /** {@link GoldenScene#cost} times steps that one log may take. */
     private static final long AFFORDABLE = 150_000;
 
     /** Steps between two hashes in a log. */
@@ -30,7 +30,7 @@ final class GoldenLogs {
             for (GoldenScene scene : GoldenHashes.scenes()) {
                 int steps = 0;
                 for (int mark : GoldenHashes.MARKS) {
-                    steps = (long) mark * scene.scene().size() <= AFFORDABLE ? mark : steps;
+                    steps = (long) mark * scene.cost() <= AFFORDABLE ? mark : steps;
                 }
                 write(scene, steps, folder.resolve(number++ + "-" + scene + ".log"));
                 expected.printf("%d same %x%n", steps, golden.hash(scene, steps));

@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.reference.Surfaces;
+import io.github.circles2d.scenes.BodyScenes;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.JointedScenes;
 import io.github.circles2d.scenes.Scene;
@@ -18,8 +19,9 @@ import java.util.SplittableRandom;
  * @param edgeX what there is at the left and the right edge
  * @param edgeY what there is at the lower and the upper edge
  * @param surfaces what circles and walls touch each other with
- * @param terrain what there is besides circles: terrain, joints
+ * @param terrain what there is besides circles: terrain, joints, bodies that are pushed
  * @param sleeps whether circles fall asleep
+ * @param bodies how many bodies that are pushed there are, about
  */
 record GoldenScene(
         String name,
@@ -29,7 +31,11 @@ record GoldenScene(
         Edge edgeY,
         Surfaces surfaces,
         GoldenTerrain terrain,
-        boolean sleeps) {
+        boolean sleeps,
+        int bodies) {
+    /** What a body that is pushed costs in a step, in circles. */
+    private static final int COST_OF_BODY = 10;
+
     /** A scene in which nobody sleeps. */
     GoldenScene(
             String name,
@@ -39,7 +45,7 @@ record GoldenScene(
             Edge edgeY,
             Surfaces surfaces,
             GoldenTerrain terrain) {
-        this(name, scene, change, edgeX, edgeY, surfaces, terrain, false);
+        this(name, scene, change, edgeX, edgeY, surfaces, terrain, false, 0);
     }
 
     /** A scene without terrain. */
@@ -265,7 +271,81 @@ record GoldenScene(
                                 GoldenSleep::changeJoints,
                                 Surfaces.of(0.5f, 0.02f),
                                 GoldenSleep::joints)
-                        .sleeping());
+                        .sleeping(),
+                new GoldenScene(
+                                "bodies-pyramid",
+                                BodyScenes.ball(),
+                                GoldenBodies::ball,
+                                Surfaces.of(0.6f, 0f),
+                                GoldenBodies::pyramid)
+                        .with(GoldenBodies.OF_PYRAMID),
+                new GoldenScene(
+                                "bodies-dominoes",
+                                BodyScenes.ball(),
+                                GoldenChange.NONE,
+                                Surfaces.of(0.5f, 0.01f),
+                                GoldenBodies::dominoes)
+                        .with(GoldenBodies.DOMINOES),
+                new GoldenScene(
+                                "bodies-in-ball-pit",
+                                BodyScenes.pit(),
+                                GoldenChange.NONE,
+                                Surfaces.of(0.4f, 0f),
+                                GoldenBodies::crates)
+                        .with(GoldenBodies.CRATES),
+                new GoldenScene(
+                                "bodies-gears",
+                                BodyScenes.ball(),
+                                GoldenBodies::drive,
+                                Surfaces.of(0.1f, 0f),
+                                GoldenBodies::gears)
+                        .with(2),
+                new GoldenScene(
+                                "bodies-in-drum",
+                                HardScenes.core(30, 0.15f, Scenes.SEED),
+                                GoldenChange.NONE,
+                                Surfaces.of(0.6f, 0.02f),
+                                GoldenBodies::drum)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-churned",
+                                BodyScenes.mixed(),
+                                GoldenBodies::churn,
+                                Surfaces.of(0.5f, 0.02f),
+                                GoldenBodies::mixed)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-bouncy-wrapped",
+                                BodyScenes.mixed(),
+                                GoldenBodies::bounce,
+                                Edge.WRAP,
+                                Edge.WALL,
+                                Surfaces.of(0.3f, 0f).withWall(2, 0.8f, 0f, 0.4f),
+                                GoldenBodies::mixed)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-open",
+                                BodyScenes.mixed(),
+                                GoldenChange::timeStep,
+                                Edge.OPEN,
+                                Edge.OPEN,
+                                Surfaces.of(0.6f, 0f),
+                                GoldenBodies::onLand)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-walls",
+                                BodyScenes.mixed(),
+                                GoldenChange::walls,
+                                Surfaces.of(0.4f, 0f),
+                                GoldenBodies::mixed)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-under-boulder",
+                                BodyScenes.boulder(),
+                                GoldenTerrain::lift,
+                                Surfaces.of(0.5f, 0f),
+                                GoldenBodies::onLifts)
+                        .with(GoldenBodies.ON_LIFTS));
     }
 
     private static Scene heap() {
@@ -277,7 +357,21 @@ record GoldenScene(
     }
 
     private GoldenScene sleeping() {
-        return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, true);
+        return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, true, bodies);
+    }
+
+    private GoldenScene with(int itsBodies) {
+        return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, sleeps, itsBodies);
+    }
+
+    /** Whether devices can run it: there are no bodies, which they refuse. */
+    boolean runsOnDevices() {
+        return bodies == 0;
+    }
+
+    /** What a step costs, in circles. */
+    int cost() {
+        return scene.size() + COST_OF_BODY * bodies;
     }
 
     /** Whether there are walls all around, and nothing but circles, none of which grips or sleeps: such a scene needs no kernels of its own. */

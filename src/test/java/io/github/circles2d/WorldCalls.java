@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.reference.BodyOutline;
 import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.JointPlan;
 import java.lang.reflect.InvocationHandler;
@@ -137,11 +138,16 @@ public interface WorldCalls {
 
     /** Returns how many pieces it has; handles has room for them. */
     default int addChain(long body, ChainShape shape, int kind, long[] handles) {
+        return body(body).addChain(chain(shape), kind, handles);
+    }
+
+    /** A chain, as callers draw it. */
+    static Chain chain(ChainShape shape) {
         Chain chain = Chain.from(shape.x(), shape.y());
         for (float[] way : shape.ways()) {
             chain = way.length == 2 ? chain.lineTo(way[0], way[1]) : chain.arcTo(way[0], way[1], way[2]);
         }
-        return body(body).addChain(shape.closed() ? chain.close() : chain, kind, handles);
+        return shape.closed() ? chain.close() : chain;
     }
 
     default void removePiece(long piece) {
@@ -171,6 +177,72 @@ public interface WorldCalls {
 
     default void removeBody(long body) {
         body(body).remove();
+    }
+
+    Bodies bodies();
+
+    /** What is drawn, as callers make it. */
+    static Outline outline(BodyOutline drawn) {
+        Outline outline = Outline.of(chain(drawn.chain()));
+        return Float.isNaN(drawn.rounding()) ? outline : outline.round(drawn.rounding());
+    }
+
+    default long addRigid(BodyOutline drawn, float x, float y, float angle, float mass, int kind) {
+        return bodies().add(outline(drawn), x, y, angle, mass, kind);
+    }
+
+    /** The handles of all bodies that are pushed, in the order of their ids. */
+    default long[] rigids() {
+        long[] handles = new long[bodies().size()];
+        bodies().readHandles(handles);
+        return handles;
+    }
+
+    default void removeRigid(long body) {
+        bodies().remove(body);
+    }
+
+    default void clearRigids() {
+        bodies().clear();
+    }
+
+    default void setRigidVelocity(long body, float vx, float vy, float angularVelocity) {
+        bodies().setVelocity(body, vx, vy);
+        bodies().setAngularVelocity(body, angularVelocity);
+    }
+
+    default void teleportRigid(long body, float x, float y, float angle) {
+        bodies().teleport(body, x, y, angle);
+    }
+
+    default void pushRigid(long body, float x, float y, float pointX, float pointY) {
+        bodies().applyImpulse(body, x, y, pointX, pointY);
+    }
+
+    default void turnRigid(long body, float impulse) {
+        bodies().applyAngularImpulse(body, impulse);
+    }
+
+    default void pressRigid(long body, float forceX, float forceY, float torque) {
+        bodies().applyForce(body, forceX, forceY);
+        bodies().applyTorque(body, torque);
+    }
+
+    default void setRigidKind(long body, int kind) {
+        bodies().setKind(body, kind);
+    }
+
+    default void setRigidTag(long body, long tag) {
+        bodies().setTag(body, tag);
+    }
+
+    default void setRigidRestitution(long body, float restitution) {
+        bodies().setRestitution(body, restitution);
+    }
+
+    /** An inertia of 1 is that of the outline. */
+    default void setRigidInertia(long body, float share) {
+        bodies().setInertia(body, share * bodies().outline(body).inertia(bodies().mass(body)));
     }
 
     Joints joints();

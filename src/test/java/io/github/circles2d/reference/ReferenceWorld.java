@@ -1,6 +1,7 @@
 package io.github.circles2d.reference;
 
 import io.github.circles2d.ArcSide;
+import io.github.circles2d.Bodies;
 import io.github.circles2d.Edge;
 import io.github.circles2d.Inertia;
 import io.github.circles2d.Joints;
@@ -477,6 +478,11 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public Terrain terrain() {
         throw new UnsupportedOperationException("terrain belongs to a World");
+    }
+
+    @Override
+    public Bodies bodies() {
+        throw new UnsupportedOperationException("bodies belong to a World");
     }
 
     @Override
