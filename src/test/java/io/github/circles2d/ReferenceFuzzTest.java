@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.reference.BodyOutline;
 import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.JointEvent;
@@ -49,6 +50,7 @@ class ReferenceFuzzTest {
         private final Surfaces surfaces;
         private final boolean terrain;
         private final boolean joints;
+        private final boolean rigids;
         private final List<Long> bodies = new ArrayList<>();
         private final float size;
         private final float fastest;
@@ -77,6 +79,7 @@ class ReferenceFuzzTest {
             surfaces = turns && ofSurfaces.nextBoolean() ? surfaces(ofSurfaces) : Surfaces.NONE;
             terrain = new SplittableRandom(~(5 * seed)).nextInt(2) == 0;
             joints = new SplittableRandom(~(7 * seed)).nextInt(2) == 0;
+            rigids = new SplittableRandom(~(11 * seed)).nextInt(2) == 0;
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
@@ -112,6 +115,9 @@ class ReferenceFuzzTest {
                 }
                 for (int k = 0; k < (joints ? 10 : 0); k++) {
                     changeJoints();
+                }
+                for (int k = 0; k < (rigids ? 8 : 0); k++) {
+                    addRigid();
                 }
                 int count = 10 + random.nextInt(30);
                 for (int k = 0; k < count; k++) {
@@ -155,6 +161,9 @@ class ReferenceFuzzTest {
             }
             if (joints && random.nextInt(2) == 0) {
                 changeJoints();
+            }
+            if (rigids && random.nextInt(2) == 0) {
+                changeRigids();
             }
             switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
@@ -665,6 +674,79 @@ class ReferenceFuzzTest {
 
         // ---- terrain
         // -----------------------------------------------------------------------------------------------
+
+        private void addRigid() {
+            BodyOutline outline = outline();
+            float x = x();
+            float y = y();
+            float angle = value(-4f, 4f);
+            float mass = value(0.1f, 10f);
+            int kind = random.nextInt(3) == 0 ? kind() : 0;
+            bothIfAllowed("add a body", c -> c.addRigid(outline, x, y, angle, mass, kind));
+        }
+
+        private BodyOutline outline() {
+            float s = size * value(0.02f, 0.09f);
+            float half = 0.5f * s;
+            float pi = (float) Math.PI;
+            BodyOutline outline =
+                    switch (random.nextInt(8)) {
+                        case 0, 1 -> BodyOutline.box(s, s * value(0.2f, 1f));
+                        case 2 -> BodyOutline.capsule(0.7f * s, 0.2f * s);
+                        case 3 -> BodyOutline.polygon(0f, 0f, value(0f, 0.9f) * s, s, s, 0.1f * s);
+                        case 4 ->
+                            BodyOutline.polygon(0f, 0f, s, 0f, s, 0.4f * s, 0.3f * s, 0.3f * s, 0.3f * s, s, 0f, s);
+                        case 5 -> BodyOutline.closed(half, 0f, new float[] {0f, 0f, pi}, new float[] {0f, 0f, pi});
+                        case 6 -> BodyOutline.closed(-half, 0f, new float[] {half, 0f}, new float[] {0f, 0f, pi});
+                        default ->
+                            BodyOutline.closed(
+                                    -half, half, new float[] {-half, -half}, new float[] {half, -half}, new float[] {
+                                        half, 0f, value(0.5f, 1.5f)
+                                    });
+                    };
+            return random.nextInt(3) == 0 ? outline.round(s * value(0.002f, 0.02f)) : outline;
+        }
+
+        private void changeRigids() {
+            long[] all = reference.rigids();
+            if (all.length == 0) {
+                addRigid();
+                return;
+            }
+            long body = all[random.nextInt(all.length)];
+            float x = x();
+            float y = y();
+            float vx = speed();
+            float vy = speed();
+            float turn = value(-20f, 20f);
+            switch (random.nextInt(14)) {
+                case 0, 1 -> addRigid();
+                case 2 -> both("remove a body", c -> c.removeRigid(body));
+                case 3, 4, 5 -> both("setVelocity of a body", c -> c.setRigidVelocity(body, vx, vy, turn));
+                case 6 -> both("teleport of a body", c -> c.teleportRigid(body, x, y, turn));
+                case 7 -> both("applyImpulse of a body", c -> c.pushRigid(body, vx, vy, x, y));
+                case 8 -> both("applyAngularImpulse of a body", c -> c.turnRigid(body, 1e-3f * size * size * turn));
+                case 9 -> both("applyForce of a body", c -> c.pressRigid(body, vx, vy, 1e-3f * size * size * turn));
+                case 10 -> {
+                    int kind = kind();
+                    both("setKind of a body", c -> c.setRigidKind(body, kind));
+                }
+                case 11 -> {
+                    float e = value(0f, 1f);
+                    both("setRestitution of a body", c -> c.setRigidRestitution(body, e));
+                }
+                case 12 -> {
+                    float share = random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : value(0.1f, 3f);
+                    both("setInertia of a body", c -> c.setRigidInertia(body, share));
+                }
+                default -> {
+                    both("setTag of a body", c -> c.setRigidTag(body, body));
+                    if (random.nextInt(4) == 0) {
+                        both("clear of bodies", WorldCalls::clearRigids);
+                    }
+                }
+            }
+        }
 
         private void changeTerrain() {
             switch (random.nextInt(17)) {

@@ -32,10 +32,9 @@ class ReferenceWorldTest {
         return scenes(FEW_CIRCLES, CIRCLES);
     }
 
-    /** Those of more circles than one number, and no more than the other, without bodies that are pushed. */
+    /** Those of more circles than one number, and no more than the other. */
     private static List<GoldenScene> scenes(int more, int most) {
         return GoldenScene.all().stream()
-                .filter(golden -> golden.bodies() == 0)
                 .filter(golden -> golden.scene().size() > more && golden.scene().size() <= most)
                 .toList();
     }

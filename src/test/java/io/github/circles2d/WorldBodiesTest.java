@@ -142,6 +142,25 @@ class WorldBodiesTest {
     }
 
     @Test
+    void whatGoesRightAfterARestoreTakesItsContactsAlong() {
+        try (World world = world();
+                World restored = world()) {
+            world.setGravity(0, -10);
+            long floor = world.terrain().ground().addSegment(2, 1, 6, 1, 0.1f, 0);
+            world.bodies().add(CRATE, 4, 1.35f, 0, 1);
+            long ball = world.add(4, 1.85f, 0.25f, 1);
+            world.step(1 / 60f, 60);
+            ByteBuffer saved = snapshot(world);
+            restored.restore(saved);
+            for (World each : new World[] {world, restored}) {
+                each.remove(ball);
+                each.terrain().remove(floor);
+            }
+            assertThat(restored.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
     void aCircleKnowsWhichBodiesPressIt() {
         try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 20, 10)

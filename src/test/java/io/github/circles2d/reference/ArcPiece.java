@@ -75,6 +75,7 @@ final class ArcPiece extends Piece {
             start[a] = (float) first;
             end[a] = (float) last;
             middle[a] = (float) (mid - laps);
+            halfExtent[a] = (float) (0.5 * ((at[a] + greatest) - (at[a] + least)));
             pivot[a] = (float) (body.place[a] - laps) - origin[a];
         }
     }
@@ -240,5 +241,25 @@ final class ArcPiece extends Piece {
             return left > 0f ? left / (b + Numbers.sqrt(b * b + dot(u, u) * left)) : 0f;
         }
         return (Numbers.sqrt(Numbers.max(b * b + dot(u, u) * left, 0f)) - b) / dot(u, u);
+    }
+
+    /** An outer arc is two corners, or a disc; an inner one a hollow. The corners of its ends have no radius. */
+    @Override
+    void addTo(RigidThing thing, float[] around) {
+        float x = -around[0];
+        float y = -around[1];
+        float side = out();
+        if (solidOutside) {
+            thing.addLine(x, y, t[0], t[1], -size, spread);
+        } else if (isCircle()) {
+            thing.addDisc(x, y, size);
+        } else {
+            thing.addCorner(x, y, size, start[0] / size, start[1] / size, t[0], t[1]);
+            thing.addCorner(x, y, size, t[0], t[1], end[0] / size, end[1] / size);
+        }
+        if (!isCircle()) {
+            addEnd(thing, true, around, 0f, new float[] {side * start[0] / size, side * start[1] / size});
+            addEnd(thing, false, around, 0f, new float[] {side * end[0] / size, side * end[1] / size});
+        }
     }
 }

@@ -52,7 +52,7 @@ final class Grid {
     /** Sorts the circles into levels. */
     Grid(List<Circle> circles, StepParameters step) {
         largestRadius[0] =
-                (float) circles.stream().mapToDouble(c -> c.radius).max().orElseThrow();
+                (float) circles.stream().mapToDouble(c -> c.radius).max().orElse(0);
         for (int k = 1; k < LEVELS; k++) {
             largestRadius[k] = largestRadius[k - 1] * 0.5f;
         }
@@ -66,7 +66,7 @@ final class Grid {
             population[level[k]] += count[k];
         }
         circles.forEach(c -> c.level = level[sizeClass(c)]);
-        finestLevel = circles.stream().mapToInt(c -> c.level).max().orElseThrow();
+        finestLevel = circles.stream().mapToInt(c -> c.level).max().orElse(0);
         for (int k = 0; k < LEVELS; k++) {
             rings[k] = layOut(largestRadius[k], population[k], step.arena());
         }

@@ -57,6 +57,7 @@ final class LinePiece extends Piece {
             start[a] = 0f;
             end[a] = (float) (last[a] - laps - origin[a]);
             middle[a] = (float) (mid - laps);
+            halfExtent[a] = (float) (0.5 * Math.abs(last[a] - first[a]) + thickness);
             pivot[a] = (float) (body.place[a] - laps) - origin[a];
         }
     }
@@ -173,5 +174,18 @@ final class LinePiece extends Piece {
         float along = dot(o, t) + time * dot(u, t);
         boolean meets = (along >= 0f || startJoint == Joint.CONCAVE) && (along <= size || endJoint == Joint.CONCAVE);
         return meets && goesOn(along, r) ? time : 2f;
+    }
+
+    @Override
+    void addTo(RigidThing thing, float[] around) {
+        float[] normal = {t[1], -t[0]};
+        float[] first = minus(start, around);
+        float[] last = minus(end, around);
+        thing.addLine(first[0], first[1], normal[0], normal[1], size, thickness);
+        if (twoSided && !thing.oneWay) {
+            thing.addLine(last[0], last[1], -normal[0], -normal[1], size, thickness);
+        }
+        addEnd(thing, true, around, thickness, normal);
+        addEnd(thing, false, around, thickness, normal);
     }
 }

@@ -65,6 +65,9 @@ abstract class Piece {
 
     final float[] middle = new float[2];
 
+    /** Of its box around the middle. */
+    final float[] halfExtent = new float[2];
+
     /** What the body turns around, against the origin. */
     final float[] pivot = new float[2];
 
@@ -161,6 +164,23 @@ abstract class Piece {
 
     /** After which share of its motion a circle touches the face, from any side; 2 if it does not. */
     abstract float timeOfNoticedFace(float[] o, float[] u, float r);
+
+    /** Gives a thing its lines and corners, against what the piece turns around. */
+    abstract void addTo(RigidThing t, float[] around);
+
+    /** A corner at an end, with a normal on both sides of it; an end at a joint has one only where a convex one ends. */
+    final void addEnd(RigidThing t, boolean atStart, float[] around, float r, float[] normal) {
+        float[] at = minus(atStart ? start : end, around);
+        float nx = normal[0];
+        float ny = normal[1];
+        if (joint(atStart) == Joint.FREE && atStart) {
+            t.addCorner(at[0], at[1], r, -nx, -ny, nx, ny);
+        } else if (joint(atStart) == Joint.FREE) {
+            t.addCorner(at[0], at[1], r, nx, ny, -nx, -ny);
+        } else if (joint(atStart) == Joint.CONVEX && !atStart) {
+            t.addCorner(at[0], at[1], r, nx, ny, next[1], -next[0]);
+        }
+    }
 
     boolean isCircle() {
         return false;

@@ -120,7 +120,7 @@ final class ReferenceTerrain {
         return addArc(body, new float[] {x, y}, toMiddle, radius, half, inner, kind).handle;
     }
 
-    private static long opening(double angle) {
+    static long opening(double angle) {
         long units = Angles.units(angle);
         return Math.abs(units) > TURN - SLACK ? Long.signum(units) * TURN : units;
     }
@@ -168,7 +168,7 @@ final class ReferenceTerrain {
         return addArc(body, new float[] {way[0], way[1]}, toMiddle, (float) radius, half, turn < 0, kind);
     }
 
-    private static boolean isTooShort(float[] a, float[] b) {
+    static boolean isTooShort(float[] a, float[] b) {
         double dx = (double) b[0] - a[0];
         double dy = (double) b[1] - a[1];
         double most = 0;

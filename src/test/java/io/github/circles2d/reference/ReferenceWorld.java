@@ -21,7 +21,7 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
- * World as docs/step.md specifies it. Arguments are not checked: World is asked first,
+ * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, and events of bodies. Arguments are not checked: World is asked first,
  * and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
@@ -71,6 +71,7 @@ public final class ReferenceWorld implements WorldCalls {
     private final Kinds kinds = new Kinds();
     private final ReferenceTerrain terrain = new ReferenceTerrain();
     private final ReferenceJoints joints = new ReferenceJoints();
+    private final ReferenceRigids rigids = new ReferenceRigids();
     private final TouchEvents events = new TouchEvents();
     private Arena arena = new Arena(new float[] {0f, 0f}, new float[] {1f, 1f}, new Edge[] {Edge.WALL, Edge.WALL});
     private float[] min = arena.lowerWalls();
@@ -148,7 +149,7 @@ public final class ReferenceWorld implements WorldCalls {
                     circles.stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
-            Step step = new Step(circles, terrain, joints, parameters(dt), kinds);
+            Step step = new Step(circles, terrain, joints, rigids, parameters(dt), kinds);
             for (Circle c : circles) {
                 c.arena = arena;
                 c.actingForce[0] = c.force[0];
@@ -161,7 +162,7 @@ public final class ReferenceWorld implements WorldCalls {
             }
             circles.forEach(c -> c.start = c.base.clone());
             terrain.begin(parameters(dt));
-            if (!circles.isEmpty()) {
+            if (!circles.isEmpty() || !rigids.all().isEmpty()) {
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
@@ -255,6 +256,7 @@ public final class ReferenceWorld implements WorldCalls {
         joints.removed(find(handle));
         events.removed(find(handle));
         forgetImpulses(find(handle));
+        rigids.forgetContacts(find(handle));
         byId.set((int) handle, null);
     }
 
@@ -481,11 +483,6 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
-    public Bodies bodies() {
-        throw new UnsupportedOperationException("bodies belong to a World");
-    }
-
-    @Override
     public void setOneWay(int kind, boolean oneWay) {
         wakeAllIf(kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0));
     }
@@ -521,6 +518,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void removePiece(long piece) {
         wakeAll();
         events.removed(terrain.piece(piece));
+        rigids.forgetContacts(terrain.piece(piece));
         terrain.remove(terrain.piece(piece));
     }
 
@@ -535,6 +533,7 @@ public final class ReferenceWorld implements WorldCalls {
         wakeAll();
         joints.removedBodies(body -> true);
         terrain.pieces().forEach(events::removed);
+        terrain.pieces().forEach(rigids::forgetContacts);
         terrain.clear();
     }
 
@@ -554,7 +553,9 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void teleportBody(long body, float x, float y, float angle) {
         wakeAll();
-        terrain.teleport(terrain.body(body), arena.inside(0, x), arena.inside(1, y), angle);
+        Body moved = terrain.body(body);
+        terrain.teleport(moved, arena.inside(0, x), arena.inside(1, y), angle);
+        terrain.pieces().stream().filter(piece -> piece.body == moved).forEach(rigids::forgetContacts);
     }
 
     @Override
@@ -562,8 +563,96 @@ public final class ReferenceWorld implements WorldCalls {
         wakeAll();
         Body removed = terrain.body(body);
         joints.removedBodies(removed::equals);
-        terrain.pieces().stream().filter(piece -> piece.body == removed).forEach(events::removed);
+        for (Piece piece : terrain.pieces()) {
+            if (piece.body == removed) {
+                events.removed(piece);
+                rigids.forgetContacts(piece);
+            }
+        }
         terrain.removeBody(removed);
+    }
+
+    // ---- bodies that are pushed
+    // ---------------------------------------------------------------------------------------------
+
+    @Override
+    public Bodies bodies() {
+        throw new UnsupportedOperationException("bodies belong to a World");
+    }
+
+    @Override
+    public long addRigid(BodyOutline drawn, float x, float y, float angle, float mass, int kind) {
+        Rigid body = rigids.add(drawn, mass);
+        body.put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
+        body.kind = kind;
+        body.restitution = kinds.restitution(kind, restitution);
+        return body.handle;
+    }
+
+    @Override
+    public long[] rigids() {
+        return rigids.all().stream().mapToLong(body -> body.handle).toArray();
+    }
+
+    @Override
+    public void removeRigid(long body) {
+        rigids.remove(rigids.find(body));
+    }
+
+    @Override
+    public void clearRigids() {
+        rigids.clear();
+    }
+
+    @Override
+    public void setRigidVelocity(long body, float vx, float vy, float angularVelocity) {
+        rigids.find(body).velocity[0] = vx + 0f;
+        rigids.find(body).velocity[1] = vy + 0f;
+        rigids.find(body).omega = angularVelocity + 0f;
+    }
+
+    @Override
+    public void teleportRigid(long body, float x, float y, float angle) {
+        rigids.find(body).put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
+        rigids.forgetContacts(rigids.find(body));
+    }
+
+    @Override
+    public void pushRigid(long body, float x, float y, float pointX, float pointY) {
+        Rigid pushed = rigids.find(body);
+        pushed.push(new float[] {x, y}, arena.way(pushed.base, place(pointX, pointY)));
+    }
+
+    @Override
+    public void turnRigid(long body, float impulse) {
+        rigids.find(body).turn(impulse);
+    }
+
+    @Override
+    public void pressRigid(long body, float forceX, float forceY, float torque) {
+        rigids.find(body).press(forceX, forceY, torque);
+    }
+
+    @Override
+    public void setRigidKind(long body, int kind) {
+        rigids.find(body).kind = kind;
+        rigids.find(body).restitution = kinds.restitution(kind, rigids.find(body).restitution);
+    }
+
+    @Override
+    public void setRigidTag(long body, long tag) {
+        rigids.find(body).tag = tag;
+    }
+
+    @Override
+    public void setRigidRestitution(long body, float e) {
+        rigids.find(body).restitution = e + 0f;
+    }
+
+    @Override
+    public void setRigidInertia(long body, float share) {
+        Rigid turned = rigids.find(body);
+        turned.inertia = share * (turned.mass * turned.outline.inertia);
     }
 
     // ---- joints
@@ -949,6 +1038,13 @@ public final class ReferenceWorld implements WorldCalls {
         if (jumps(fromMin, startMin) || jumps(fromMax, startMax)) {
             wakeAll();
         }
+        for (Rigid body : rigids.all()) {
+            for (int a = 0; a < 2; a++) {
+                float inside = arena.inside(a, Numbers.clamp(body.base[a], min[a], max[a]));
+                body.rest[a] = inside == body.base[a] ? body.rest[a] : 0f;
+                body.base[a] = inside;
+            }
+        }
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
                 float low = min[a] + margin(startMin[a], min[a], c);
@@ -1009,7 +1105,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash() + joints.hash();
+        sum += kinds.hash() + arena.hash() + surfaces.hash() + terrain.hash() + joints.hash() + rigids.hash();
         sum += sleeps ? hashOfSleep() : 0;
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);

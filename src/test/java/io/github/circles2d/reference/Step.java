@@ -11,13 +11,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** One step of at least one circle. */
+/** One step of at least one circle, or one body that is pushed. */
 final class Step {
     private static final int CROWD = 60;
 
     private final List<Circle> circles;
     private final ReferenceTerrain terrain;
     private final ReferenceJoints joints;
+    private final ReferenceRigids rigids;
     private final StepParameters k;
     private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
@@ -29,10 +30,17 @@ final class Step {
     private List<Circle> torn = List.of();
 
     /** Circles are in the order of their ids. */
-    Step(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
+    Step(
+            List<Circle> circles,
+            ReferenceTerrain terrain,
+            ReferenceJoints joints,
+            ReferenceRigids rigids,
+            StepParameters k,
+            Kinds kinds) {
         this.circles = circles;
         this.terrain = terrain;
         this.joints = joints;
+        this.rigids = rigids;
         this.k = k;
         this.kinds = kinds;
     }
@@ -53,21 +61,30 @@ final class Step {
         circles.stream().filter(c -> !c.isStatic()).forEach(c -> terrain.findContacts(c, kinds, k));
         findContacts(grid);
         prepare(impulseCache, warmScale);
+        RigidStep bodies = new RigidStep(rigids.all(), circles, terrain, k, kinds);
+        bodies.begin(rigids.contacts(), warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
             int now = subStep;
             circles.forEach(c -> integrateVelocities(c, now));
+            bodies.integrateVelocities();
             contacts.forEach(Contact::solve);
             joints.solve(subStep);
+            bodies.solve();
             crossPass(Contact::solve);
+            bodies.solveCircles();
             all(Contact::lookAfterSolve);
             circles.forEach(c -> integratePositions(c, now));
+            bodies.integratePositions(subStep);
             contacts.forEach(Step::relax);
             joints.relax(subStep);
+            bodies.relax();
             crossPass(Step::relax);
             circles.forEach(c -> c.claim = 0);
             circles.forEach(Circle::takeImpulses);
+            bodies.relaxCircles(subStep == k.subSteps() - 1);
             all(Contact::lookAfterRelax);
         }
+        rigids.keep(bodies.end());
         circles.forEach(this::finalizePositions);
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache, warmScale);

@@ -439,7 +439,13 @@ public final class RigidTable {
             outlines.prepare(from.outlines[k]);
         }
         step.ensureContacts(from.contacts);
+        goneCircles = withRoom(goneCircles, from.idsTouched(RigidStep.BODY_CIRCLE));
+        gonePieces = withRoom(gonePieces, from.idsTouched(RigidStep.BODY_PIECE));
         events.makeRoom(from);
+    }
+
+    private static long[] withRoom(long[] set, int ids) {
+        return set.length * 64 < ids ? Arrays.copyOf(set, ids / 32 + 1) : set;
     }
 
     /** Takes over saved bodies, which have been checked. There is room. */

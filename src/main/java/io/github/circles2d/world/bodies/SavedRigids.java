@@ -79,6 +79,17 @@ public final class SavedRigids {
         return outlineCount > 0;
     }
 
+    /** One more than the greatest id of what bodies have contacts with, of a type. */
+    int idsTouched(int type) {
+        int end = 0;
+        for (int at = 0; at < RigidStep.KEYS * contacts; at += RigidStep.KEYS) {
+            if (contactKeys[at + RigidStep.TYPE] == type) {
+                end = Math.max(end, contactKeys[at + RigidStep.B] + 1);
+            }
+        }
+        return end;
+    }
+
     /** A value that is a float. */
     public float real(int body, int value) {
         return Float.intBitsToFloat(values[VALUES * body + value]);

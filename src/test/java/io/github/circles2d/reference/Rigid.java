@@ -1,0 +1,102 @@
+package io.github.circles2d.reference;
+
+import io.github.circles2d.Edge;
+
+/** A body that is pushed: its state. Arrays hold a value for x and one for y. */
+final class Rigid {
+    private static final float GREATEST_FORCE = 1e18f;
+    private static final long RIGID = 0x7269676964733264L;
+
+    final int id;
+    final long handle;
+    final RigidOutline outline;
+    final float mass;
+    final float[] base = new float[2];
+
+    /** What the last addition to the base lost. */
+    final float[] rest = new float[2];
+
+    /** In parts of a turn of which it has 2^32. */
+    int angle;
+
+    final float[] velocity = new float[2];
+    float omega;
+    float inertia;
+    float restitution;
+    int kind;
+    long tag;
+
+    /** What acts in the next step alone. */
+    final float[] force = new float[2];
+
+    float torque;
+
+    Rigid(int id, long handle, RigidOutline outline, float mass) {
+        this.id = id;
+        this.handle = handle;
+        this.outline = outline;
+        this.mass = mass;
+        inertia = mass * outline.inertia;
+    }
+
+    void put(float x, float y, int toAngle) {
+        place(0, x);
+        place(1, y);
+        angle = toAngle;
+    }
+
+    void place(int axis, float coordinate) {
+        base[axis] = coordinate;
+        rest[axis] = 0f;
+    }
+
+    void push(float[] impulse, float[] arm) {
+        for (int a = 0; a < 2; a++) {
+            velocity[a] = Numbers.limitSpeed(velocity[a] + 1f / mass * impulse[a]) + 0f;
+        }
+        turn(Numbers.clamp(arm[0] * impulse[1] - arm[1] * impulse[0], -GREATEST_FORCE, GREATEST_FORCE));
+    }
+
+    void turn(float impulse) {
+        omega = Numbers.limitSpeed(omega + 1f / inertia * impulse) + 0f;
+    }
+
+    void press(float forceX, float forceY, float itsTorque) {
+        force[0] = sum(force[0], forceX);
+        force[1] = sum(force[1], forceY);
+        torque = sum(torque, itsTorque);
+    }
+
+    private static float sum(float a, float b) {
+        return Numbers.clamp(a + b, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+    }
+
+    /** Takes what it has become in a step. */
+    void arrive(float[] displacement, Arena arena, float[] min, float[] max) {
+        for (int a = 0; a < 2; a++) {
+            float sum = base[a] + displacement[a];
+            float part = sum - base[a];
+            rest[a] = (base[a] - (sum - part)) + (displacement[a] - part);
+            base[a] = sum;
+            float inside = arena.edges()[a] == Edge.WRAP ? arena.inside(a, sum) : Numbers.clamp(sum, min[a], max[a]);
+            if (inside != sum) {
+                place(a, inside);
+            }
+        }
+        force[0] = 0f;
+        force[1] = 0f;
+        torque = 0f;
+    }
+
+    long hash() {
+        long h = ReferenceWorld.absorb(ReferenceWorld.absorb(RIGID, id), kind);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, base), rest);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, angle), velocity);
+        h = ReferenceWorld.absorb(h, omega, mass, inertia, restitution, force[0], force[1], torque);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, (int) tag), (int) (tag >> 32));
+        for (int word : outline.words()) {
+            h = ReferenceWorld.absorb(h, word);
+        }
+        return h;
+    }
+}
