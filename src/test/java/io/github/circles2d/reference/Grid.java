@@ -49,10 +49,14 @@ final class Grid {
         }
     }
 
-    /** Sorts the circles into levels. */
+    /** Sorts the circles into levels; without any there is nothing to lay out. */
     Grid(List<Circle> circles, StepParameters step) {
+        if (circles.isEmpty()) {
+            finestLevel = 0;
+            return;
+        }
         largestRadius[0] =
-                (float) circles.stream().mapToDouble(c -> c.radius).max().orElse(0);
+                (float) circles.stream().mapToDouble(c -> c.radius).max().orElseThrow();
         for (int k = 1; k < LEVELS; k++) {
             largestRadius[k] = largestRadius[k - 1] * 0.5f;
         }
@@ -66,7 +70,7 @@ final class Grid {
             population[level[k]] += count[k];
         }
         circles.forEach(c -> c.level = level[sizeClass(c)]);
-        finestLevel = circles.stream().mapToInt(c -> c.level).max().orElse(0);
+        finestLevel = circles.stream().mapToInt(c -> c.level).max().orElseThrow();
         for (int k = 0; k < LEVELS; k++) {
             rings[k] = layOut(largestRadius[k], population[k], step.arena());
         }
