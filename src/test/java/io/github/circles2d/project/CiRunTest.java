@@ -117,7 +117,9 @@ class CiRunTest {
         List<String> calls =
                 output.lines().filter(line -> line.matches("(test|web) .*")).toList();
         Path real = project.toRealPath();
-        assertThat(calls).hasSizeBetween(2, 3).contains("test -Plong in " + real, "web --test in " + real);
+        assertThat(calls)
+                .hasSizeBetween(2, 3)
+                .contains("test -Plong -Dsurefire.timeout=2700 in " + real, "web --test in " + real);
         for (String call : calls.subList(1, calls.size() - 1)) {
             assertThat(call)
                     .contains("-Dcircles2d.included.tests=each-jdk")
@@ -172,6 +174,16 @@ class CiRunTest {
         assertThat(status).isEqualTo(1);
         assertThat(output).containsSubsequence("ended with exit status 1", reason, "Crashed tests:", "SomeTest");
         assertThat(lastLine()).matches("3 passed, 1 failed|6 passed, 2 failed");
+    }
+
+    @Test
+    void aClassOfTestsThatHangsIsNamed() throws Exception {
+        run("STATUS=1; echo '[INFO] Running a.First'; echo '[INFO] Running a.Second'\n"
+                + "echo '[INFO] Tests run: 1, Failures: 0, Time elapsed: 1 s -- in a.First'\n"
+                + "echo 'There was a timeout or other error in the fork'");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).containsSubsequence("There was a timeout", "did not end: a.Second");
+        assertThat(output).doesNotContain("did not end: a.First");
     }
 
     @Test
