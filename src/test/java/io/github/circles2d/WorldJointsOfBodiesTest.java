@@ -131,6 +131,7 @@ class WorldJointsOfBodiesTest {
                 world.bodies().remove(world.bodies().handle(2));
                 run(world, 30);
                 end = world.hash();
+                assertThat(recording.hasFailed()).isFalse();
             }
         }
         try (World world = world(2)) {
