@@ -20,7 +20,11 @@ final class OutlineBuilder {
     static final int SPAN = 8;
     private static final int BEFORE = 9;
     private static final int AFTER = 10;
-    static final int STRIDE = 11;
+
+    /** The radius of the core of an arc. */
+    private static final int BEND = 11;
+
+    static final int STRIDE = 12;
 
     /** A sine: pieces that meet at less are smooth. */
     private static final double SMOOTH = 1e-4;
@@ -30,8 +34,15 @@ final class OutlineBuilder {
 
     private static final double QUARTER = Math.PI / 2;
 
+    /** By the least width of a path, which is found by lines within arcs: an arc of a smaller radius is a round end if it meets all smoothly. */
+    private static final double ROUND = 0.505;
+
+    /** By the least width: how deep the core of an arc lies that is no round end. */
+    private static final double DEPTH = 0.25;
+
     private final ChainPath path;
     private final double r;
+    private final double width;
     private double[] elements = new double[16 * STRIDE];
     private int count;
     private int lineCount;
@@ -45,9 +56,11 @@ final class OutlineBuilder {
     /** By joint of two lines: how far the ends of both cores lie before it, in roundings; 0 elsewhere. */
     private final double[] back;
 
-    OutlineBuilder(ChainPath path, double r) {
+    /** Width: the least one of the path. */
+    OutlineBuilder(ChainPath path, double r, double width) {
         this.path = path;
         this.r = r;
+        this.width = width;
         int n = path.pieces();
         startX = new double[n];
         startY = new double[n];
@@ -67,7 +80,7 @@ final class OutlineBuilder {
 
     /** The rounding at which the first of the cores of the lines has no length. */
     static double mostRounding(ChainPath path) {
-        OutlineBuilder b = new OutlineBuilder(path, 0);
+        OutlineBuilder b = new OutlineBuilder(path, 0, 0);
         double most = Double.POSITIVE_INFINITY;
         for (int k = 0; k < path.pieces(); k++) {
             double lost = b.back[k] + b.back[b.next(k)];
@@ -171,6 +184,9 @@ final class OutlineBuilder {
         double dx = (double) path.x(k) - path.centreX(k);
         double dy = (double) path.y(k) - path.centreY(k);
         double radius = Math.sqrt(dx * dx + dy * dy);
+        boolean sharp = Math.abs(sine(before(k), k)) > SMOOTH || Math.abs(sine(k, next(k))) > SMOOTH;
+        boolean roundEnd = !sharp && radius <= ROUND * width;
+        double bend = roundEnd ? 0 : Math.max(0, radius - DEPTH * width);
         int parts = (int) Math.max(1, Math.ceil(radians / QUARTER - 1e-9));
         double fromX = startY[k];
         double fromY = -startX[k];
@@ -180,7 +196,8 @@ final class OutlineBuilder {
             double sin = Rotation.sin((int) units);
             double toX = part == parts ? endY[k] : cos * startY[k] + sin * startX[k];
             double toY = part == parts ? -endX[k] : sin * startY[k] - cos * startX[k];
-            add(path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
+            int e = add(path.centreX(k), path.centreY(k), radius, fromX, fromY, toX, toY);
+            elements[e + BEND] = bend;
             fromX = toX;
             fromY = toY;
         }
@@ -239,9 +256,11 @@ final class OutlineBuilder {
             if (elements[e + IS_LINE] == 0) {
                 to[at] = (float) (elements[e + X] - centreX);
                 to[at + 1] = (float) (elements[e + Y] - centreY);
-                for (int k = OutlineShape.RADIUS; k < OutlineShape.CORNER_STRIDE; k++) {
+                for (int k = OutlineShape.FROM_X; k <= OutlineShape.TO_Y; k++) {
                     to[at + k] = (float) elements[e + k];
                 }
+                to[at + OutlineShape.RADIUS] = (float) (elements[e + R] - elements[e + BEND]);
+                to[at + OutlineShape.BEND] = (float) elements[e + BEND];
                 if (isPartOfArc(e)) {
                     to[at + OutlineShape.FROM_X] = (float) (elements[e + AX] + OVERLAP * elements[e + AY]);
                     to[at + OutlineShape.FROM_Y] = (float) (elements[e + AY] - OVERLAP * elements[e + AX]);
@@ -256,6 +275,7 @@ final class OutlineBuilder {
     private boolean isPartOfArc(int e) {
         int before = e == 0 ? (count - 1) * STRIDE : e - STRIDE;
         return before != e
+                && elements[e + BEND] == 0
                 && elements[before + IS_LINE] == 0
                 && elements[before + X] == elements[e + X]
                 && elements[before + Y] == elements[e + Y];

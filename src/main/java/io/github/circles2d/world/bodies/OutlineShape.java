@@ -15,14 +15,17 @@ public final class OutlineShape {
     /** The most that {@link #words} gives. */
     public static final int MOST_WORDS = 4 + 4 * PIECES;
 
-    /** Floats a corner: place, radius, and the normals where its cone begins and ends. */
-    public static final int CORNER_STRIDE = 7;
+    /** Floats a corner: place, radius, the normals where its cone begins and ends, and the radius of its core. */
+    public static final int CORNER_STRIDE = 8;
 
     public static final int RADIUS = 2;
     public static final int FROM_X = 3;
     public static final int FROM_Y = 4;
     public static final int TO_X = 5;
     public static final int TO_Y = 6;
+
+    /** 0 if the core of a corner is a point; else the core is an arc so far from the place, from one normal of the cone to the other. */
+    public static final int BEND = 7;
 
     /** Floats a line: where its core begins, its normal, its length and how thick it is. */
     public static final int LINE_STRIDE = 6;
@@ -54,6 +57,7 @@ public final class OutlineShape {
 
     private final ChainPath path;
     private final float rounding;
+    private final double width;
     private final int[] words;
     private final OutlineMass mass;
     private final float[] corners;
@@ -73,9 +77,10 @@ public final class OutlineShape {
     private final float reach;
     private final float halfThickness;
 
-    private OutlineShape(ChainPath path, float rounding, OutlineBuilder built) {
+    private OutlineShape(ChainPath path, float rounding, double width, OutlineBuilder built) {
         this.path = path;
         this.rounding = rounding;
+        this.width = width;
         words = words(path, rounding);
         mass = built.mass();
         corners = built.corners(mass.centroidX, mass.centroidY);
@@ -84,9 +89,7 @@ public final class OutlineShape {
         edges = built.edges(mass.centroidX, mass.centroidY);
         float far = 0f;
         for (int c = 0; c < corners.length; c += CORNER_STRIDE) {
-            far = Math.max(
-                    far,
-                    (float) Math.sqrt(corners[c] * corners[c] + corners[c + 1] * corners[c + 1]) + corners[c + RADIUS]);
+            far = Math.max(far, farthest(corners, c) + corners[c + RADIUS]);
         }
         reach = far;
         double minX = box(0, -1);
@@ -133,7 +136,7 @@ public final class OutlineShape {
             }
         }
         float r = Float.isNaN(rounding) ? (float) Math.min(ROUNDING * width, OF_EDGE * most) : rounding;
-        return new OutlineShape(path, r, new OutlineBuilder(path, r));
+        return new OutlineShape(path, r, width, new OutlineBuilder(path, r, width));
     }
 
     /** From what {@link #words} has given, or anybody has forged. */
@@ -154,6 +157,24 @@ public final class OutlineShape {
         }
         path.close();
         return of(path, Float.intBitsToFloat(words[0]));
+    }
+
+    /** How far from the centroid the core of a corner is at most. */
+    private static float farthest(float[] of, int c) {
+        float x = of[c];
+        float y = of[c + 1];
+        float bend = of[c + BEND];
+        boolean between = of[c + FROM_X] * y - of[c + FROM_Y] * x >= 0f && of[c + TO_X] * y - of[c + TO_Y] * x <= 0f;
+        if (bend == 0f || between) {
+            return length(x, y) + bend;
+        }
+        return Math.max(
+                length(x + bend * of[c + FROM_X], y + bend * of[c + FROM_Y]),
+                length(x + bend * of[c + TO_X], y + bend * of[c + TO_Y]));
+    }
+
+    private static float length(float x, float y) {
+        return (float) Math.sqrt(x * x + y * y);
     }
 
     private static int[] words(ChainPath path, float rounding) {
@@ -269,7 +290,7 @@ public final class OutlineShape {
         float[] to = new float[64];
         int n = 0;
         double[] element = new double[OutlineBuilder.STRIDE];
-        OutlineBuilder built = new OutlineBuilder(path, rounding);
+        OutlineBuilder built = new OutlineBuilder(path, rounding, width);
         for (int e = 0; e < built.count(); e++) {
             built.copy(e, element);
             double r = element[OutlineBuilder.R];

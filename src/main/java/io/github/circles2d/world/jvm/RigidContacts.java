@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.bodies.OutlineShape.BEND;
 import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
 import static io.github.circles2d.world.bodies.OutlineShape.NX;
 import static io.github.circles2d.world.bodies.OutlineShape.NY;
@@ -162,28 +163,44 @@ final class RigidContacts {
             int at = RigidThings.corner(c);
             float px = x + things.turnedCorner[at];
             float py = y + things.turnedCorner[at + 1];
-            if (frontOf(piece, px, py) - things.turnedCorner[at + RADIUS] < -slack) {
+            if (frontOf(piece, c, px, py) - things.turnedCorner[at + RADIUS] < -slack) {
                 return false;
             }
         }
         return true;
     }
 
-    /** How far a place is in front of a piece, against whose place it is; an arc has its circle. */
-    private float frontOf(int piece, float px, float py) {
+    /** How far the core of a corner is in front of a piece, against whose place it is; an arc has its circle. */
+    private float frontOf(int piece, int c, float px, float py) {
         if (things.lines[piece] == 0) {
             int at = RigidThings.corner(things.firstCorner[piece]);
-            return CircleMath.length(px - things.turnedCorner[at], py - things.turnedCorner[at + 1])
+            return fromCentre(c, px - things.turnedCorner[at], py - things.turnedCorner[at + 1], -1f)
                     - things.turnedCorner[at + RADIUS];
         }
         int line = RigidThings.line(things.firstLine[piece]);
         float rx = px - things.turnedLine[line];
         float ry = py - things.turnedLine[line + 1];
-        return things.isHollow(things.firstLine[piece])
-                ? -1f * things.turnedLine[line + LENGTH] - CircleMath.length(rx, ry)
-                : rx * things.turnedLine[line + NX]
-                        + ry * things.turnedLine[line + NY]
-                        - things.turnedLine[line + THICKNESS];
+        if (things.isHollow(things.firstLine[piece])) {
+            return -1f * things.turnedLine[line + LENGTH] - fromCentre(c, rx, ry, 1f);
+        }
+        float nx = things.turnedLine[line + NX];
+        float ny = things.turnedLine[line + NY];
+        if (things.isBent(c)) {
+            rx += things.bentX(c, -nx, -ny);
+            ry += things.bentY(c, -nx, -ny);
+        }
+        return rx * nx + ry * ny - things.turnedLine[line + THICKNESS];
+    }
+
+    /** How far the core of a corner, which is at (x, y), is from a centre at most, or at least if side is -1. */
+    private float fromCentre(int c, float x, float y, float side) {
+        float d = CircleMath.length(x, y);
+        if (!things.isBent(c) || d == 0f) {
+            return d;
+        }
+        float nx = side * (x / d);
+        float ny = side * (y / d);
+        return CircleMath.length(x + things.bentX(c, nx, ny), y + things.bentY(c, nx, ny));
     }
 
     private void ensurePairs() {
@@ -240,6 +257,8 @@ final class RigidContacts {
             int deepest = -1;
             float deepestHeight = Float.NEGATIVE_INFINITY;
             float deepestReach = 0f;
+            float deepestX = px;
+            float deepestY = py;
             for (int l = things.firstLine[other]; l < things.firstLine[other] + things.lines[other]; l++) {
                 int line = RigidThings.line(l);
                 float rx = px - things.turnedLine[line];
@@ -250,6 +269,14 @@ final class RigidContacts {
                 }
                 float lx = things.turnedLine[line + NX];
                 float ly = things.turnedLine[line + NY];
+                float bentX = 0f;
+                float bentY = 0f;
+                if (things.isBent(c)) {
+                    bentX = things.bentX(c, -lx, -ly);
+                    bentY = things.bentY(c, -lx, -ly);
+                    rx += bentX;
+                    ry += bentY;
+                }
                 float length = things.turnedLine[line + LENGTH];
                 float height = rx * lx + ry * ly;
                 float reach = r + things.turnedLine[line + THICKNESS];
@@ -270,11 +297,16 @@ final class RigidContacts {
                 if (!(fast && far > 0f) && !things.isInCone(c, -lx, -ly, tolerance)) {
                     continue;
                 }
+                if (things.isOfArc(t, c, -lx, -ly)) {
+                    continue;
+                }
                 if (height < 0f) {
                     if (height > deepestHeight) {
                         deepestHeight = height;
                         deepestReach = reach;
                         deepest = l;
+                        deepestX = px + bentX;
+                        deepestY = py + bentY;
                     }
                     continue;
                 }
@@ -282,7 +314,7 @@ final class RigidContacts {
             }
             if (count == from && deepest >= 0) {
                 boolean holds = things.shape[other] != null
-                        ? deepestHeight > -deepestReach || things.isInside(other, px, py)
+                        ? deepestHeight > -deepestReach || things.isInside(other, deepestX, deepestY)
                         : isWall(other)
                                 || wasThere(c - things.firstCorner[t], deepest - things.firstLine[other], swapped)
                                 || isBefore(deepest, x, y);
@@ -331,21 +363,28 @@ final class RigidContacts {
         return things.type[t] == RigidStep.BODY_WALL;
     }
 
-    /** A corner inside an arc that is solid outside; (x, y): from its centre. */
+    /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
     private void cornerInHollow(
             int p,
             int t,
             int other,
             int c,
             int l,
-            float x,
-            float y,
+            float atX,
+            float atY,
             float r,
             float m,
             float tolerance,
             boolean swapped) {
         int line = RigidThings.line(l);
+        float x = atX;
+        float y = atY;
         float d = CircleMath.length(x, y);
+        if (things.isBent(c) && d > 0f) {
+            x += things.bentX(c, atX / d, atY / d);
+            y += things.bentY(c, atX / d, atY / d);
+            d = CircleMath.length(x, y);
+        }
         float radius = -things.turnedLine[line + LENGTH];
         float far = (radius - d) - r;
         boolean inFront = d > 0f
@@ -365,12 +404,14 @@ final class RigidContacts {
                 int to = RigidThings.corner(o);
                 float rx = x + things.turnedCorner[at] - things.turnedCorner[to];
                 float ry = y + things.turnedCorner[at + 1] - things.turnedCorner[to + 1];
+                float bend = things.turnedCorner[at + BEND] + things.turnedCorner[to + BEND];
                 float reach = things.turnedCorner[at + RADIUS] + things.turnedCorner[to + RADIUS];
                 float d = CircleMath.length(rx, ry);
-                if (d > reach + m || d == 0f) {
-                    continue;
+                if (d > bend + reach + m || d <= bend) {
+                    continue; // cores that have crossed are at their backs
                 }
-                float tolerance = things.isRound(c) || things.isRound(o) ? NO_GAP : STRICT;
+                boolean noGap = things.isRound(c) || things.isRound(o) || bend > 0f;
+                float tolerance = noGap ? NO_GAP : STRICT;
                 if (things.isInCone(o, rx / d, ry / d, tolerance) && things.isInCone(c, -rx / d, -ry / d, tolerance)) {
                     add(p, t, other, c, o, false, false);
                 }
@@ -580,16 +621,17 @@ final class RigidContacts {
         int at = RigidThings.corner(corner[c]);
         float px = things.turnedCorner[at];
         float py = things.turnedCorner[at + 1];
-        float r = things.turnedCorner[at + RADIUS];
+        float r = things.turnedCorner[at + BEND] + things.turnedCorner[at + RADIUS];
         float x = ox[c] + (things.dx[t] - things.dx[other]);
         float y = oy[c] + (things.dy[t] - things.dy[other]);
+        int end = beyond(c, x, y);
+        if (end != 0) {
+            px += r * things.turnedCorner[at + end];
+            py += r * things.turnedCorner[at + end + 1];
+            r = 0f;
+        }
         if (!isLine[c]) {
-            int to = RigidThings.corner(feature[c]);
-            atPoint(
-                    c,
-                    x + px - things.turnedCorner[to],
-                    y + py - things.turnedCorner[to + 1],
-                    r + things.turnedCorner[to + RADIUS]);
+            onCorner(c, x + px, y + py, r);
         } else if (things.isHollow(feature[c])) {
             inHollow(c, x + px, y + py, r);
         } else {
@@ -599,6 +641,42 @@ final class RigidContacts {
         ay[c] = py - ny[c] * r;
         bx[c] = x + ax[c];
         by[c] = y + ay[c];
+    }
+
+    /** The end of an arc with which it touches if it has turned so far that its cone has no normal of the contact; 0 if there is none. */
+    private int beyond(int c, float x, float y) {
+        if (!things.isBent(corner[c])) {
+            return 0;
+        }
+        int at = RigidThings.corner(corner[c]);
+        float rx = x + things.turnedCorner[at];
+        float ry = y + things.turnedCorner[at + 1];
+        if (isLine[c]) {
+            int line = RigidThings.line(feature[c]);
+            return things.isHollow(feature[c])
+                    ? things.endOf(a[c], corner[c], rx - things.turnedLine[line], ry - things.turnedLine[line + 1])
+                    : things.endOf(a[c], corner[c], -things.turnedLine[line + NX], -things.turnedLine[line + NY]);
+        }
+        int to = RigidThings.corner(feature[c]);
+        return things.endOf(a[c], corner[c], things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
+    }
+
+    /** (x, y): of A's corner, against the place of B. */
+    private void onCorner(int c, float x, float y, float r) {
+        int to = RigidThings.corner(feature[c]);
+        float rx = x - things.turnedCorner[to];
+        float ry = y - things.turnedCorner[to + 1];
+        float itsRadius = things.turnedCorner[to + BEND] + things.turnedCorner[to + RADIUS];
+        int end = things.isBent(feature[c]) ? things.endOf(b[c], feature[c], rx, ry) : 0;
+        if (end == 0) {
+            atPoint(c, rx, ry, r + itsRadius);
+        } else {
+            atPoint(
+                    c,
+                    rx - itsRadius * things.turnedCorner[to + end],
+                    ry - itsRadius * things.turnedCorner[to + end + 1],
+                    r);
+        }
     }
 
     private void atPoint(int c, float rx, float ry, float reach) {

@@ -94,8 +94,13 @@ final class RigidCover {
         }
         for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
             int at = RigidThings.corner(k);
-            float height = (things.turnedCorner[at] - px) * nx + (things.turnedCorner[at + 1] - py) * ny;
-            if (height - things.turnedCorner[at + RADIUS] < -slack) {
+            float x = things.turnedCorner[at] - px;
+            float y = things.turnedCorner[at + 1] - py;
+            if (things.isBent(k)) {
+                x += things.bentX(k, -nx, -ny);
+                y += things.bentY(k, -nx, -ny);
+            }
+            if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
                 return false;
             }
         }
@@ -105,7 +110,12 @@ final class RigidCover {
         float x = side * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]])) - px;
         float y = side * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]])) - py;
         if (!ownCorner || !contacts.isLine[c]) {
-            int at = RigidThings.corner(ownCorner ? contacts.feature[c] : contacts.corner[c]);
+            int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
+            int at = RigidThings.corner(its);
+            if (things.isBent(its)) {
+                x += things.bentX(its, nx, ny);
+                y += things.bentY(its, nx, ny);
+            }
             return !isHigher(
                     x + things.turnedCorner[at],
                     y + things.turnedCorner[at + 1],

@@ -216,10 +216,20 @@ final class RigidPairs {
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float r = things.turnedCorner[at + OutlineShape.RADIUS];
-            minX = CircleMath.min(minX, things.turnedCorner[at] - r);
-            minY = CircleMath.min(minY, things.turnedCorner[at + 1] - r);
-            maxX = CircleMath.max(maxX, things.turnedCorner[at] + r);
-            maxY = CircleMath.max(maxY, things.turnedCorner[at + 1] + r);
+            float left = 0f;
+            float low = 0f;
+            float right = 0f;
+            float high = 0f;
+            if (things.isBent(c)) {
+                left = things.bentX(c, -1f, 0f);
+                low = things.bentY(c, 0f, -1f);
+                right = things.bentX(c, 1f, 0f);
+                high = things.bentY(c, 0f, 1f);
+            }
+            minX = CircleMath.min(minX, (things.turnedCorner[at] + left) - r);
+            minY = CircleMath.min(minY, (things.turnedCorner[at + 1] + low) - r);
+            maxX = CircleMath.max(maxX, (things.turnedCorner[at] + right) + r);
+            maxY = CircleMath.max(maxY, (things.turnedCorner[at + 1] + high) + r);
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);

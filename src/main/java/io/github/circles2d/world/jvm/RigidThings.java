@@ -220,6 +220,7 @@ final class RigidThings {
         corner[c + OutlineShape.FROM_Y] = fromY;
         corner[c + OutlineShape.TO_X] = toX;
         corner[c + OutlineShape.TO_Y] = toY;
+        corner[c + OutlineShape.BEND] = 0f;
         corners[count - 1]++;
     }
 
@@ -239,6 +240,57 @@ final class RigidThings {
         line[l + OutlineShape.LENGTH] = length;
         line[l + OutlineShape.THICKNESS] = thickness;
         lines[count - 1]++;
+    }
+
+    boolean isBent(int c) {
+        return corner[corner(c) + OutlineShape.BEND] > 0f;
+    }
+
+    /** The point of a bent core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
+    float bentX(int c, float nx, float ny) {
+        int end = endOf(c, nx, ny);
+        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? nx : turnedCorner[corner(c) + end]);
+    }
+
+    float bentY(int c, float nx, float ny) {
+        int end = endOf(c, nx, ny);
+        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? ny : turnedCorner[corner(c) + end + 1]);
+    }
+
+    /** The end of a cone that is nearer to a direction beyond it, as the number of an element; 0 if the cone has the direction. */
+    private int endOf(int c, float nx, float ny) {
+        if (isInCone(c, nx, ny, 0f)) {
+            return 0;
+        }
+        int at = corner(c);
+        float from = turnedCorner[at + OutlineShape.FROM_X] * nx + turnedCorner[at + OutlineShape.FROM_Y] * ny;
+        float to = turnedCorner[at + OutlineShape.TO_X] * nx + turnedCorner[at + OutlineShape.TO_Y] * ny;
+        return from > to ? OutlineShape.FROM_X : OutlineShape.TO_X;
+    }
+
+    /** The same of an arc of a thing, which may have several corners. */
+    int endOf(int t, int c, float nx, float ny) {
+        return isOfArc(t, c, nx, ny) ? 0 : endOf(c, nx, ny);
+    }
+
+    /** Whether an arc that a corner of a thing goes on as has a direction in its cone; the corner is an end of the arc, or a part of it. */
+    boolean isOfArc(int t, int c, float nx, float ny) {
+        int last = firstCorner[t] + corners[t] - 1;
+        int before = c == firstCorner[t] ? last : c - 1;
+        int after = c == last ? firstCorner[t] : c + 1;
+        return goesOnAs(c, before, OutlineShape.FROM_X, OutlineShape.TO_X) && isInCone(before, nx, ny, 0f)
+                || goesOnAs(c, after, OutlineShape.TO_X, OutlineShape.FROM_X) && isInCone(after, nx, ny, 0f);
+    }
+
+    private boolean goesOnAs(int c, int arc, int element, int itsElement) {
+        int at = corner(c);
+        int to = corner(arc);
+        return isBent(arc)
+                && arc != c
+                && corner[at + element] == corner[to + itsElement]
+                && corner[at + element + 1] == corner[to + itsElement + 1]
+                && (corner[at + OutlineShape.BEND] + corner[at + OutlineShape.RADIUS] == 0f
+                        || corner[at] == corner[to] && corner[at + 1] == corner[to + 1]);
     }
 
     boolean isRound(int c) {
@@ -267,6 +319,7 @@ final class RigidThings {
             turnedCorner[at] = c * corner[at] - s * corner[at + 1];
             turnedCorner[at + 1] = s * corner[at] + c * corner[at + 1];
             turnedCorner[at + OutlineShape.RADIUS] = corner[at + OutlineShape.RADIUS];
+            turnedCorner[at + OutlineShape.BEND] = corner[at + OutlineShape.BEND];
             rotate(corner, at + OutlineShape.FROM_X, turnedCorner, c, s);
             rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
         }
@@ -294,10 +347,10 @@ final class RigidThings {
         if (isRound(c)) {
             return true;
         }
-        // the cone is half a turn at most
+        // the cone is half a turn at most: then its middle is 0
         return fx * ny - fy * nx >= -tolerance
                 && tx * ny - ty * nx <= tolerance
-                && (fx + tx) * nx + (fy + ty) * ny >= -tolerance;
+                && (fx + tx) * nx + (fy + ty) * ny >= -Math.abs(tolerance);
     }
 
     /** Whether a place, against that of a body, is inside its core. */

@@ -14,8 +14,11 @@ import java.util.Arrays;
  * visits at the end.
  */
 final class RigidVisits {
-    /** Visits of a pair that bounces, so that its contacts agree. */
+    /** Visits of a pair that bounces, so that its contacts agree; {@link #OF_HITS} if they do not yet. */
     private static final int OF_BOUNCES = 4;
+
+    /** Share of an impulse: if a visit changes none by more, contacts agree. */
+    private static final float AGREED = 1e-3f;
 
     /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
     private static final int OF_HITS = 16;
@@ -126,8 +129,11 @@ final class RigidVisits {
             int to = contacts.firstOf[order.order[at] + 1];
             int times = 1;
             for (int time = 0; time < times; time++) {
+                boolean agree = true;
                 for (int c = from; c < to; c++) {
+                    float before = contacts.impulse[c];
                     solveNormal(c);
+                    agree &= !(Math.abs(contacts.impulse[c] - before) > AGREED * contacts.impulse[c]);
                     times = contacts.bounce[c] > 0f ? Math.max(times, OF_BOUNCES) : times;
                     times = isHit(c) ? OF_HITS : times;
                     for (int other = from; other < to && times > 1; other++) {
@@ -136,6 +142,7 @@ final class RigidVisits {
                         }
                     }
                 }
+                times = times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree ? OF_HITS : times;
             }
         }
     }
@@ -164,9 +171,19 @@ final class RigidVisits {
     }
 
     private void relaxNormal(int c) {
-        if (!isIdle(c)) {
-            apply(c, relaxedNormal(c, massOfA(c) + massOfB(c), normalSpeed(c)));
+        float vn = normalSpeed(c);
+        if (!isIdle(c) && !bouncesLater(c, vn)) {
+            apply(c, relaxedNormal(c, massOfA(c) + massOfB(c), vn));
         }
+    }
+
+    /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
+    private boolean bouncesLater(int c, float vn) {
+        if (contacts.impulse[c] != 0f || contacts.gap[c] > 0f) {
+            return false;
+        }
+        float length = thickness(c);
+        return bounceSpeed(c, length, PUSH * k.pushRate * length, vn) > 0f;
     }
 
     private boolean isIdle(int c) {

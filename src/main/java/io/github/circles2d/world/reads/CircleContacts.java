@@ -170,7 +170,7 @@ public final class CircleContacts {
             float d = CircleMath.length(cx, cy);
             nx = d == 0f ? 0f : cx / d;
             ny = d == 0f ? 1f : cy / d;
-            between = d - corners[corner + OutlineShape.RADIUS];
+            between = d - (corners[corner + OutlineShape.BEND] + corners[corner + OutlineShape.RADIUS]);
         }
         add(world.rigids.ids.handle(body), cos * nx - sin * ny, sin * nx + cos * ny, radius - between, impulse);
     }
