@@ -281,7 +281,7 @@ public final class World implements AutoCloseable {
      * Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over: reset
      * the entries of its id when you add a circle.
      *
-     * @param handle the handle of a circle, stale or not
+     * @param handle the handle of a circle, stale or not; of the handle of anything else the number means nothing
      * @return its id, at least 0
      */
     public static int id(long handle) {

@@ -13,6 +13,20 @@ class OutlineTest {
     private static final float PI = (float) Math.PI;
 
     @Test
+    void boxesMayBeAThousandTimesAsLongAsWideOrRoundAllOver() {
+        assertEquals(1000, Outline.box(1000, 1).area(), 0.01);
+        assertEquals(1000, Outline.box(1, 1000).area(), 0.01);
+        assertThrows(IllegalArgumentException.class, () -> Outline.box(1010, 1));
+        Outline disc = Outline.box(2, 2).round(1);
+        assertEquals(Math.PI, disc.area(), 1e-6);
+        assertEquals(0.5, disc.inertia(1), 1e-6);
+        assertEquals(1, disc.reach(), 1e-6);
+        Outline capsule = Outline.box(4, 2).round(1);
+        assertEquals(Outline.capsule(2, 1).area(), capsule.area(), 1e-6);
+        assertEquals(Outline.capsule(2, 1).inertia(1), capsule.inertia(1), 1e-6);
+    }
+
+    @Test
     void aRoundedBoxHasTheAreaAndInertiaOfItsParts() {
         for (float r : new float[] {0.01f, 0.05f, 0.3f, 0.49f}) {
             Outline box = Outline.box(1, 2).round(r);

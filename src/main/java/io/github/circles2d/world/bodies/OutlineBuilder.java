@@ -32,6 +32,9 @@ final class OutlineBuilder {
     /** Radians. */
     private static final double OVERLAP = 1e-4;
 
+    /** Share of a line: if no more is left between rounded corners, these meet. */
+    private static final double GONE = 1e-6;
+
     private static final double QUARTER = Math.PI / 2;
 
     /** By the least width of a path, which is found by lines within arcs: an arc of a smaller radius is a round end if it meets all smoothly. */
@@ -158,6 +161,9 @@ final class OutlineBuilder {
 
     private void addLine(int k) {
         double length = length(k) - r * (back[k] + back[next(k)]);
+        if (Math.abs(length) <= GONE * length(k)) {
+            return;
+        }
         if (!(length > 0)) {
             throw new IllegalArgumentException("line " + k + " of the outline is " + (float) length(k)
                     + " long, too short for a rounding of " + (float) r);

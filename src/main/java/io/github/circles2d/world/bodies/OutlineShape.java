@@ -47,8 +47,8 @@ public final class OutlineShape {
 
     private static final double LEAST_ROUNDING = 0.01;
 
-    /** Of the greatest extent: the least width. */
-    private static final double LEAST_WIDTH = 0.001;
+    /** Of the greatest extent: the least width. A thousandth of a length is a little less of a diagonal. */
+    private static final double LEAST_WIDTH = 0.000999;
 
     /** Share of the rounding at which an edge would be gone. */
     private static final double OF_EDGE = 0.25;

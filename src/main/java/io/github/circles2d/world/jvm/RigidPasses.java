@@ -305,7 +305,7 @@ final class RigidPasses {
         step.touchValues[to + 2] = side * contacts.nx[c];
         step.touchValues[to + 3] = side * contacts.ny[c];
         step.touchValues[to + 4] = contacts.most[c];
-        step.touchValues[to + 5] = contacts.approach[c];
+        step.touchValues[to + 5] = contacts.approach[c] + 0f; // never -0
         step.touches++;
     }
 
