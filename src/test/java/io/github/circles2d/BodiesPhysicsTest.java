@@ -877,6 +877,19 @@ class BodiesPhysicsTest {
     }
 
     @Test
+    void theSpeedOfATouchIsNeverMinusZero() {
+        try (World world = world(0, 0, 0)) {
+            crate(world, 0, 0);
+            crate(world, 0, 0.98);
+            world.bodies().report(true);
+            run(world, 1);
+            BodyEvents events = world.bodies().events();
+            assertThat(events.size()).isEqualTo(1);
+            assertThat(Float.floatToRawIntBits(events.speed(0))).isZero();
+        }
+    }
+
+    @Test
     void oneWayPiecesLetPassFromBelow() {
         try (World world = world(0.6, 0, 10)) {
             world.kind(2).setOneWay(true);
