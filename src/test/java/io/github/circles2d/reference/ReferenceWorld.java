@@ -21,8 +21,8 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
- * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, and events of bodies. Arguments are not checked: World is asked first,
- * and refuses what is not allowed.
+ * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, events of bodies, and explosions
+ * that push bodies. Arguments are not checked: World is asked first, and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;

@@ -120,24 +120,48 @@ final class RigidContact {
         float[] p = corner();
         float[] q = feature();
         float[] d = wayToA();
-        float rx = d[0] + p[0] - q[0];
-        float ry = d[1] + p[1] - q[1];
+        float px = p[0];
+        float py = p[1];
+        float r = p[7] + p[2];
+        float[] end = endOfA(d[0] + px, d[1] + py);
+        if (end != null) {
+            px += r * end[0];
+            py += r * end[1];
+            r = 0f;
+        }
+        float rx = d[0] + px - q[0];
+        float ry = d[1] + py - q[1];
         if (!onLine) {
-            measureCorner(rx, ry, p[2] + q[2]);
+            float itsRadius = q[7] + q[2];
+            float[] itsEnd = b.end(feature, rx, ry);
+            if (itsEnd == null) {
+                measureCorner(rx, ry, r + itsRadius);
+            } else {
+                measureCorner(rx - itsRadius * itsEnd[0], ry - itsRadius * itsEnd[1], r);
+            }
         } else if (RigidThing.isHollow(q)) {
             float far = length(rx, ry);
             if (far > 0f) {
                 nx = -rx / far;
                 ny = -ry / far;
             }
-            gap = (-q[4] - far) - p[2];
+            gap = (-q[4] - far) - r;
         } else {
-            measureLine(p, q, d, rx, ry);
+            measureLine(px, py, r, d, rx, ry);
         }
-        ax = p[0] - nx * p[2];
-        ay = p[1] - ny * p[2];
+        ax = px - nx * r;
+        ay = py - ny * r;
         bx = d[0] + ax;
         by = d[1] + ay;
+    }
+
+    /** The end with which A's corner, at (x, y) against the place of B, touches; null if it touches between its ends. */
+    private float[] endOfA(float x, float y) {
+        float[] q = feature();
+        if (!onLine) {
+            return a.end(corner, q[0] - x, q[1] - y);
+        }
+        return RigidThing.isHollow(q) ? a.end(corner, x - q[0], y - q[1]) : a.end(corner, -q[2], -q[3]);
     }
 
     /** The normal stays if both are in one place. */
@@ -150,17 +174,18 @@ final class RigidContact {
         gap = far - radii;
     }
 
-    private void measureLine(float[] p, float[] line, float[] d, float rx, float ry) {
+    private void measureLine(float px, float py, float r, float[] d, float rx, float ry) {
+        float[] line = feature();
         float lx = line[2];
         float ly = line[3];
-        float radii = p[2] + line[5];
+        float radii = r + line[5];
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
         float more = GOES_ON * (a.w > 0f || b.w == 0f ? a.thin : b.thin);
         boolean beside = !(along >= -more && along <= line[4] + more);
         if (beside && height > radii) {
-            float ux = a.velocity[0] - a.omega * p[1] - b.velocity[0] + b.omega * (d[1] + p[1]);
-            float uy = a.velocity[1] + a.omega * p[0] - b.velocity[1] - b.omega * (d[0] + p[0]);
+            float ux = a.velocity[0] - a.omega * py - b.velocity[0] + b.omega * (d[1] + py);
+            float uy = a.velocity[1] + a.omega * px - b.velocity[1] - b.omega * (d[0] + px);
             float un = ux * lx + uy * ly;
             float then = along + (uy * lx - ux * ly) * ((height - radii) / -un);
             beside = !(un < 0f && -un * k.h() >= height - radii && then >= -more && then <= line[4] + more);
@@ -253,10 +278,23 @@ final class RigidContact {
         return gap > 0f && impulse == 0f && grip == 0f;
     }
 
+    /** Has closed without an impulse, as a body turned: it is to bounce in the next sub-step. */
+    boolean bouncesLater() {
+        return impulse == 0f && !(gap > 0f) && bounceSpeed(normalSpeed(), pushSpeed()) > 0f;
+    }
+
+    private float push() {
+        return 0.5f * k.settings().pushOutSpeed();
+    }
+
+    private float pushSpeed() {
+        return OF_PUSH * push() * radii();
+    }
+
     /** With bias, along the normal. */
     void solve(boolean summing) {
-        float push = 0.5f * k.settings().pushOutSpeed();
-        float pushSpeed = OF_PUSH * push * radii();
+        float push = push();
+        float pushSpeed = pushSpeed();
         float omega = 2f * 3.14159265f * min(k.settings().frequency() * k.h(), GREATEST_FREQUENCY);
         float a1 = 2f * k.settings().damping() + omega;
         float a2 = omega * a1;

@@ -18,6 +18,13 @@ final class RigidOutline {
     /** Radians by which parts of an arc go on into each other. */
     private static final double OVERLAP = 1e-4;
 
+    /** Share of a line: it is left out if no more is left of it. */
+    private static final double GONE = 1e-6;
+
+    // by the least width: the greatest radius of a round end, and how deep the core of another arc lies
+    private static final double ROUND_END = 0.505;
+    private static final double DEPTH = 0.25;
+
     /** A piece of the drawing: from a point, to a point, around a centre if it turns. */
     private record Way(float[] from, float[] to, float[] centre, long turn) {
         boolean isLine() {
@@ -34,6 +41,7 @@ final class RigidOutline {
      *
      * @param place the middle of an arc; where the core of a line begins, without what it is longer by
      * @param r the radius, or how thick a line is
+     * @param bend the radius of the core of an arc
      * @param a the normal where it begins
      * @param b the normal where it ends
      * @param before how much longer the core of a line is where it begins
@@ -43,6 +51,7 @@ final class RigidOutline {
             boolean isLine,
             double[] place,
             double r,
+            double bend,
             double[] a,
             double[] b,
             double span,
@@ -68,6 +77,7 @@ final class RigidOutline {
 
     private final List<Way> ways = new ArrayList<>();
     private final List<Element> elements = new ArrayList<>();
+    private final double leastWidth;
     private final float rounding;
 
     // by way: the unit tangents at both ends, and how far the ends of cores lie before its start, in roundings
@@ -89,7 +99,7 @@ final class RigidOutline {
     /** What lengths of contacts are measured by. */
     final float halfThickness;
 
-    /** Place, radius, and both ends of the cone of normals. */
+    /** Place, radius, both ends of the cone of normals, and bend: the core is an arc of this radius around the place. */
     final List<float[]> corners = new ArrayList<>();
 
     /** Where the core begins, normal, length and thickness. */
@@ -105,8 +115,9 @@ final class RigidOutline {
         end = new double[n][];
         back = new double[n];
         findTangents();
+        leastWidth = leastWidth();
         rounding = Float.isNaN(drawn.rounding())
-                ? (float) Math.min(ROUNDING * leastWidth(), OF_EDGE * mostRounding())
+                ? (float) Math.min(ROUNDING * leastWidth, OF_EDGE * mostRounding())
                 : drawn.rounding();
         round();
         double[] centroid = weigh();
@@ -118,7 +129,7 @@ final class RigidOutline {
                 .forEach(element -> addToCore(element, centroid));
         float far = 0f;
         for (float[] c : corners) {
-            far = Math.max(far, (float) Math.sqrt(c[0] * c[0] + c[1] * c[1]) + c[2]);
+            far = Math.max(far, farthest(c) + c[2]);
         }
         reach = far;
         halfThickness = (float) Math.min(Math.sqrt(area) / 2, area / (2 * (double) reach));
@@ -139,6 +150,19 @@ final class RigidOutline {
             words.add((int) (way.turn >> 32));
         }
         return words;
+    }
+
+    /** How far the core of a corner is from the centroid at most. */
+    private static float farthest(float[] c) {
+        boolean inCone = c[3] * c[1] - c[4] * c[0] >= 0f && c[5] * c[1] - c[6] * c[0] <= 0f;
+        if (c[7] == 0f || inCone) {
+            return length(c[0], c[1]) + c[7];
+        }
+        return Math.max(length(c[0] + c[7] * c[3], c[1] + c[7] * c[4]), length(c[0] + c[7] * c[5], c[1] + c[7] * c[6]));
+    }
+
+    private static float length(float x, float y) {
+        return (float) Math.sqrt(x * x + y * y);
     }
 
     private static double square(double a) {
@@ -350,20 +374,23 @@ final class RigidOutline {
         float[] from = ways.get(k).from;
         double[] place = {from[0] + inset * (s[0] * back[k] - s[1]), from[1] + inset * (s[1] * back[k] + s[0])};
         double[] last = end[Math.floorMod(k - 1, ways.size())];
-        elements.add(new Element(false, place, inset, normal(last), normal(s), 0, 0, 0));
+        elements.add(new Element(false, place, inset, 0, normal(last), normal(s), 0, 0, 0));
     }
 
     private void addLine(int k) {
         double r = rounding;
         double next = back[(k + 1) % ways.size()];
         double length = length(along(k)) - r * (back[k] + next);
+        if (Math.abs(length) <= GONE * length(along(k))) {
+            return;
+        }
         double before = r * Math.max(0, -back[k]);
         double after = r * Math.max(0, -next);
         double at = r * back[k] + before;
         double[] s = start[k];
         float[] from = ways.get(k).from;
         double[] place = {from[0] + (at * s[0] - r * s[1]), from[1] + (at * s[1] + r * s[0])};
-        elements.add(new Element(true, place, r, normal(s), normal(s), length - before - after, before, after));
+        elements.add(new Element(true, place, r, 0, normal(s), normal(s), length - before - after, before, after));
     }
 
     /** In parts of a quarter of a turn at most. */
@@ -371,6 +398,7 @@ final class RigidOutline {
         Way way = ways.get(k);
         int parts = (int) Math.max(1, Math.ceil(way.turn * Angles.UNIT / (Math.PI / 2) - 1e-9));
         double[] centre = {way.centre[0], way.centre[1]};
+        double bend = isRoundEnd(k) ? 0 : Math.max(0, way.radius() - DEPTH * leastWidth);
         double[] s = start[k];
         double[] from = normal(s);
         for (int part = 1; part <= parts; part++) {
@@ -379,9 +407,15 @@ final class RigidOutline {
             double sin = Angles.sin(units);
             double[] to =
                     part == parts ? normal(end[k]) : new double[] {cos * s[1] + sin * s[0], sin * s[1] - cos * s[0]};
-            elements.add(new Element(false, centre, way.radius(), from, to, 0, 0, 0));
+            elements.add(new Element(false, centre, way.radius(), bend, from, to, 0, 0, 0));
             from = to;
         }
+    }
+
+    /** Whether an arc is small and meets both neighbours smoothly. */
+    private boolean isRoundEnd(int k) {
+        boolean smooth = Math.abs(sine(k)) <= SMOOTH && Math.abs(sine((k + 1) % ways.size())) <= SMOOTH;
+        return smooth && ways.get(k).radius() <= ROUND_END * leastWidth;
     }
 
     // ---- mass
@@ -397,6 +431,7 @@ final class RigidOutline {
                     element.isLine,
                     place,
                     element.r,
+                    element.bend,
                     element.a,
                     element.b,
                     element.span,
@@ -469,15 +504,16 @@ final class RigidOutline {
     private float[] corner(Element e, double[] centroid) {
         Element last = elements.get(Math.floorMod(elements.indexOf(e) - 1, elements.size()));
         boolean goesOn = last != e && !last.isLine && last.place[0] == e.place[0] && last.place[1] == e.place[1];
-        double overlap = goesOn ? OVERLAP : 0;
+        double overlap = goesOn && e.bend == 0 ? OVERLAP : 0;
         return new float[] {
             (float) (e.place[0] - centroid[0]),
             (float) (e.place[1] - centroid[1]),
-            (float) e.r,
+            (float) (e.r - e.bend),
             (float) (e.a[0] + overlap * e.a[1]),
             (float) (e.a[1] - overlap * e.a[0]),
             (float) e.b[0],
-            (float) e.b[1]
+            (float) e.b[1],
+            (float) e.bend
         };
     }
 

@@ -14,7 +14,7 @@ final class RigidPair {
     /** The same against corners. */
     private static final float STRICT = -1e-6f;
 
-    /** And of discs. */
+    /** And of discs and bent corners. */
     private static final float NO_GAP = 1e-5f;
 
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
@@ -102,19 +102,33 @@ final class RigidPair {
     /** Whether the body is wholly in front of the piece. */
     private boolean isInFront(float x, float y) {
         float slack = ROUNDED * a.thin;
-        return a.corners.stream().allMatch(c -> front(x + c[0], y + c[1]) - c[2] >= -slack);
+        return a.corners.stream().allMatch(c -> front(c, x + c[0], y + c[1]) - c[2] >= -slack);
     }
 
-    /** How far a place is in front of the piece. */
-    private float front(float x, float y) {
+    /** How far the core of a corner at a place is in front of the piece. */
+    private float front(float[] corner, float x, float y) {
         if (b.lines.isEmpty()) {
             float[] disc = b.corners.get(0);
-            return length(x - disc[0], y - disc[1]) - disc[2];
+            return fromCentre(corner, x - disc[0], y - disc[1], -1f) - disc[2];
         }
         float[] line = b.lines.get(0);
         float rx = x - line[0];
         float ry = y - line[1];
-        return RigidThing.isHollow(line) ? -line[4] - length(rx, ry) : rx * line[2] + ry * line[3] - line[5];
+        if (RigidThing.isHollow(line)) {
+            return -line[4] - fromCentre(corner, rx, ry, 1f);
+        }
+        float[] bend = RigidThing.farthest(corner, -line[2], -line[3]);
+        return (rx + bend[0]) * line[2] + (ry + bend[1]) * line[3] - line[5];
+    }
+
+    /** How far the core of a corner, (x, y) from a centre, is from that at most; with a side of -1 at least. */
+    private static float fromCentre(float[] corner, float x, float y, float side) {
+        float d = length(x, y);
+        if (d == 0f) {
+            return d;
+        }
+        float[] bend = RigidThing.farthest(corner, side * (x / d), side * (y / d));
+        return length(x + bend[0], y + bend[1]);
     }
 
     private void add(RigidThing t, RigidThing o, int corner, int feature, boolean onLine, boolean swapped) {
@@ -134,6 +148,7 @@ final class RigidPair {
             int before = contacts.size();
             int deepest = -1;
             float deepestHeight = Float.NEGATIVE_INFINITY;
+            float[] deepestBend = {0f, 0f};
             for (int l = 0; l < o.lines.size(); l++) {
                 float[] line = o.lines.get(l);
                 float rx = px - line[0];
@@ -144,23 +159,30 @@ final class RigidPair {
                     }
                     continue;
                 }
+                float[] bend = RigidThing.farthest(corner, -line[2], -line[3]);
+                rx += bend[0];
+                ry += bend[1];
                 float height = rx * line[2] + ry * line[3];
                 float apart = height - (corner[2] + line[5]);
                 boolean faces = fast && apart > 0f || RigidThing.isInCone(corner, -line[2], -line[3], tolerance);
-                if (apart > margin || !faces || !isOver(line, rx, ry, ux, uy, apart)) {
+                if (apart > margin
+                        || !faces
+                        || t.isOfArc(c, -line[2], -line[3])
+                        || !isOver(line, rx, ry, ux, uy, apart)) {
                     continue;
                 }
                 if (height >= 0f) {
                     add(t, o, c, l, true, swapped);
                 } else if (height > deepestHeight) {
                     deepestHeight = height;
+                    deepestBend = bend;
                     deepest = l;
                 }
             }
             if (contacts.size() == before && deepest >= 0) {
                 float[] line = o.lines.get(deepest);
                 boolean holds = o.type == RigidThing.BODY
-                        ? deepestHeight > -(corner[2] + line[5]) || o.isInside(px, py)
+                        ? deepestHeight > -(corner[2] + line[5]) || o.isInside(px + deepestBend[0], py + deepestBend[1])
                         : o.type == RigidThing.WALL
                                 || wasThere(c, deepest, swapped)
                                 || (x - line[0]) * line[2] + (y - line[1]) * line[3] > 0f;
@@ -189,7 +211,15 @@ final class RigidPair {
         return known.stream().anyMatch(saved -> saved.first() == first && saved.second() == second);
     }
 
-    private boolean isInHollow(float[] corner, float[] hollow, float x, float y, float tolerance) {
+    /** (atX, atY): from the centre to the corner. */
+    private boolean isInHollow(float[] corner, float[] hollow, float atX, float atY, float tolerance) {
+        float far = length(atX, atY);
+        if (far == 0f) {
+            return false;
+        }
+        float[] bend = RigidThing.farthest(corner, atX / far, atY / far);
+        float x = atX + bend[0];
+        float y = atY + bend[1];
         float d = length(x, y);
         float radius = -hollow[4];
         return d > 0f
@@ -207,9 +237,11 @@ final class RigidPair {
                 float rx = x + p[0] - q[0];
                 float ry = y + p[1] - q[1];
                 float d = length(rx, ry);
-                float tolerance = RigidThing.isDisc(p) || RigidThing.isDisc(q) ? NO_GAP : STRICT;
-                if (d <= p[2] + q[2] + margin
-                        && d != 0f
+                float bends = p[7] + q[7];
+                boolean noGap = RigidThing.isDisc(p) || RigidThing.isDisc(q) || bends > 0f;
+                float tolerance = noGap ? NO_GAP : STRICT;
+                if (d <= bends + (p[2] + q[2]) + margin
+                        && d > bends
                         && RigidThing.isInCone(q, rx / d, ry / d, tolerance)
                         && RigidThing.isInCone(p, -rx / d, -ry / d, tolerance)) {
                     add(a, b, c, o, false, false);

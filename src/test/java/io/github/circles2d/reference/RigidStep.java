@@ -23,6 +23,9 @@ final class RigidStep {
     private static final int VISITS_OF_BOUNCES = 4;
     private static final int VISITS_OF_HITS = 16;
 
+    /** Share of an impulse by which a visit may change it where contacts agree. */
+    private static final float AGREED = 1e-3f;
+
     /** Far beyond all that bodies reach. */
     private static final float FAR = 1e10f;
 
@@ -182,8 +185,10 @@ final class RigidStep {
         float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
         for (float[] c : t.corners) {
             for (int a = 0; a < 2; a++) {
-                low[a] = Numbers.min(low[a], c[a] - c[2]);
-                high[a] = Numbers.max(high[a], c[a] + c[2]);
+                float lower = RigidThing.farthest(c, a == 0 ? -1f : 0f, a == 0 ? 0f : -1f)[a];
+                float upper = RigidThing.farthest(c, a == 0 ? 1f : 0f, a == 0 ? 0f : 1f)[a];
+                low[a] = Numbers.min(low[a], (c[a] + lower) - c[2]);
+                high[a] = Numbers.max(high[a], (c[a] + upper) + c[2]);
             }
         }
         float m = 2.25f * t.near + BOX_OF_BODY * (Math.abs(t.place[0]) + Math.abs(t.place[1]) + t.reach);
@@ -362,7 +367,8 @@ final class RigidStep {
             return false;
         }
         for (float[] corner : t.corners) {
-            float height = (corner[0] - point[0]) * normal[0] + (corner[1] - point[1]) * normal[1];
+            float[] bend = RigidThing.farthest(corner, -normal[0], -normal[1]);
+            float height = (corner[0] - point[0] + bend[0]) * normal[0] + (corner[1] - point[1] + bend[1]) * normal[1];
             if (height - corner[2] < -slack) {
                 return false;
             }
@@ -373,7 +379,8 @@ final class RigidStep {
         float y = away * way[1] - point[1];
         if (!ownCorner || !c.onLine) {
             float[] corner = ownCorner ? c.feature() : c.corner();
-            return !isHigher(x + corner[0], y + corner[1], normal, slack - corner[2]);
+            float[] bend = RigidThing.farthest(corner, normal[0], normal[1]);
+            return !isHigher(x + bend[0] + corner[0], y + bend[1] + corner[1], normal, slack - corner[2]);
         }
         float[] line = c.feature();
         if (RigidThing.isHollow(line) || c.b.type == RigidThing.WALL) {
@@ -443,12 +450,17 @@ final class RigidStep {
         coloured.forEach(RigidStep::solve);
     }
 
-    /** A pair that bounces, or comes fast, is visited several times, so that its contacts agree; then bounces grip. */
+    /** A pair that bounces, or comes fast, is visited several times, so that its contacts agree; behind each normal bounces grip. */
     private static void solve(RigidPair pair) {
         int times = 1;
         for (int time = 0; time < times; time++) {
+            boolean agree = true;
             for (RigidContact c : pair.contacts) {
+                float before = c.impulse;
                 c.solve(false);
+                if (Math.abs(c.impulse - before) > AGREED * c.impulse) {
+                    agree = false;
+                }
                 times = c.bounce > 0f ? Math.max(times, VISITS_OF_BOUNCES) : times;
                 times = c.isHit() ? VISITS_OF_HITS : times;
                 for (RigidContact other : pair.contacts) {
@@ -456,6 +468,9 @@ final class RigidStep {
                         other.solveGrip(false);
                     }
                 }
+            }
+            if (time == VISITS_OF_BOUNCES - 1 && times == VISITS_OF_BOUNCES && !agree) {
+                times = VISITS_OF_HITS;
             }
         }
     }
@@ -497,7 +512,7 @@ final class RigidStep {
     void relax() {
         for (RigidPair pair : coloured) {
             for (RigidContact c : pair.contacts) {
-                if (!c.isIdle()) {
+                if (!c.isIdle() && !c.bouncesLater()) {
                     c.relax(false);
                 }
                 pair.contacts.forEach(other -> other.solveGrip(false));

@@ -88,8 +88,8 @@ final class RigidThing {
         this.place = place;
     }
 
-    void addCorner(float... corner) {
-        ownCorners.add(corner);
+    void addCorner(float x, float y, float r, float fromX, float fromY, float toX, float toY) {
+        ownCorners.add(new float[] {x, y, r, fromX, fromY, toX, toY, 0f});
     }
 
     void addDisc(float x, float y, float r) {
@@ -147,7 +147,49 @@ final class RigidThing {
         return isDisc(corner)
                 || corner[3] * y - corner[4] * x >= -tolerance
                         && corner[5] * y - corner[6] * x <= tolerance
-                        && (corner[3] + corner[5]) * x + (corner[4] + corner[6]) * y >= -tolerance;
+                        && (corner[3] + corner[5]) * x + (corner[4] + corner[6]) * y >= -Math.abs(tolerance);
+    }
+
+    /** From the place of a corner to the point of its core that is farthest in a direction, which is a unit. */
+    static float[] farthest(float[] corner, float x, float y) {
+        int end = isInCone(corner, x, y, 0f) ? 0 : nearerEnd(corner, x, y);
+        return end == 0
+                ? new float[] {corner[7] * x, corner[7] * y}
+                : new float[] {corner[7] * corner[end], corner[7] * corner[end + 1]};
+    }
+
+    /** Where the numbers of the end of a cone begin that is nearer to a direction. */
+    private static int nearerEnd(float[] corner, float x, float y) {
+        return corner[3] * x + corner[4] * y > corner[5] * x + corner[6] * y ? 3 : 5;
+    }
+
+    /** The normal of the end with which a bent corner touches in a direction that its arc has not; null if it touches between its ends. */
+    float[] end(int c, float x, float y) {
+        float[] corner = corners.get(c);
+        if (corner[7] == 0f || isInCone(corner, x, y, 0f) || isOfArc(c, x, y)) {
+            return null;
+        }
+        int end = nearerEnd(corner, x, y);
+        return new float[] {corner[end], corner[end + 1]};
+    }
+
+    /** Whether a bent corner before or after a corner, of the same arc or one that ends there, has a direction in its cone. */
+    boolean isOfArc(int c, float x, float y) {
+        int before = Math.floorMod(c - 1, corners.size());
+        int after = (c + 1) % corners.size();
+        return goesOn(c, 3, before, 5) && isInCone(corners.get(before), x, y, 0f)
+                || goesOn(c, 5, after, 3) && isInCone(corners.get(after), x, y, 0f);
+    }
+
+    /** Whether an end of the cone of a corner is an end of another, bent one. */
+    private boolean goesOn(int c, int end, int arc, int itsEnd) {
+        float[] p = ownCorners.get(c);
+        float[] q = ownCorners.get(arc);
+        return q[7] > 0f
+                && arc != c
+                && p[end] == q[itsEnd]
+                && p[end + 1] == q[itsEnd + 1]
+                && (p[7] + p[2] == 0f || p[0] == q[0] && p[1] == q[1]);
     }
 
     /** Whether a place against that of a body is inside: a line from it to the right crosses the core an odd number of times. */
