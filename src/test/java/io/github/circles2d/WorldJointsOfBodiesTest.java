@@ -289,7 +289,7 @@ class WorldJointsOfBodiesTest {
             byte[] sound = snapshot(world);
             for (int k = 0; k < sound.length; k += 7) {
                 byte[] damaged = sound.clone();
-                damaged[k] ^= 1 << k % 8;
+                damaged[k] = (byte) (damaged[k] ^ 1 << k % 8);
                 assertThatIllegalArgumentException().isThrownBy(() -> other.restore(ByteBuffer.wrap(damaged)));
             }
         }
