@@ -48,7 +48,12 @@ final class DeviceBeside {
         return wanted == last ? device : null;
     }
 
-    /** Begins to open it and to make it ready, unless that goes on or is of no use. */
+    /** Begins to open it, unless that goes on or is of no use. */
+    void open(int circles) {
+        prepare(null, circles);
+    }
+
+    /** Begins to make it ready, likewise; null opens it alone. */
     synchronized void prepare(Readiness wanted, int circles) {
         if (thread == null && failure == null && !closed && !refused.contains(wanted)) {
             last = null;
@@ -76,7 +81,7 @@ final class DeviceBeside {
             if (device == null) {
                 RunningBuilds.make(() -> take(opens.apply(circles)));
             }
-            if (!isClosed()) {
+            if (wanted != null && !isClosed()) {
                 device.compile(wanted);
             }
         } catch (RuntimeException | Error e) {

@@ -34,7 +34,9 @@ final class RunningChoice implements Mover {
     /** From so many circles on the device lacks memory. */
     private int tooMany = Integer.MAX_VALUE;
 
-    /** Whether the first frame has begun, which has all processors: no device is opened beside it. */
+    /** For so many circles a device is opened before they are there, but not beside the first frame, which has all processors; else 0. */
+    private int expected;
+
     private boolean hasBegun;
 
     /** Frames since the last move. */
@@ -58,7 +60,8 @@ final class RunningChoice implements Mover {
         this.opensHome = opensHome;
         this.rule = rule;
         beside = new DeviceBeside(opensDevice);
-        reason = capacity < FrameRule.LEAST_CIRCLES
+        expected = capacity < FrameRule.LEAST_CIRCLES ? 0 : capacity;
+        reason = expected == 0
                 ? "no GPU is looked for below " + FrameRule.LEAST_CIRCLES + " circles, and the capacity is " + capacity
                 : "it starts here, and a GPU is made ready beside it";
     }
@@ -90,6 +93,10 @@ final class RunningChoice implements Mover {
         if (!hasBegun) {
             hasBegun = true;
             return now;
+        }
+        if (expected > 0) {
+            beside.open(expected);
+            expected = 0;
         }
         boolean idle = frames >= FRAMES_TO_KEEP_DEVICE && !goes;
         if (hasFailed || idle || circles < FrameRule.LEAST_CIRCLES || circles >= tooMany) {

@@ -179,6 +179,7 @@ class WorldBackendTest {
         public static void main(String[] args) {
             try (World world = World.builder().capacity(1_000_000).build()) {
                 world.add(0.5f, 0.5f, 0.1f, 1);
+                world.step(1 / 60f); // nothing is opened beside the first step
                 world.step(1 / 60f);
                 while (world.stats().reason().contains("made ready")) {
                     Thread.onSpinWait();
