@@ -133,7 +133,9 @@ final class RigidVisits {
                 for (int c = from; c < to; c++) {
                     float before = contacts.impulse[c];
                     solveNormal(c);
-                    agree &= !(Math.abs(contacts.impulse[c] - before) > AGREED * contacts.impulse[c]);
+                    if (Math.abs(contacts.impulse[c] - before) > AGREED * contacts.impulse[c]) {
+                        agree = false;
+                    }
                     times = contacts.bounce[c] > 0f ? Math.max(times, OF_BOUNCES) : times;
                     times = isHit(c) ? OF_HITS : times;
                     for (int other = from; other < to && times > 1; other++) {
@@ -142,7 +144,9 @@ final class RigidVisits {
                         }
                     }
                 }
-                times = times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree ? OF_HITS : times;
+                if (times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree) {
+                    times = OF_HITS;
+                }
             }
         }
     }
