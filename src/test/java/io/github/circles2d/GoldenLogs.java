@@ -12,9 +12,6 @@ import java.nio.file.Path;
  * on record. The file {@code expected.txt} has a line for each log: its number of steps, "same" and the hash.
  */
 final class GoldenLogs {
-    /** From step 34 on it has other bits in JavaScript; why is not known. */
-    private static final String NOT_IN_JAVASCRIPT = "bodies-walls";
-
     /** {@link GoldenScene#cost} times steps that one log may take. */
     private static final long AFFORDABLE = 150_000;
 
@@ -31,9 +28,6 @@ final class GoldenLogs {
                 new PrintStream(folder.resolve("expected.txt").toFile(), StandardCharsets.US_ASCII)) {
             int number = 100; // three digits, so that the files have the order of the lines
             for (GoldenScene scene : GoldenHashes.scenes()) {
-                if (scene.name().equals(NOT_IN_JAVASCRIPT)) {
-                    continue;
-                }
                 int steps = 0;
                 for (int mark : GoldenHashes.MARKS) {
                     steps = (long) mark * scene.cost() <= AFFORDABLE ? mark : steps;

@@ -22,6 +22,10 @@ public final class Floats {
     @InjectedBy(Rounding.class)
     public static native float round(float value);
 
+    /** A number, in brackets. */
+    @InjectedBy(Brackets.class)
+    public static native double inBrackets(double value);
+
     /** The float that is nearest to a whole number. */
     public static float ofLong(long value) {
         long kept = value;

@@ -21,12 +21,15 @@ import org.teavm.vm.spi.TeaVMHost;
 import org.teavm.vm.spi.TeaVMPlugin;
 
 /**
- * Makes numbers those of Java if the target is JavaScript: TeaVM computes floats as doubles there, and lets casts to whole numbers
- * wrap. Every float operation of the game and the library is rounded. It does nothing if the target is WebAssembly, whose numbers
- * are those of Java. TeaVM finds it as a service.
+ * Makes numbers those of Java if the target is JavaScript: TeaVM computes floats as doubles there, lets casts to whole numbers wrap, and
+ * writes {@code a + (b - c)} of doubles without its brackets, which rounds otherwise. Every float operation of the game and the library
+ * is rounded, and what is added to or multiplied with a double stands in brackets. It does nothing if the target is WebAssembly, whose
+ * numbers are those of Java. TeaVM finds it as a service.
  */
 public final class StrictFloats implements TeaVMPlugin, ClassHolderTransformer {
     private static final MethodReference ROUND = new MethodReference(Floats.class, "round", float.class, float.class);
+    private static final MethodReference IN_BRACKETS =
+            new MethodReference(Floats.class, "inBrackets", double.class, double.class);
     private static final MethodReference OF_LONG = new MethodReference(Floats.class, "ofLong", long.class, float.class);
     private static final MethodReference TO_INT = new MethodReference(Floats.class, "toInt", double.class, int.class);
     private static final MethodReference TO_LONG =
@@ -79,6 +82,11 @@ public final class StrictFloats implements TeaVMPlugin, ClassHolderTransformer {
             Variable exact = program.createVariable();
             binary.setReceiver(exact);
             binary.insertNext(call(ROUND, exact, result, binary));
+        } else if (instruction instanceof BinaryInstruction binary && losesBrackets(binary)) {
+            Variable bare = binary.getSecondOperand();
+            Variable inBrackets = program.createVariable();
+            binary.setSecondOperand(inBrackets);
+            binary.insertPrevious(call(IN_BRACKETS, bare, inBrackets, binary));
         } else if (instruction instanceof FloatConstantInstruction constant
                 && !isWrittenExactly(constant.getConstant())) {
             Variable result = constant.getReceiver();
@@ -97,6 +105,12 @@ public final class StrictFloats implements TeaVMPlugin, ClassHolderTransformer {
         return binary.getOperandType() == NumericOperandType.FLOAT
                 && binary.getOperation() != BinaryOperation.COMPARE_GREATER
                 && binary.getOperation() != BinaryOperation.COMPARE_LESS;
+    }
+
+    private static boolean losesBrackets(BinaryInstruction binary) {
+        return binary.getOperandType() == NumericOperandType.DOUBLE
+                && (binary.getOperation() == BinaryOperation.ADD
+                        || binary.getOperation() == BinaryOperation.MULTIPLY);
     }
 
     /** Whether the shortest decimal of a float, which TeaVM writes, is the same number as a double. */

@@ -1,7 +1,7 @@
 package io.github.circles2d.check;
 
 /**
- * Operations on numbers whose results differ where floats are not rounded, or conversions are not those of Java. The remainder of
+ * Operations on numbers whose results differ where floats are not rounded, brackets get lost, or conversions are not those of Java. The remainder of
  * floats is not among them: in WebAssembly it is not Java's, and World does not use it.
  */
 final class Numbers {
@@ -59,6 +59,7 @@ final class Numbers {
     static String lines() {
         StringBuilder lines = new StringBuilder();
         line("float + - * /", Numbers::arithmetic, lines);
+        line("double + - * / in brackets", Numbers::brackets, lines);
         line("constants and sqrt", Numbers::constants, lines);
         line("double to float", Numbers::fromDouble, lines);
         line("float to int", Numbers::toInt, lines);
@@ -114,6 +115,26 @@ final class Numbers {
         add(a * b, digest);
         add(a / b, digest);
         add(a * b + a / b - b, digest);
+    }
+
+    private static void brackets(float a, float b, long v, Digest digest) {
+        double c = 1.0 / 3;
+        add((float) (((a + (b - c)) - a) - b), digest);
+        add((float) (((a - (b + c)) - a) + b), digest);
+        add((float) (((a + (b + c)) - a) - b), digest);
+        addDouble(a * (b * c), digest);
+        addDouble(a * (b / c), digest);
+        addDouble(a / (b * c), digest);
+        addDouble(a / (b / c), digest);
+        addDouble(sum(a, sum(b, c)), digest);
+    }
+
+    private static double sum(double a, double b) {
+        return a + b;
+    }
+
+    private static void addDouble(double v, Digest digest) {
+        digest.add(Double.isNaN(v) ? 0x7ff8000000000000L : Double.doubleToRawLongBits(v));
     }
 
     private static void constants(float a, float b, long v, Digest digest) {
