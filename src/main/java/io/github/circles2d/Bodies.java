@@ -406,10 +406,70 @@ public final class Bodies {
     }
 
     /**
-     * Applies a force to the centroid of a body in the next step, and in that alone. Several forces add up.
+     * Sets a force at the centroid of a body, which acts in every step until it is changed: thrust, wind. It does not turn with the body. Each second
+     * it adds the force over the mass to the velocity. As with {@link World#setForce} it is the same in all sub-steps of a step.
      *
      * @param body the handle of a body
-     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude; in a sub-step it changes a velocity
+     *     by at most 1e9
+     * @param y y of the force, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void setForce(long body, float x, float y) {
+        simulation.rigids.setForce(body, x, y);
+    }
+
+    /**
+     * The force that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return along x; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float forceX(long body) {
+        return simulation.rigidReads.forceX(body);
+    }
+
+    /**
+     * The force that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return along y; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float forceY(long body) {
+        return simulation.rigidReads.forceY(body);
+    }
+
+    /**
+     * Sets a torque on a body, which acts in every step until it is changed. Each second it adds the torque over the {@link #inertia} to the
+     * angular velocity.
+     *
+     * @param body the handle of a body
+     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void setTorque(long body, float torque) {
+        simulation.rigids.setTorque(body, torque);
+    }
+
+    /**
+     * The torque that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return the torque; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float torque(long body) {
+        return simulation.rigidReads.torque(body);
+    }
+
+    /**
+     * Applies a force to the centroid of a body in the next step alone (the first of several that one call makes), besides the force that {@link
+     * #setForce} has set. Several forces add up.
+     *
+     * @param body the handle of a body
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
      * @param y y of the force, likewise
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
@@ -418,10 +478,26 @@ public final class Bodies {
     }
 
     /**
-     * Applies a torque to a body in the next step, and in that alone. Several torques add up.
+     * Applies a force to a body at a point in the next step alone. It is that force at the centroid, and its torque about the centroid as that lies
+     * now.
      *
      * @param body the handle of a body
-     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
+     * @param y y of the force, likewise
+     * @param pointX x of the point in the world, up to 1e9 in magnitude; along an axis that wraps the image nearest to the centroid
+     * @param pointY y of it, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void applyForce(long body, float x, float y, float pointX, float pointY) {
+        simulation.rigids.applyForce(body, x, y, pointX, pointY);
+    }
+
+    /**
+     * Applies a torque to a body in the next step alone, besides the torque that {@link #setTorque} has set. Several torques add up.
+     *
+     * @param body the handle of a body
+     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude. The sum of several is cut
+     *     to that
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyTorque(long body, float torque) {

@@ -272,7 +272,12 @@ class RecordedCallsTest {
                     .applyAngularImpulse(body(w), 2)),
             change("Bodies.applyForce(long, float, float)", (w, a, b) -> w.bodies()
                     .applyForce(body(w), 2, 3)),
+            change("Bodies.applyForce(long, float, float, float, float)", (w, a, b) -> w.bodies()
+                    .applyForce(body(w), 2, 3, 0.6f, 0.9f)),
             change("Bodies.applyTorque(long, float)", (w, a, b) -> w.bodies().applyTorque(body(w), 2)),
+            change("Bodies.setForce(long, float, float)", (w, a, b) -> w.bodies()
+                    .setForce(body(w), 2, 3)),
+            change("Bodies.setTorque(long, float)", (w, a, b) -> w.bodies().setTorque(body(w), 2)),
             change("Bodies.setKind(long, int)", (w, a, b) -> w.bodies().setKind(body(w), 2)),
             change("Bodies.setTag(long, long)", (w, a, b) -> w.bodies().setTag(body(w), -1L << 40)),
             change("Bodies.setRestitution(long, float)", (w, a, b) -> w.bodies().setRestitution(body(w), 0.75f)),
@@ -402,6 +407,8 @@ class RecordedCallsTest {
             "Bodies.angularVelocity",
             "Bodies.contains",
             "Bodies.events",
+            "Bodies.forceX",
+            "Bodies.forceY",
             "Bodies.handle",
             "Bodies.idLimit",
             "Bodies.inertia",
@@ -415,6 +422,7 @@ class RecordedCallsTest {
             "Bodies.restitution",
             "Bodies.size",
             "Bodies.tag",
+            "Bodies.torque",
             "Bodies.vx",
             "Bodies.vy",
             "Bodies.x",

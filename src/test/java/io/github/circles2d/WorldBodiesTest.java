@@ -67,6 +67,73 @@ class WorldBodiesTest {
     }
 
     @Test
+    void aForceThatIsSetActsUntilItIsChanged() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            long other = bodies.add(CRATE, 4, 8, 0, 2);
+            bodies.setInertia(body, 0.5f);
+            bodies.setForce(body, 4, -2);
+            bodies.setTorque(body, 0.25f);
+            assertThat(bodies.forceX(body)).isEqualTo(4);
+            assertThat(bodies.forceY(body)).isEqualTo(-2);
+            assertThat(bodies.torque(body)).isEqualTo(0.25f);
+            assertThat(bodies.forceX(other)).isZero();
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(1);
+            assertThat(bodies.vy(body)).isEqualTo(-0.5f);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f);
+            assertThat(bodies.vx(other)).isZero();
+            bodies.setForce(body, 0, 0);
+            bodies.setTorque(body, 0);
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(1);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f);
+            bodies.setForce(body, 4, 0);
+            bodies.remove(body);
+            assertThat(bodies.forceX(bodies.add(CRATE, 4, 5, 0, 2))).isZero();
+        }
+    }
+
+    @Test
+    void whatIsAppliedActsInOneStepBesidesWhatIsSet() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            bodies.setInertia(body, 0.5f);
+            bodies.setForce(body, 2, 0);
+            bodies.applyForce(body, 3, 0, 4, 5.25f);
+            bodies.applyForce(body, 3, 0, 4, 4.75f);
+            bodies.applyForce(body, 0, 2, 4.5f, 5);
+            bodies.applyTorque(body, -0.5f);
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(0.25f * (4 + 1));
+            assertThat(bodies.vy(body)).isEqualTo(0.25f);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f * (1 - 0.5f) / 0.5f);
+            long before = world.hash();
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.setForce(body, Float.NaN, 0));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.setTorque(body, 2e18f));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.applyForce(body, 1, 1, Float.NaN, 0));
+            assertThat(world.hash()).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void whatNobodyHasIsInNoSnapshotNorHash() {
+        try (World world = world()) {
+            long body = world.bodies().add(CRATE, 4, 5, 0, 2);
+            ByteBuffer before = snapshot(world);
+            long hash = world.hash();
+            world.bodies().setForce(body, 1, 0);
+            assertThat(world.hash()).isNotEqualTo(hash);
+            assertThat(world.snapshotBytes()).isGreaterThan(before.remaining());
+            world.bodies().setForce(body, -0f, 0);
+            assertThat(world.hash()).isEqualTo(hash);
+            assertThat(snapshot(world)).isEqualTo(before);
+        }
+    }
+
+    @Test
     void handlesGoStaleAndAreOfNothingElse() {
         try (World world = world()) {
             Bodies bodies = world.bodies();

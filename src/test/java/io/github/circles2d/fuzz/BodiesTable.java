@@ -51,7 +51,10 @@ final class BodiesTable extends Table {
         add(5, "applyImpulse", body, force(), force(), x(), y());
         add(3, "applyAngularImpulse", body, force());
         add(4, "applyForce", body, force(), force());
+        add(3, "applyForce", body, force(), force(), x(), y());
         add(4, "applyTorque", body, force());
+        add(3, "setForce", body, force(), force());
+        add(3, "setTorque", body, force());
         add(4, "teleport", body, x(), y(), angle());
         add(2, "setKind", body, kind());
         add(2, "setTag", body, number());
@@ -67,6 +70,9 @@ final class BodiesTable extends Table {
             "inertia",
             "restitution",
             "kindOf",
+            "forceX",
+            "forceY",
+            "torque",
             "tag",
             "x",
             "y",

@@ -70,9 +70,9 @@ final class RigidStep {
         float scale = kinds.getFloat(body.kind, Kinds.GRAVITY_SCALE);
         for (int a = 0; a < 2; a++) {
             t.velocity[a] = body.velocity[a];
-            t.gain[a] = gain(limitSpeed(k.gravity()[a] * scale) * k.h(), body.force[a], t.w);
+            t.gain[a] = gain(limitSpeed(k.gravity()[a] * scale) * k.h(), body.force(a), t.w);
         }
-        t.angularGain = gain(0f, body.torque, t.i);
+        t.angularGain = gain(0f, body.torque(), t.i);
         t.turnBody();
         float speed = length(t.velocity);
         float spin = (Math.abs(t.omega) + Math.abs(t.angularGain) * k.subSteps()) * t.reach;

@@ -49,7 +49,10 @@ public final class RigidCalls implements Calls.Effects {
                 Call.RIGID_TAG,
                 Call.RIGID_RESTITUTION,
                 Call.RIGID_INERTIA,
-                Call.TELEPORT_RIGID);
+                Call.TELEPORT_RIGID,
+                Call.RIGID_FORCE_AT,
+                Call.RIGID_LASTING_FORCE,
+                Call.RIGID_LASTING_TORQUE);
     }
 
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
@@ -115,8 +118,12 @@ public final class RigidCalls implements Calls.Effects {
 
     /** An impulse at a point of the world. */
     public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
+        changeAt(Call.RIGID_IMPULSE, body, x, y, pointX, pointY);
+    }
+
+    private void changeAt(Call call, long body, float x, float y, float pointX, float pointY) {
         world.calls.change(
-                Call.RIGID_IMPULSE,
+                call,
                 body,
                 floatToRawIntBits(x),
                 floatToRawIntBits(y),
@@ -141,6 +148,21 @@ public final class RigidCalls implements Calls.Effects {
     /** A force and a torque in the next step alone. */
     public void applyForce(long body, float x, float y, float torque) {
         world.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, torque);
+    }
+
+    /** A force at a point of the world in the next step alone. */
+    public void applyForce(long body, float x, float y, float pointX, float pointY) {
+        changeAt(Call.RIGID_FORCE_AT, body, x, y, pointX, pointY);
+    }
+
+    /** A force that acts until another one is set. */
+    public void setForce(long body, float x, float y) {
+        world.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, x, y, 0);
+    }
+
+    /** A torque likewise. */
+    public void setTorque(long body, float torque) {
+        world.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, torque, 0, 0);
     }
 
     /** Gives a body another kind, and the restitution of the kind if it has one. */
@@ -199,6 +221,7 @@ public final class RigidCalls implements Calls.Effects {
                 world.joints.departures().ensure(world.joints.table.rigid.count());
             }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
+            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE -> table.ensureExtras();
             default -> {
                 // nothing depends on the state
             }
@@ -224,6 +247,10 @@ public final class RigidCalls implements Calls.Effects {
                 table.push(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
             case RIGID_ANGULAR_IMPULSE -> table.pushAround(w[0], real(w[1]));
             case RIGID_FORCE -> table.applyForce(w[0], real(w[1]), real(w[2]), real(w[3]));
+            case RIGID_FORCE_AT ->
+                table.applyForceAt(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
+            case RIGID_LASTING_FORCE -> table.setForce(w[0], real(w[1]), real(w[2]));
+            case RIGID_LASTING_TORQUE -> table.setTorque(w[0], real(w[1]));
             case RIGID_KIND -> table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
             case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
             case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;

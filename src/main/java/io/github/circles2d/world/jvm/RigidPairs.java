@@ -121,10 +121,10 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.gainX[t] = Velocity.gain(gx, step.forceX[id], things.w[t], k.h);
-            things.gainY[t] = Velocity.gain(gy, step.forceY[id], things.w[t], k.h);
+            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.w[t], k.h);
+            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.w[t], k.h);
         }
-        things.gainOmega[t] = Velocity.gain(0f, step.torque[id], things.i[t], k.h);
+        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.i[t], k.h);
         things.turn(t);
         return t;
     }
