@@ -240,6 +240,29 @@ public final class Bodies {
     }
 
     /**
+     * Puts a body into an exclusion group: bodies of one group never meet, nor do bodies and circles ({@link World#setGroup}), whatever their kinds.
+     * Others meet as their kinds say.
+     *
+     * @param body the handle of a body
+     * @param group any number; 0 for no group, as at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public void setGroup(long body, int group) {
+        simulation.rigids.setGroup(body, group);
+    }
+
+    /**
+     * The exclusion group of a body.
+     *
+     * @param body the handle of a body
+     * @return the number of the group; 0 for none
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public int group(long body) {
+        return simulation.rigidReads.group(body);
+    }
+
+    /**
      * The tag of a body.
      *
      * @param body the handle of a body

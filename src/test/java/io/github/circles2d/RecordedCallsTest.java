@@ -279,6 +279,7 @@ class RecordedCallsTest {
                     .setForce(body(w), 2, 3)),
             change("Bodies.setTorque(long, float)", (w, a, b) -> w.bodies().setTorque(body(w), 2)),
             change("Bodies.setKind(long, int)", (w, a, b) -> w.bodies().setKind(body(w), 2)),
+            change("Bodies.setGroup(long, int)", (w, a, b) -> w.bodies().setGroup(body(w), -7)),
             change("Bodies.setTag(long, long)", (w, a, b) -> w.bodies().setTag(body(w), -1L << 40)),
             change("Bodies.setRestitution(long, float)", (w, a, b) -> w.bodies().setRestitution(body(w), 0.75f)),
             change("Bodies.setInertia(long, float)", (w, a, b) -> w.bodies()
@@ -409,6 +410,7 @@ class RecordedCallsTest {
             "Bodies.events",
             "Bodies.forceX",
             "Bodies.forceY",
+            "Bodies.group",
             "Bodies.handle",
             "Bodies.idLimit",
             "Bodies.inertia",

@@ -118,6 +118,64 @@ class WorldBodiesTest {
         }
     }
 
+    /** Whether what is dropped onto a body that lies on the floor falls through it. */
+    private static boolean fallsThrough(boolean circle, int group, int otherGroup) {
+        try (World world = world()) {
+            world.setGravity(0, -10);
+            Bodies bodies = world.bodies();
+            long below = bodies.add(Outline.box(4, 1), 10, 0.5f, 0, 4);
+            bodies.setGroup(below, group);
+            long ball = circle ? world.add(10, 2, 0.5f, 1) : 0;
+            long crate = circle ? 0 : bodies.add(CRATE, 10, 2, 0, 1);
+            if (circle) {
+                world.setGroup(ball, otherGroup);
+            } else {
+                bodies.setGroup(crate, otherGroup);
+                assertThat(bodies.group(crate)).isEqualTo(otherGroup);
+            }
+            world.step(1 / 60f, 90);
+            float fallen = circle ? world.y(ball) - 0.5f : bodies.y(crate) - 0.25f;
+            assertThat(fallen).isBetween(-0.02f, 1.02f);
+            return fallen < 0.5f;
+        }
+    }
+
+    @Test
+    void bodiesOfOneGroupMeetNeitherEachOtherNorItsCircles() {
+        for (boolean circle : new boolean[] {true, false}) {
+            assertThat(fallsThrough(circle, 7, 7)).isTrue();
+            assertThat(fallsThrough(circle, -7, -7)).isTrue();
+            assertThat(fallsThrough(circle, 7, -7)).isFalse();
+            assertThat(fallsThrough(circle, 7, 0)).isFalse();
+            assertThat(fallsThrough(circle, 0, 7)).isFalse();
+            assertThat(fallsThrough(circle, 0, 0)).isFalse();
+        }
+    }
+
+    @Test
+    void aBodyThatLeavesItsGroupMeetsOthersAgain() {
+        try (World world = world()) {
+            world.setGravity(0, -10);
+            Bodies bodies = world.bodies();
+            bodies.report(true);
+            long below = bodies.add(Outline.box(4, 1), 10, 0.5f, 0, 4);
+            long crate = bodies.add(CRATE, 10, 1.25f, 0, 1);
+            world.step(1 / 60f, 30);
+            bodies.setGroup(below, 3);
+            bodies.setGroup(crate, 3);
+            bodies.events();
+            world.step(1 / 60f);
+            BodyEvents events = bodies.events();
+            assertThat(events.size()).isOne();
+            assertThat(events.isBegin(0)).isFalse();
+            bodies.setGroup(crate, 0);
+            world.step(1 / 60f, 30);
+            assertThat(bodies.y(crate)).isCloseTo(1.25f, within(0.02f));
+            bodies.remove(below);
+            assertThat(bodies.group(bodies.add(CRATE, 4, 5, 0, 2))).isZero();
+        }
+    }
+
     @Test
     void whatNobodyHasIsInNoSnapshotNorHash() {
         try (World world = world()) {
@@ -128,6 +186,9 @@ class WorldBodiesTest {
             assertThat(world.hash()).isNotEqualTo(hash);
             assertThat(world.snapshotBytes()).isGreaterThan(before.remaining());
             world.bodies().setForce(body, -0f, 0);
+            world.bodies().setGroup(body, 5);
+            assertThat(world.hash()).isNotEqualTo(hash);
+            world.bodies().setGroup(body, 0);
             assertThat(world.hash()).isEqualTo(hash);
             assertThat(snapshot(world)).isEqualTo(before);
         }

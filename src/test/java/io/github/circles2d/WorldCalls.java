@@ -242,6 +242,10 @@ public interface WorldCalls {
         bodies().setKind(body, kind);
     }
 
+    default void setRigidGroup(long body, int group) {
+        bodies().setGroup(body, group);
+    }
+
     default void setRigidTag(long body, long tag) {
         bodies().setTag(body, tag);
     }

@@ -57,6 +57,7 @@ final class BodiesTable extends Table {
         add(3, "setTorque", body, force());
         add(4, "teleport", body, x(), y(), angle());
         add(2, "setKind", body, kind());
+        add(3, "setGroup", body, whole(draw -> draw.below(4)));
         add(2, "setTag", body, number());
         add(2, "setRestitution", body, real(0, 1));
         add(2, "setInertia", body, real(draw -> draw.oneOf(3) ? Float.POSITIVE_INFINITY : draw.between(0, 1e6f)));
@@ -70,6 +71,7 @@ final class BodiesTable extends Table {
             "inertia",
             "restitution",
             "kindOf",
+            "group",
             "forceX",
             "forceY",
             "torque",

@@ -654,6 +654,11 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setRigidGroup(long body, int group) {
+        rigids.find(body).group = group;
+    }
+
+    @Override
     public void setRigidTag(long body, long tag) {
         rigids.find(body).tag = tag;
     }

@@ -39,6 +39,7 @@ final class Rigid {
     final float[] lastingForce = new float[2];
 
     float lastingTorque;
+    int group;
 
     Rigid(int id, long handle, RigidOutline outline, float mass) {
         this.id = id;
@@ -120,7 +121,8 @@ final class Rigid {
         int[] bits = {
             Float.floatToRawIntBits(lastingForce[0]),
             Float.floatToRawIntBits(lastingForce[1]),
-            Float.floatToRawIntBits(lastingTorque)
+            Float.floatToRawIntBits(lastingTorque),
+            group
         };
         for (int k = 0; k < bits.length; k++) {
             if (bits[k] != 0) {

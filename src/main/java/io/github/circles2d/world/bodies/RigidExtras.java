@@ -12,8 +12,11 @@ public final class RigidExtras {
     /** The torque that is set; the bits of a float. */
     public static final int TORQUE = 2;
 
+    /** The exclusion group; 0 for none. */
+    public static final int GROUP = 3;
+
     /** Ints of a body. */
-    static final int COUNT = 3;
+    static final int COUNT = 4;
 
     private int[] values = new int[0];
 

@@ -145,6 +145,11 @@ public final class RigidStep {
         return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
     }
 
+    /** Whether a body is in a group, and that is another one's. */
+    public boolean isOfGroup(int body, int group) {
+        return group != 0 && extras.get(body, RigidExtras.GROUP) == group;
+    }
+
     /** Makes room for ids. If there is none, nothing has changed. */
     public void setRoom(int ids) {
         OutlineShape[] newOutline = Arrays.copyOf(outline, ids);

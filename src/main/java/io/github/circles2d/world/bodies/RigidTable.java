@@ -265,6 +265,11 @@ public final class RigidTable {
         step.extras.set(body, RigidExtras.TORQUE, Float.floatToRawIntBits(torque + 0f));
     }
 
+    /** A body is to be in an exclusion group; 0 for none. There is room. */
+    public void setGroup(int body, int group) {
+        step.extras.set(body, RigidExtras.GROUP, group);
+    }
+
     private boolean acts(int body) {
         return step.forceX[body] != 0f || step.forceY[body] != 0f || step.torque[body] != 0f;
     }

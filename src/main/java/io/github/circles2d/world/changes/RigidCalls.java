@@ -52,7 +52,8 @@ public final class RigidCalls implements Calls.Effects {
                 Call.TELEPORT_RIGID,
                 Call.RIGID_FORCE_AT,
                 Call.RIGID_LASTING_FORCE,
-                Call.RIGID_LASTING_TORQUE);
+                Call.RIGID_LASTING_TORQUE,
+                Call.RIGID_GROUP);
     }
 
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
@@ -170,6 +171,11 @@ public final class RigidCalls implements Calls.Effects {
         world.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
     }
 
+    /** Puts a body into an exclusion group; 0 for none. */
+    public void setGroup(long body, int group) {
+        world.calls.change(Call.RIGID_GROUP, body, group, 0, 0);
+    }
+
     public void setTag(long body, long tag) {
         world.calls.change(Call.RIGID_TAG, body, (int) tag, (int) (tag >> Integer.SIZE), 0);
     }
@@ -221,7 +227,7 @@ public final class RigidCalls implements Calls.Effects {
                 world.joints.departures().ensure(world.joints.table.rigid.count());
             }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
-            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE -> table.ensureExtras();
+            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE, RIGID_GROUP -> table.ensureExtras();
             default -> {
                 // nothing depends on the state
             }
@@ -251,6 +257,7 @@ public final class RigidCalls implements Calls.Effects {
                 table.applyForceAt(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
             case RIGID_LASTING_FORCE -> table.setForce(w[0], real(w[1]), real(w[2]));
             case RIGID_LASTING_TORQUE -> table.setTorque(w[0], real(w[1]));
+            case RIGID_GROUP -> table.setGroup(w[0], w[1]);
             case RIGID_KIND -> table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
             case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
             case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;

@@ -99,6 +99,11 @@ public final class RigidReads {
         return bodies.kind[require(handle)];
     }
 
+    /** The exclusion group; 0 for none. */
+    public int group(long handle) {
+        return bodies.extras.get(require(handle), RigidExtras.GROUP);
+    }
+
     /** The force that is set, along x. */
     public float forceX(long handle) {
         return bodies.extras.real(require(handle), RigidExtras.FORCE_X);

@@ -279,7 +279,10 @@ public enum Call {
 
     /** The torque on a rigid body that lasts: the body, the torque. */
     RIGID_LASTING_TORQUE(
-            137, 2, Named.RIGID, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE));
+            137, 2, Named.RIGID, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE)),
+
+    /** A rigid body is in an exclusion group: the body, the group. */
+    RIGID_GROUP(138, 2, Named.RIGID);
 
     /** What the first word of a call may be the id of. */
     public enum Named {

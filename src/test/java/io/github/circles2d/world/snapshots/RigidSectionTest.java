@@ -54,6 +54,7 @@ class RigidSectionTest {
         bodies.applyTorque(bodies.handle(3), 0.25f);
         bodies.setForce(bodies.handle(2), 0.125f, 0);
         bodies.setTorque(bodies.handle(3), -0.5f);
+        bodies.setGroup(bodies.handle(0), -5);
     }
 
     private static ByteBuffer snapshot(World world) {
