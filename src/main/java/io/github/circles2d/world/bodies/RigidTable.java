@@ -62,12 +62,16 @@ public final class RigidTable {
         return step.isThere();
     }
 
-    /** Makes room for a body with an outline. If there is none, nothing has changed. */
-    public void ensure(OutlineShape shape) {
-        int needed = ids.size() + 1;
+    /** Makes room for more bodies. If there is none, nothing has changed. */
+    public void ensure(int more) {
+        int needed = ids.size() + more;
         if (needed > ids.room()) {
-            setRoom(Math.max(16, ids.room() * 3 / 2));
+            setRoom(Math.max(Math.max(16, needed), ids.room() * 3 / 2));
         }
+    }
+
+    /** Makes room for an outline, which {@link #add} then finds. If there is none, nothing has changed. */
+    public void prepare(OutlineShape shape) {
         outlines.prepare(shape);
     }
 

@@ -80,14 +80,20 @@ public final class RigidCalls implements Calls.Effects {
 
     /** The first word has no meaning. */
     private long add(OutlineShape outline, int[] w) {
-        RigidRules.room(table.ids.size());
+        RigidRules.room(table.ids.size(), 1);
         RigidRules.reach(outline, world.settings.bounds());
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }
-        table.ensure(outline);
+        table.ensure(1);
+        table.prepare(outline);
+        return addPrepared(outline, w, true);
+    }
+
+    /** Adds a body that has been checked, and for which there is room, by the words behind the first one; wakes: whether it wakes circles. */
+    long addPrepared(OutlineShape outline, int[] w, boolean wakes) {
         w[0] = world.log.outline(outline);
-        world.calls.begin(Call.RIGID, w);
+        world.calls.begin(Call.RIGID, w, wakes);
         Bounds bounds = world.settings.bounds();
         int kind = w[1];
         return table.ids.handle(table.add(
@@ -222,22 +228,30 @@ public final class RigidCalls implements Calls.Effects {
                 System.arraycopy(w, 0, words, 0, Call.RIGID.words);
                 return add(told.get(w[0]), words);
             }
-            case REMOVE_RIGID, CLEAR_RIGIDS -> {
-                world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.rigid.count());
-            }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
-            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE, RIGID_GROUP -> table.ensureExtras();
-            default -> {
-                // nothing depends on the state
-            }
+            default -> makeRoom(call);
         }
         world.calls.begin(call, w);
         change(call, w);
         return 0;
     }
 
-    private void change(Call call, int[] w) {
+    /** Makes room for calls on bodies that are there. */
+    void makeRoom(Call call) {
+        switch (call) {
+            case REMOVE_RIGID, CLEAR_RIGIDS -> {
+                world.pending.settleJoints();
+                world.joints.departures().ensure(world.joints.table.rigid.count());
+            }
+            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE, RIGID_GROUP -> table.ensureExtras();
+            default -> {
+                // it needs none
+            }
+        }
+    }
+
+    /** Changes a body as a call says, which has been checked and begun. There is room. */
+    void change(Call call, int[] w) {
         switch (call) {
             case REMOVE_RIGID -> {
                 world.joints.departures().removeOfRigid(w[0]);
