@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
 
@@ -83,6 +84,45 @@ public final class Bodies {
     }
 
     /**
+     * Adds many bodies at rest of one outline: all of them, or none if one is refused.
+     *
+     * @param outline what they look like
+     * @param bodies x, y, the angle in radians and the mass of one after the other, as with {@link #add(Outline, float, float, float, float)}
+     * @param kinds the number of the kind of each, 0 to 255; may be null, for bodies of kind 0
+     * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
+     * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float, int)} (the message has the number of the body), or if an
+     *     array has the wrong length
+     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     */
+    public void addAll(Outline outline, float[] bodies, int[] kinds, long[] handles) {
+        OutlineShape[] shapes = {Limits.notNull("outline", outline).shape()};
+        simulation.rigidBulk.addAll(shapes, false, bodies, kinds, handles);
+    }
+
+    /**
+     * Adds many bodies at rest, each of its outline: all of them, or none if one is refused.
+     *
+     * @param outlines what each looks like
+     * @param bodies x, y, the angle in radians and the mass of one after the other, as with {@link #add(Outline, float, float, float, float)}
+     * @param kinds the number of the kind of each, 0 to 255; may be null, for bodies of kind 0
+     * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
+     * @throws IllegalArgumentException as {@link #addAll(Outline, float[], int[], long[])}
+     * @throws NullPointerException if an outline is null (the message has its number)
+     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     */
+    public void addAll(Outline[] outlines, float[] bodies, int[] kinds, long[] handles) {
+        OutlineShape[] shapes = new OutlineShape[Limits.notNull("outlines", outlines).length];
+        for (int i = 0; i < shapes.length; i++) {
+            Outline outline = outlines[i];
+            if (outline == null) {
+                throw new NullPointerException("outline " + i + " must not be null");
+            }
+            shapes[i] = outline.shape();
+        }
+        simulation.rigidBulk.addAll(shapes, true, bodies, kinds, handles);
+    }
+
+    /**
      * Removes a body.
      *
      * @param body the handle of a body
@@ -90,6 +130,19 @@ public final class Bodies {
      */
     public void remove(long body) {
         simulation.rigids.remove(body);
+    }
+
+    /**
+     * Removes many bodies: all of them, or none if one is refused. A handle that occurs again is stale by then.
+     *
+     * @param handles the bodies
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException if a handle is stale and not to be left out, or the count is out of range
+     */
+    public int removeAll(long[] handles, int count, StaleHandles stale) {
+        return simulation.rigidBulk.remove(handles, count, StaleHandles.areSkipped(stale));
     }
 
     /** Removes all bodies. {@link World#clear} leaves them. */
@@ -237,6 +290,29 @@ public final class Bodies {
      */
     public void setKind(long body, int kind) {
         simulation.rigids.setKind(body, kind);
+    }
+
+    /**
+     * Puts a body into an exclusion group: bodies of one group never meet, nor do bodies and circles ({@link World#setGroup}), whatever their kinds.
+     * Others meet as their kinds say.
+     *
+     * @param body the handle of a body
+     * @param group any number; 0 for no group, as at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public void setGroup(long body, int group) {
+        simulation.rigids.setGroup(body, group);
+    }
+
+    /**
+     * The exclusion group of a body.
+     *
+     * @param body the handle of a body
+     * @return the number of the group; 0 for none
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public int group(long body) {
+        return simulation.rigidReads.group(body);
     }
 
     /**
@@ -406,10 +482,70 @@ public final class Bodies {
     }
 
     /**
-     * Applies a force to the centroid of a body in the next step, and in that alone. Several forces add up.
+     * Sets a force at the centroid of a body, which acts in every step until it is changed: thrust, wind. It does not turn with the body. Each second
+     * it adds the force over the mass to the velocity. As with {@link World#setForce} it is the same in all sub-steps of a step.
      *
      * @param body the handle of a body
-     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude; in a sub-step it changes a velocity
+     *     by at most 1e9
+     * @param y y of the force, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void setForce(long body, float x, float y) {
+        simulation.rigids.setForce(body, x, y);
+    }
+
+    /**
+     * The force that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return along x; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float forceX(long body) {
+        return simulation.rigidReads.forceX(body);
+    }
+
+    /**
+     * The force that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return along y; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float forceY(long body) {
+        return simulation.rigidReads.forceY(body);
+    }
+
+    /**
+     * Sets a torque on a body, which acts in every step until it is changed. Each second it adds the torque over the {@link #inertia} to the
+     * angular velocity.
+     *
+     * @param body the handle of a body
+     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude
+     * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
+     */
+    public void setTorque(long body, float torque) {
+        simulation.rigids.setTorque(body, torque);
+    }
+
+    /**
+     * The torque that is set for a body.
+     *
+     * @param body the handle of a body
+     * @return the torque; 0 at first
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public float torque(long body) {
+        return simulation.rigidReads.torque(body);
+    }
+
+    /**
+     * Applies a force to the centroid of a body in the next step alone (the first of several that one call makes), besides the force that {@link
+     * #setForce} has set. Several forces add up.
+     *
+     * @param body the handle of a body
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
      * @param y y of the force, likewise
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
@@ -418,18 +554,108 @@ public final class Bodies {
     }
 
     /**
-     * Applies a torque to a body in the next step, and in that alone. Several torques add up.
+     * Applies a force to a body at a point in the next step alone. It is that force at the centroid, and its torque about the centroid as that lies
+     * now.
      *
      * @param body the handle of a body
-     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude
+     * @param x x of the force, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
+     * @param y y of the force, likewise
+     * @param pointX x of the point in the world, up to 1e9 in magnitude; along an axis that wraps the image nearest to the centroid
+     * @param pointY y of it, likewise
+     * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
+     */
+    public void applyForce(long body, float x, float y, float pointX, float pointY) {
+        simulation.rigids.applyForce(body, x, y, pointX, pointY);
+    }
+
+    /**
+     * Applies a torque to a body in the next step alone, besides the torque that {@link #setTorque} has set. Several torques add up.
+     *
+     * @param body the handle of a body
+     * @param torque mass times length squared per second squared, anticlockwise where y points up, up to 1e18 in magnitude. The sum of several is cut
+     *     to that
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyTorque(long body, float torque) {
         simulation.rigids.applyForce(body, 0, 0, torque);
     }
 
-    // ---- all bodies at once
+    // ---- many bodies at once
     // ------------------------------------------------------------------------------------------
+
+    /**
+     * Puts many bodies somewhere else at once, as {@link #teleport} does, in the order of the array: all of them, or none if one is refused.
+     *
+     * @param handles the bodies
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param poses x, y and the angle of each in radians, as {@link #readById} gives them
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException if a handle is stale and not to be left out, a value of a handle that is not left out is out of range (the
+     *     message has its place), the count is out of range, or there are too few values
+     */
+    public int teleportAll(long[] handles, int count, float[] poses, StaleHandles stale) {
+        return simulation.rigidBulk.teleport(handles, count, poses, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Gives many bodies velocities, as {@link #setVelocity} and {@link #setAngularVelocity} do, in the order of the array: all of them, or none if
+     * one is refused.
+     *
+     * @param handles the bodies
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param velocities vx, vy and the angular velocity of each, as {@link #readVelocitiesById} gives them
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #teleportAll} does
+     */
+    public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
+        return simulation.rigidBulk.setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Pushes many bodies at their centroids, as {@link #applyImpulse(long, float, float)} does, in the order of the array: all of them, or none if
+     * one is refused.
+     *
+     * @param handles the bodies; one that occurs twice is pushed twice
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param impulses x and y of the impulse on each, mass times velocity, up to 1e18 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #teleportAll} does
+     */
+    public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
+        return simulation.rigidBulk.applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Sets forces and torques on many bodies, as {@link #setForce} and {@link #setTorque} do, in the order of the array: on all of them, or on none
+     * if one is refused.
+     *
+     * @param handles the bodies
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param forces x and y of the force on each, and the torque
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #teleportAll} does
+     */
+    public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
+        return simulation.rigidBulk.setForces(handles, count, forces, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Gives many bodies other kinds, as {@link #setKind} does, in the order of the array: all of them, or none if one is refused.
+     *
+     * @param handles the bodies
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param kinds the number of the kind of each, 0 to 255
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #teleportAll} does
+     */
+    public int setKinds(long[] handles, int count, int[] kinds, StaleHandles stale) {
+        return simulation.rigidBulk.setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
+    }
 
     /**
      * Reads where all bodies are, by id: element 3 k is x of the body with the {@link #id} k, then y and the angle in radians.

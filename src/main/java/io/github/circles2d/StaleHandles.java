@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.model.Limits;
 
-/** How a call with many handles treats stale ones: handles whose circles have been removed, and numbers that never were handles. */
+/** How a call with many handles treats stale ones: handles whose circles or bodies have been removed, and numbers that never were handles. */
 public enum StaleHandles {
     /** It throws an IllegalArgumentException that names the handle, and changes nothing. */
     REFUSE,

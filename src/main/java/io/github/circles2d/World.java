@@ -478,7 +478,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle into an exclusion group: circles of one group never meet, whatever their kinds. Others meet as their kinds say.
+     * Puts a circle into an exclusion group: circles of one group never meet, nor do they meet the bodies of it ({@link Bodies#setGroup}), whatever
+     * their kinds. Others meet as their kinds say.
      *
      * @param handle the circle
      * @param group any number; 0 for no group, as at first

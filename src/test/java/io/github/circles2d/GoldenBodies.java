@@ -121,6 +121,29 @@ final class GoldenBodies {
         grid(world, 0.12f, 0.2f, 0.18f);
     }
 
+    /** In three groups; some are in none. */
+    static void groups(WorldCalls world) {
+        mixed(world);
+        long[] bodies = world.rigids();
+        for (int k = 0; k < MIXED; k++) {
+            world.setRigidGroup(bodies[k], k % 4);
+        }
+    }
+
+    /** Forces that last, and some at a point; a body and a circle get other groups. */
+    static void steer(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        long[] bodies = world.rigids();
+        long[] circles = run.readHandles();
+        int change = run.steps() / GoldenChange.PERIOD;
+        float x = change % 5 - 2f;
+        float y = change % 7;
+        world.driveRigid(bodies[change * 5 % bodies.length], x, y, 0.01f * x);
+        world.pressRigidAt(bodies[change % bodies.length], 5f * x, 4f * y, 0.5f, 0.9f);
+        world.setRigidGroup(bodies[change * 7 % bodies.length], change % 4);
+        world.setGroup(circles[change % circles.length], change % 3 + 1);
+    }
+
     /** Land with slopes, thick segments, an arch and a bowl, off which bodies fall. */
     static void onLand(WorldCalls world) {
         world.addChain(

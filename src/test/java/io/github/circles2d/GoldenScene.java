@@ -352,7 +352,14 @@ record GoldenScene(
                                 GoldenChange.NONE,
                                 Surfaces.of(0.4f, 0.01f),
                                 GoldenBodies::onEnds)
-                        .with(GoldenBodies.ON_ENDS));
+                        .with(GoldenBodies.ON_ENDS),
+                new GoldenScene(
+                                "bodies-driven",
+                                BodyScenes.mixed(),
+                                GoldenBodies::steer,
+                                Surfaces.of(0.5f, 0.01f),
+                                GoldenBodies::groups)
+                        .with(GoldenBodies.MIXED));
     }
 
     private static Scene heap() {

@@ -168,6 +168,29 @@ class NullArgumentsTest {
             refusal(() -> bodies.add(null, 0, 0, 0, 1), "outline");
             bodies.add(null, 0, 0, 0, 1, 2);
         }));
+        calls.put(
+                "Bodies.addAll",
+                Map.of(
+                        "outline", () -> bodies.addAll((Outline) null, new float[4], null, null),
+                        "outlines", () -> bodies.addAll((Outline[]) null, new float[4], null, null),
+                        "outline 1",
+                                () -> bodies.addAll(new Outline[] {Outline.box(1, 1), null}, new float[8], null, null),
+                        "bodies", () -> bodies.addAll(Outline.box(1, 1), null, null, null)));
+        calls.put(
+                "Bodies.removeAll",
+                Map.of(
+                        "handles", () -> bodies.removeAll(null, 0, stale),
+                        "stale", () -> bodies.removeAll(handles, 0, null)));
+        calls.put("Bodies.teleportAll", many("poses", (h, v, s) -> bodies.teleportAll(h, 0, v, s)));
+        calls.put("Bodies.setVelocities", many("velocities", (h, v, s) -> bodies.setVelocities(h, 0, v, s)));
+        calls.put("Bodies.applyImpulses", many("impulses", (h, v, s) -> bodies.applyImpulses(h, 0, v, s)));
+        calls.put("Bodies.setForces", many("forces", (h, v, s) -> bodies.setForces(h, 0, v, s)));
+        calls.put(
+                "Bodies.setKinds",
+                Map.of(
+                        "handles", () -> bodies.setKinds(null, 0, new int[0], stale),
+                        "kinds", () -> bodies.setKinds(handles, 0, null, stale),
+                        "stale", () -> bodies.setKinds(handles, 0, new int[0], null)));
         calls.put("Bodies.readById", Map.of("bodies", () -> bodies.readById(null, null)));
         calls.put("Bodies.readVelocitiesById", Map.of("velocities", () -> bodies.readVelocitiesById(null, null)));
         calls.put("Bodies.readHandles", Map.of("handles", () -> bodies.readHandles(null)));
@@ -257,6 +280,21 @@ class NullArgumentsTest {
                         "world", () -> new Replay(new ByteArrayInputStream(new byte[0]), null),
                         "in", () -> new Replay(null, world)));
         return calls;
+    }
+
+    /** A call about many handles. */
+    private interface Many {
+        void call(long[] handles, float[] values, StaleHandles stale);
+    }
+
+    private static Map<String, ThrowingCallable> many(String values, Many call) {
+        return Map.of(
+                "handles",
+                () -> call.call(null, new float[0], StaleHandles.REFUSE),
+                values,
+                () -> call.call(new long[0], null, StaleHandles.REFUSE),
+                "stale",
+                () -> call.call(new long[0], new float[0], null));
     }
 
     /** Methods whose arguments may all be null. */

@@ -32,6 +32,7 @@ class RecordedCallsTest {
     private static final String STATIC = " of a static circle";
 
     private static final float[] TWO = {0.3f, 0.4f, 0.7f, 0.6f};
+    private static final float[] SIX = {0.3f, 0.4f, 0.7f, 0.6f, 0.5f, 0.25f};
 
     /** Lines and an arc, closed. */
     private static final Chain CHAIN =
@@ -252,6 +253,26 @@ class RecordedCallsTest {
                 w.bodies().add(LONG, 0.3f, 0.8f, 1, 2, 3);
                 w.bodies().add(BOX, 0.2f, 0.6f, 1, 2, 3);
             }),
+            change("Bodies.addAll(Outline, float[], int[], long[])", (w, a, b) -> w.bodies()
+                    .addAll(LONG, new float[] {0.7f, 0.8f, 1, 2, 0.3f, 0.8f, 0, 1}, new int[] {3, 0}, new long[2])),
+            change("Bodies.addAll(Outline[], float[], int[], long[])", (w, a, b) -> w.bodies()
+                    .addAll(
+                            new Outline[] {BOX, LONG, BOX},
+                            new float[] {0.7f, 0.8f, 1, 2, 0.3f, 0.8f, 0, 1, 0.2f, 0.6f, 0, 1},
+                            null,
+                            null)),
+            change("Bodies.removeAll(long[], int, StaleHandles)", (w, a, b) -> w.bodies()
+                    .removeAll(new long[] {body(w), 7, body(w)}, 2, StaleHandles.SKIP)),
+            change("Bodies.teleportAll(long[], int, float[], StaleHandles)", (w, a, b) -> w.bodies()
+                    .teleportAll(new long[] {body(w), body(w)}, 2, SIX, StaleHandles.REFUSE)),
+            change("Bodies.setVelocities(long[], int, float[], StaleHandles)", (w, a, b) -> w.bodies()
+                    .setVelocities(new long[] {body(w), body(w)}, 2, SIX, StaleHandles.REFUSE)),
+            change("Bodies.applyImpulses(long[], int, float[], StaleHandles)", (w, a, b) -> w.bodies()
+                    .applyImpulses(new long[] {body(w), body(w)}, 2, SIX, StaleHandles.REFUSE)),
+            change("Bodies.setForces(long[], int, float[], StaleHandles)", (w, a, b) -> w.bodies()
+                    .setForces(new long[] {body(w), body(w)}, 2, SIX, StaleHandles.REFUSE)),
+            change("Bodies.setKinds(long[], int, int[], StaleHandles)", (w, a, b) -> w.bodies()
+                    .setKinds(new long[] {body(w), body(w)}, 2, new int[] {9, 1}, StaleHandles.REFUSE)),
             change("Bodies.remove(long)", (w, a, b) -> {
                 body(w);
                 w.bodies().remove(body(w));
@@ -272,8 +293,14 @@ class RecordedCallsTest {
                     .applyAngularImpulse(body(w), 2)),
             change("Bodies.applyForce(long, float, float)", (w, a, b) -> w.bodies()
                     .applyForce(body(w), 2, 3)),
+            change("Bodies.applyForce(long, float, float, float, float)", (w, a, b) -> w.bodies()
+                    .applyForce(body(w), 2, 3, 0.6f, 0.9f)),
             change("Bodies.applyTorque(long, float)", (w, a, b) -> w.bodies().applyTorque(body(w), 2)),
+            change("Bodies.setForce(long, float, float)", (w, a, b) -> w.bodies()
+                    .setForce(body(w), 2, 3)),
+            change("Bodies.setTorque(long, float)", (w, a, b) -> w.bodies().setTorque(body(w), 2)),
             change("Bodies.setKind(long, int)", (w, a, b) -> w.bodies().setKind(body(w), 2)),
+            change("Bodies.setGroup(long, int)", (w, a, b) -> w.bodies().setGroup(body(w), -7)),
             change("Bodies.setTag(long, long)", (w, a, b) -> w.bodies().setTag(body(w), -1L << 40)),
             change("Bodies.setRestitution(long, float)", (w, a, b) -> w.bodies().setRestitution(body(w), 0.75f)),
             change("Bodies.setInertia(long, float)", (w, a, b) -> w.bodies()
@@ -402,6 +429,9 @@ class RecordedCallsTest {
             "Bodies.angularVelocity",
             "Bodies.contains",
             "Bodies.events",
+            "Bodies.forceX",
+            "Bodies.forceY",
+            "Bodies.group",
             "Bodies.handle",
             "Bodies.idLimit",
             "Bodies.inertia",
@@ -415,6 +445,7 @@ class RecordedCallsTest {
             "Bodies.restitution",
             "Bodies.size",
             "Bodies.tag",
+            "Bodies.torque",
             "Bodies.vx",
             "Bodies.vy",
             "Bodies.x",

@@ -723,7 +723,7 @@ class ReferenceFuzzTest {
             float vx = speed();
             float vy = speed();
             float turn = value(-20f, 20f);
-            switch (random.nextInt(14)) {
+            switch (random.nextInt(17)) {
                 case 0, 1 -> addRigid();
                 case 2 -> both("remove a body", c -> c.removeRigid(body));
                 case 3, 4, 5 -> both("setVelocity of a body", c -> c.setRigidVelocity(body, vx, vy, turn));
@@ -742,6 +742,12 @@ class ReferenceFuzzTest {
                 case 12 -> {
                     float share = random.nextInt(3) == 0 ? Float.POSITIVE_INFINITY : value(0.1f, 3f);
                     both("setInertia of a body", c -> c.setRigidInertia(body, share));
+                }
+                case 13 -> both("applyForce of a body at a point", c -> c.pressRigidAt(body, vx, vy, x, y));
+                case 14 -> both("setForce of a body", c -> c.driveRigid(body, vx, vy, 1e-3f * size * size * turn));
+                case 15 -> {
+                    int group = random.nextInt(4);
+                    both("setGroup of a body", c -> c.setRigidGroup(body, group));
                 }
                 default -> {
                     both("setTag of a body", c -> c.setRigidTag(body, body));

@@ -67,6 +67,134 @@ class WorldBodiesTest {
     }
 
     @Test
+    void aForceThatIsSetActsUntilItIsChanged() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            long other = bodies.add(CRATE, 4, 8, 0, 2);
+            bodies.setInertia(body, 0.5f);
+            bodies.setForce(body, 4, -2);
+            bodies.setTorque(body, 0.25f);
+            assertThat(bodies.forceX(body)).isEqualTo(4);
+            assertThat(bodies.forceY(body)).isEqualTo(-2);
+            assertThat(bodies.torque(body)).isEqualTo(0.25f);
+            assertThat(bodies.forceX(other)).isZero();
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(1);
+            assertThat(bodies.vy(body)).isEqualTo(-0.5f);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f);
+            assertThat(bodies.vx(other)).isZero();
+            bodies.setForce(body, 0, 0);
+            bodies.setTorque(body, 0);
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(1);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f);
+            bodies.setForce(body, 4, 0);
+            bodies.remove(body);
+            assertThat(bodies.forceX(bodies.add(CRATE, 4, 5, 0, 2))).isZero();
+        }
+    }
+
+    @Test
+    void whatIsAppliedActsInOneStepBesidesWhatIsSet() {
+        try (World world = world()) {
+            Bodies bodies = world.bodies();
+            long body = bodies.add(CRATE, 4, 5, 0, 2);
+            bodies.setInertia(body, 0.5f);
+            bodies.setForce(body, 2, 0);
+            bodies.applyForce(body, 3, 0, 4, 5.25f);
+            bodies.applyForce(body, 3, 0, 4, 4.75f);
+            bodies.applyForce(body, 0, 2, 4.5f, 5);
+            bodies.applyTorque(body, -0.5f);
+            world.step(0.25f, 2);
+            assertThat(bodies.vx(body)).isEqualTo(0.25f * (4 + 1));
+            assertThat(bodies.vy(body)).isEqualTo(0.25f);
+            assertThat(bodies.angularVelocity(body)).isEqualTo(0.25f * (1 - 0.5f) / 0.5f);
+            long before = world.hash();
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.setForce(body, Float.NaN, 0));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.setTorque(body, 2e18f));
+            assertThatIllegalArgumentException().isThrownBy(() -> bodies.applyForce(body, 1, 1, Float.NaN, 0));
+            assertThat(world.hash()).isEqualTo(before);
+        }
+    }
+
+    /** Whether what is dropped onto a body that lies on the floor falls through it. */
+    private static boolean fallsThrough(boolean circle, int group, int otherGroup) {
+        try (World world = world()) {
+            world.setGravity(0, -10);
+            Bodies bodies = world.bodies();
+            long below = bodies.add(Outline.box(4, 1), 10, 0.5f, 0, 4);
+            bodies.setGroup(below, group);
+            long ball = circle ? world.add(10, 2, 0.5f, 1) : 0;
+            long crate = circle ? 0 : bodies.add(CRATE, 10, 2, 0, 1);
+            if (circle) {
+                world.setGroup(ball, otherGroup);
+            } else {
+                bodies.setGroup(crate, otherGroup);
+                assertThat(bodies.group(crate)).isEqualTo(otherGroup);
+            }
+            world.step(1 / 60f, 90);
+            float fallen = circle ? world.y(ball) - 0.5f : bodies.y(crate) - 0.25f;
+            assertThat(fallen).isBetween(-0.02f, 1.02f);
+            return fallen < 0.5f;
+        }
+    }
+
+    @Test
+    void bodiesOfOneGroupMeetNeitherEachOtherNorItsCircles() {
+        for (boolean circle : new boolean[] {true, false}) {
+            assertThat(fallsThrough(circle, 7, 7)).isTrue();
+            assertThat(fallsThrough(circle, -7, -7)).isTrue();
+            assertThat(fallsThrough(circle, 7, -7)).isFalse();
+            assertThat(fallsThrough(circle, 7, 0)).isFalse();
+            assertThat(fallsThrough(circle, 0, 7)).isFalse();
+            assertThat(fallsThrough(circle, 0, 0)).isFalse();
+        }
+    }
+
+    @Test
+    void aBodyThatLeavesItsGroupMeetsOthersAgain() {
+        try (World world = world()) {
+            world.setGravity(0, -10);
+            Bodies bodies = world.bodies();
+            bodies.report(true);
+            long below = bodies.add(Outline.box(4, 1), 10, 0.5f, 0, 4);
+            long crate = bodies.add(CRATE, 10, 1.25f, 0, 1);
+            world.step(1 / 60f, 30);
+            bodies.setGroup(below, 3);
+            bodies.setGroup(crate, 3);
+            bodies.events();
+            world.step(1 / 60f);
+            BodyEvents events = bodies.events();
+            assertThat(events.size()).isOne();
+            assertThat(events.isBegin(0)).isFalse();
+            bodies.setGroup(crate, 0);
+            world.step(1 / 60f, 30);
+            assertThat(bodies.y(crate)).isCloseTo(1.25f, within(0.02f));
+            bodies.remove(below);
+            assertThat(bodies.group(bodies.add(CRATE, 4, 5, 0, 2))).isZero();
+        }
+    }
+
+    @Test
+    void whatNobodyHasIsInNoSnapshotNorHash() {
+        try (World world = world()) {
+            long body = world.bodies().add(CRATE, 4, 5, 0, 2);
+            ByteBuffer before = snapshot(world);
+            long hash = world.hash();
+            world.bodies().setForce(body, 1, 0);
+            assertThat(world.hash()).isNotEqualTo(hash);
+            assertThat(world.snapshotBytes()).isGreaterThan(before.remaining());
+            world.bodies().setForce(body, -0f, 0);
+            world.bodies().setGroup(body, 5);
+            assertThat(world.hash()).isNotEqualTo(hash);
+            world.bodies().setGroup(body, 0);
+            assertThat(world.hash()).isEqualTo(hash);
+            assertThat(snapshot(world)).isEqualTo(before);
+        }
+    }
+
+    @Test
     void handlesGoStaleAndAreOfNothingElse() {
         try (World world = world()) {
             Bodies bodies = world.bodies();

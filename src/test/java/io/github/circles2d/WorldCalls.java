@@ -228,8 +228,22 @@ public interface WorldCalls {
         bodies().applyTorque(body, torque);
     }
 
+    default void pressRigidAt(long body, float forceX, float forceY, float pointX, float pointY) {
+        bodies().applyForce(body, forceX, forceY, pointX, pointY);
+    }
+
+    /** Sets a force and a torque that last. */
+    default void driveRigid(long body, float forceX, float forceY, float torque) {
+        bodies().setForce(body, forceX, forceY);
+        bodies().setTorque(body, torque);
+    }
+
     default void setRigidKind(long body, int kind) {
         bodies().setKind(body, kind);
+    }
+
+    default void setRigidGroup(long body, int group) {
+        bodies().setGroup(body, group);
     }
 
     default void setRigidTag(long body, long tag) {

@@ -13,6 +13,7 @@ import io.github.circles2d.world.changes.NewCircles;
 import io.github.circles2d.world.changes.NextStep;
 import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.changes.PreparedChanges;
+import io.github.circles2d.world.changes.RigidBulk;
 import io.github.circles2d.world.changes.RigidCalls;
 import io.github.circles2d.world.changes.Surroundings;
 import io.github.circles2d.world.changes.Travels;
@@ -63,6 +64,7 @@ public final class Simulation implements AutoCloseable {
     public final Bodies bodies;
     public final JointCalls joints;
     public final RigidCalls rigids;
+    public final RigidBulk rigidBulk;
     public final RigidReads rigidReads;
     public final Readings readings;
     public final Loads loads;
@@ -106,6 +108,7 @@ public final class Simulation implements AutoCloseable {
         bodies = new Bodies(world);
         joints = new JointCalls(world);
         rigids = new RigidCalls(world, kinds);
+        rigidBulk = new RigidBulk(world, rigids);
         rigidReads = new RigidReads(world);
         readings = new Readings(world);
         loads = new Loads(world);

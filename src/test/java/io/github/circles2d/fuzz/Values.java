@@ -6,6 +6,7 @@ import java.nio.LongBuffer;
 import java.util.Arrays;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
+import java.util.stream.Collectors;
 
 /** Values that are no handles. */
 final class Values {
@@ -66,6 +67,28 @@ final class Values {
         @Override
         public String toString() {
             return text;
+        }
+    }
+
+    /** An array of objects that calls make. */
+    record Several(Class<?> type, Value[] values) implements Value {
+        @Override
+        public Object find(Player first) {
+            return Values.find(values, first);
+        }
+
+        @Override
+        public Object on(Player player, Object found) throws Throwable {
+            Object array = java.lang.reflect.Array.newInstance(type, values.length);
+            Object[] objects = Values.on(values, player, (Object[]) found);
+            System.arraycopy(objects, 0, array, 0, objects.length);
+            return array;
+        }
+
+        @Override
+        public String toString() {
+            return "new " + type.getSimpleName() + "[] "
+                    + Arrays.stream(values).map(Value::toString).collect(Collectors.joining(", ", "{", "}"));
         }
     }
 

@@ -634,9 +634,28 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void pressRigidAt(long body, float forceX, float forceY, float pointX, float pointY) {
+        Rigid pressed = rigids.find(body);
+        pressed.press(forceX, forceY, arena.way(pressed.base, place(pointX, pointY)));
+    }
+
+    @Override
+    public void driveRigid(long body, float forceX, float forceY, float torque) {
+        Rigid driven = rigids.find(body);
+        driven.lastingForce[0] = forceX + 0f;
+        driven.lastingForce[1] = forceY + 0f;
+        driven.lastingTorque = torque + 0f;
+    }
+
+    @Override
     public void setRigidKind(long body, int kind) {
         rigids.find(body).kind = kind;
         rigids.find(body).restitution = kinds.restitution(kind, rigids.find(body).restitution);
+    }
+
+    @Override
+    public void setRigidGroup(long body, int group) {
+        rigids.find(body).group = group;
     }
 
     @Override

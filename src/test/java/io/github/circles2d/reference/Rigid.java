@@ -5,6 +5,10 @@ import io.github.circles2d.Edge;
 /** A body that is pushed: its state. Arrays hold a value for x and one for y. */
 final class Rigid {
     private static final float GREATEST_FORCE = 1e18f;
+
+    /** What few bodies have is in the hash with numbers from this one on. */
+    private static final int FIRST_EXTRA = 16;
+
     private static final long RIGID = 0x7269676964733264L;
 
     final int id;
@@ -30,6 +34,12 @@ final class Rigid {
     final float[] force = new float[2];
 
     float torque;
+
+    /** What acts until it is changed. */
+    final float[] lastingForce = new float[2];
+
+    float lastingTorque;
+    int group;
 
     Rigid(int id, long handle, RigidOutline outline, float mass) {
         this.id = id;
@@ -67,6 +77,20 @@ final class Rigid {
         torque = sum(torque, itsTorque);
     }
 
+    /** A force at a point. */
+    void press(float forceX, float forceY, float[] arm) {
+        press(forceX, forceY, Numbers.clamp(arm[0] * forceY - arm[1] * forceX, -GREATEST_FORCE, GREATEST_FORCE));
+    }
+
+    /** The force of the next step. */
+    float force(int axis) {
+        return sum(lastingForce[axis], force[axis]);
+    }
+
+    float torque() {
+        return sum(lastingTorque, torque);
+    }
+
     private static float sum(float a, float b) {
         return Numbers.clamp(a + b, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
     }
@@ -94,6 +118,17 @@ final class Rigid {
         h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, angle), velocity);
         h = ReferenceWorld.absorb(h, omega, mass, inertia, restitution, force[0], force[1], torque);
         h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, (int) tag), (int) (tag >> 32));
+        int[] bits = {
+            Float.floatToRawIntBits(lastingForce[0]),
+            Float.floatToRawIntBits(lastingForce[1]),
+            Float.floatToRawIntBits(lastingTorque),
+            group
+        };
+        for (int k = 0; k < bits.length; k++) {
+            if (bits[k] != 0) {
+                h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, FIRST_EXTRA + k), bits[k]);
+            }
+        }
         for (int word : outline.words()) {
             h = ReferenceWorld.absorb(h, word);
         }

@@ -70,9 +70,9 @@ final class RigidStep {
         float scale = kinds.getFloat(body.kind, Kinds.GRAVITY_SCALE);
         for (int a = 0; a < 2; a++) {
             t.velocity[a] = body.velocity[a];
-            t.gain[a] = gain(limitSpeed(k.gravity()[a] * scale) * k.h(), body.force[a], t.w);
+            t.gain[a] = gain(limitSpeed(k.gravity()[a] * scale) * k.h(), body.force(a), t.w);
         }
-        t.angularGain = gain(0f, body.torque, t.i);
+        t.angularGain = gain(0f, body.torque(), t.i);
         t.turnBody();
         float speed = length(t.velocity);
         float spin = (Math.abs(t.omega) + Math.abs(t.angularGain) * k.subSteps()) * t.reach;
@@ -235,6 +235,10 @@ final class RigidStep {
         return kinds.response(body.kind, kind) == Response.SOLID;
     }
 
+    private static boolean areOfOneGroup(RigidThing body, int group) {
+        return group != 0 && body.body.group == group;
+    }
+
     private float[] way(RigidThing from, RigidThing to) {
         return k.arena().way(from.place, to.place);
     }
@@ -254,7 +258,7 @@ final class RigidStep {
     private void findPairs() {
         for (RigidThing t : bodies) {
             for (RigidThing o : bodies) {
-                if (o.id > t.id && meets(t, o.kind) && meet(box(t), box(o))) {
+                if (o.id > t.id && meets(t, o.kind) && !areOfOneGroup(t, o.body.group) && meet(box(t), box(o))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
             }
@@ -289,7 +293,7 @@ final class RigidStep {
             for (RigidThing o : discs) {
                 float m = o.reach + 2.25f * o.near;
                 float[] box = wider(new float[] {o.place[0], o.place[1], o.place[0], o.place[1]}, m);
-                if (meets(t, o.kind) && meet(box, box(t))) {
+                if (meets(t, o.kind) && !areOfOneGroup(t, o.circle.group) && meet(box, box(t))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
             }

@@ -14,10 +14,11 @@ public final class RigidRules {
 
     private RigidRules() {}
 
-    /** Refuses one more body. */
-    public static void room(int bodies) {
-        if (bodies >= MOST) {
-            throw new IllegalArgumentException("a world has at most " + MOST + " bodies, not one more");
+    /** Refuses more bodies than a world may have. */
+    public static void room(int bodies, int more) {
+        if (more > MOST - bodies) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + MOST + " bodies, not " + ((long) bodies + more));
         }
     }
 

@@ -97,11 +97,14 @@ public final class RigidStep {
     public float[] restitution = new float[0];
     public int[] kind = new int[0];
 
-    /** The forces of the next step: those that last, and those of that step alone. */
+    /** The forces of the next step alone. */
     public float[] forceX = new float[0];
 
     public float[] forceY = new float[0];
     public float[] torque = new float[0];
+
+    /** Among others the forces that last. */
+    public final RigidExtras extras = new RigidExtras();
 
     /** Contacts that the next step starts from, in ascending order of their keys. */
     public int contacts;
@@ -126,6 +129,25 @@ public final class RigidStep {
     /** Ids that the arrays have room for. */
     public int room() {
         return kind.length;
+    }
+
+    /** The force that acts on a body in the next step along x. */
+    public float forceX(int body) {
+        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_X), forceX[body]) : forceX[body];
+    }
+
+    public float forceY(int body) {
+        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_Y), forceY[body]) : forceY[body];
+    }
+
+    /** The torque that acts on a body in the next step. */
+    public float torque(int body) {
+        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
+    }
+
+    /** Whether a body is in a group, and that is another one's. */
+    public boolean isOfGroup(int body, int group) {
+        return group != 0 && extras.get(body, RigidExtras.GROUP) == group;
     }
 
     /** Makes room for ids. If there is none, nothing has changed. */
@@ -188,7 +210,12 @@ public final class RigidStep {
 
     /** Bytes of the arrays. */
     public long bytes() {
-        return 4L
-                * (16L * room() + contactKeys.length + contactImpulses.length + touchKeys.length + touchValues.length);
+        return extras.bytes()
+                + 4L
+                        * (16L * room()
+                                + contactKeys.length
+                                + contactImpulses.length
+                                + touchKeys.length
+                                + touchValues.length);
     }
 }

@@ -62,12 +62,16 @@ public final class RigidTable {
         return step.isThere();
     }
 
-    /** Makes room for a body with an outline. If there is none, nothing has changed. */
-    public void ensure(OutlineShape shape) {
-        int needed = ids.size() + 1;
+    /** Makes room for more bodies. If there is none, nothing has changed. */
+    public void ensure(int more) {
+        int needed = ids.size() + more;
         if (needed > ids.room()) {
-            setRoom(Math.max(16, ids.room() * 3 / 2));
+            setRoom(Math.max(Math.max(16, needed), ids.room() * 3 / 2));
         }
+    }
+
+    /** Makes room for an outline, which {@link #add} then finds. If there is none, nothing has changed. */
+    public void prepare(OutlineShape shape) {
         outlines.prepare(shape);
     }
 
@@ -133,6 +137,7 @@ public final class RigidTable {
         step.kind[body] = kind;
         step.restitution[body] = restitution;
         release(body);
+        step.extras.clear(body);
         mass[body] = itsMass;
         step.inverseMass[body] = CircleMath.inverseMass(itsMass);
         setInertia(body, itsMass * shape.inertia());
@@ -206,10 +211,19 @@ public final class RigidTable {
         dropContactsOf(body);
     }
 
-    /** An impulse at a point of the world, which is taken the short way round. */
+    /** The arm from the centroid to a point of the world, the short way round. */
+    private float armX(int body, float pointX, Bounds bounds) {
+        return CircleMath.shortWay(bounds.placeX(pointX) - step.x[body], bounds.periodX());
+    }
+
+    private float armY(int body, float pointY, Bounds bounds) {
+        return CircleMath.shortWay(bounds.placeY(pointY) - step.y[body], bounds.periodY());
+    }
+
+    /** An impulse at a point of the world. */
     public void push(int body, float x, float y, float pointX, float pointY, Bounds bounds) {
-        float armX = CircleMath.shortWay(bounds.placeX(pointX) - step.x[body], bounds.periodX());
-        float armY = CircleMath.shortWay(bounds.placeY(pointY) - step.y[body], bounds.periodY());
+        float armX = armX(body, pointX, bounds);
+        float armY = armY(body, pointY, bounds);
         step.vx[body] = Velocity.afterImpulse(step.vx[body], step.inverseMass[body], x) + 0f;
         step.vy[body] = Velocity.afterImpulse(step.vy[body], step.inverseMass[body], y) + 0f;
         pushAround(body, CircleMath.clamp(armX * y - armY * x, -Limits.ANGULAR_IMPULSE, Limits.ANGULAR_IMPULSE));
@@ -231,6 +245,33 @@ public final class RigidTable {
         step.forceY[body] = RigidRules.sum(step.forceY[body], forceY);
         step.torque[body] = RigidRules.sum(step.torque[body], torque);
         pushed |= acts(body);
+    }
+
+    /** The same of a force at a point of the world, where that is now. */
+    public void applyForceAt(int body, float x, float y, float pointX, float pointY, Bounds bounds) {
+        float turning = armX(body, pointX, bounds) * y - armY(body, pointY, bounds) * x;
+        applyForce(body, x, y, CircleMath.clamp(turning, -Limits.TORQUE, Limits.TORQUE));
+    }
+
+    /** Makes room to set what few bodies have. If there is none, nothing has changed. */
+    public void ensureExtras() {
+        step.extras.ensure(ids.room());
+    }
+
+    /** A force is to act until another one is set. There is room. */
+    public void setForce(int body, float x, float y) {
+        step.extras.set(body, RigidExtras.FORCE_X, Float.floatToRawIntBits(x + 0f));
+        step.extras.set(body, RigidExtras.FORCE_Y, Float.floatToRawIntBits(y + 0f));
+    }
+
+    /** A torque likewise. */
+    public void setTorque(int body, float torque) {
+        step.extras.set(body, RigidExtras.TORQUE, Float.floatToRawIntBits(torque + 0f));
+    }
+
+    /** A body is to be in an exclusion group; 0 for none. There is room. */
+    public void setGroup(int body, int group) {
+        step.extras.set(body, RigidExtras.GROUP, group);
     }
 
     private boolean acts(int body) {
@@ -428,6 +469,9 @@ public final class RigidTable {
         to.set(body, SavedRigids.TORQUE, step.torque[body]);
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] = (int) tag[body];
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] = (int) (tag[body] >> Integer.SIZE);
+        for (int k = 0; k < RigidExtras.COUNT; k++) {
+            to.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k] = step.extras.get(body, k);
+        }
     }
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
@@ -437,6 +481,9 @@ public final class RigidTable {
         }
         for (int k = 0; k < from.outlineCount; k++) {
             outlines.prepare(from.outlines[k]);
+        }
+        if (from.hasExtras()) {
+            step.extras.ensure(Math.max(ids.room(), from.ids));
         }
         step.ensureContacts(from.contacts);
         goneCircles = withRoom(goneCircles, from.idsTouched(RigidStep.BODY_CIRCLE));
@@ -490,6 +537,9 @@ public final class RigidTable {
         pushed |= acts(body);
         tag[body] = from.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] & 0xFFFFFFFFL
                 | (long) from.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] << Integer.SIZE;
+        for (int k = 0; k < RigidExtras.COUNT; k++) {
+            step.extras.set(body, k, from.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k]);
+        }
     }
 
     /** Bytes of the table. */

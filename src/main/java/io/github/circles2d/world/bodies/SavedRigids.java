@@ -22,8 +22,11 @@ public final class SavedRigids {
     public static final int TAG_LOW = 14;
     public static final int TAG_HIGH = 15;
 
+    /** The first of those of {@link RigidExtras}, in its order: what few bodies have, so that it is no part of the hash of others. */
+    public static final int EXTRAS = 16;
+
     /** Ints of a body. */
-    public static final int VALUES = 16;
+    public static final int VALUES = EXTRAS + RigidExtras.COUNT;
 
     public static final int NO_BODY = -1;
 
@@ -77,6 +80,18 @@ public final class SavedRigids {
     /** Whether there are bodies. */
     public boolean hasBodies() {
         return outlineCount > 0;
+    }
+
+    /** Whether a body has one of {@link RigidExtras}. */
+    boolean hasExtras() {
+        for (int body = 0; body < ids; body++) {
+            for (int k = VALUES * body + EXTRAS; lives(body) && k < VALUES * (body + 1); k++) {
+                if (values[k] != 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** One more than the greatest id of what bodies have contacts with, of a type. */
@@ -167,8 +182,12 @@ public final class SavedRigids {
 
     private long hash(int body) {
         long h = StateHash.absorb(StateHash.absorb(StateHash.rigid(), body), kind[body]);
-        for (int k = VALUES * body; k < VALUES * (body + 1); k++) {
+        for (int k = VALUES * body; k < VALUES * body + EXTRAS; k++) {
             h = StateHash.absorb(h, values[k]);
+        }
+        for (int k = EXTRAS; k < VALUES; k++) {
+            int value = values[VALUES * body + k];
+            h = value == 0 ? h : StateHash.absorb(StateHash.absorb(h, k), value);
         }
         for (int word : outlines[outline[body]].words()) {
             h = StateHash.absorb(h, word);

@@ -109,7 +109,7 @@ public final class BulkChanges {
         }
     }
 
-    private static void checkCount(long[] circles, int count) {
+    static void checkCount(long[] circles, int count) {
         Limits.notNull("handles", circles);
         if (count < 0 || count > circles.length) {
             throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
@@ -117,7 +117,7 @@ public final class BulkChanges {
         }
     }
 
-    private static void checkLength(String name, int each, int length, int count) {
+    static void checkLength(String name, int each, int length, int count) {
         if (length < (long) each * count) {
             throw new IllegalArgumentException(name + " has " + length + " elements, but must have "
                     + (long) each * count + ": " + each + " for each of " + count + " handles");

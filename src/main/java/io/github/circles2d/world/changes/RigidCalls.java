@@ -49,7 +49,11 @@ public final class RigidCalls implements Calls.Effects {
                 Call.RIGID_TAG,
                 Call.RIGID_RESTITUTION,
                 Call.RIGID_INERTIA,
-                Call.TELEPORT_RIGID);
+                Call.TELEPORT_RIGID,
+                Call.RIGID_FORCE_AT,
+                Call.RIGID_LASTING_FORCE,
+                Call.RIGID_LASTING_TORQUE,
+                Call.RIGID_GROUP);
     }
 
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
@@ -76,14 +80,20 @@ public final class RigidCalls implements Calls.Effects {
 
     /** The first word has no meaning. */
     private long add(OutlineShape outline, int[] w) {
-        RigidRules.room(table.ids.size());
+        RigidRules.room(table.ids.size(), 1);
         RigidRules.reach(outline, world.settings.bounds());
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }
-        table.ensure(outline);
+        table.ensure(1);
+        table.prepare(outline);
+        return addPrepared(outline, w, true);
+    }
+
+    /** Adds a body that has been checked, and for which there is room, by the words behind the first one; wakes: whether it wakes circles. */
+    long addPrepared(OutlineShape outline, int[] w, boolean wakes) {
         w[0] = world.log.outline(outline);
-        world.calls.begin(Call.RIGID, w);
+        world.calls.begin(Call.RIGID, w, wakes);
         Bounds bounds = world.settings.bounds();
         int kind = w[1];
         return table.ids.handle(table.add(
@@ -115,8 +125,12 @@ public final class RigidCalls implements Calls.Effects {
 
     /** An impulse at a point of the world. */
     public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
+        changeAt(Call.RIGID_IMPULSE, body, x, y, pointX, pointY);
+    }
+
+    private void changeAt(Call call, long body, float x, float y, float pointX, float pointY) {
         world.calls.change(
-                Call.RIGID_IMPULSE,
+                call,
                 body,
                 floatToRawIntBits(x),
                 floatToRawIntBits(y),
@@ -143,9 +157,29 @@ public final class RigidCalls implements Calls.Effects {
         world.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, torque);
     }
 
+    /** A force at a point of the world in the next step alone. */
+    public void applyForce(long body, float x, float y, float pointX, float pointY) {
+        changeAt(Call.RIGID_FORCE_AT, body, x, y, pointX, pointY);
+    }
+
+    /** A force that acts until another one is set. */
+    public void setForce(long body, float x, float y) {
+        world.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, x, y, 0);
+    }
+
+    /** A torque likewise. */
+    public void setTorque(long body, float torque) {
+        world.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, torque, 0, 0);
+    }
+
     /** Gives a body another kind, and the restitution of the kind if it has one. */
     public void setKind(long body, int kind) {
         world.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
+    }
+
+    /** Puts a body into an exclusion group; 0 for none. */
+    public void setGroup(long body, int group) {
+        world.calls.change(Call.RIGID_GROUP, body, group, 0, 0);
     }
 
     public void setTag(long body, long tag) {
@@ -194,21 +228,30 @@ public final class RigidCalls implements Calls.Effects {
                 System.arraycopy(w, 0, words, 0, Call.RIGID.words);
                 return add(told.get(w[0]), words);
             }
-            case REMOVE_RIGID, CLEAR_RIGIDS -> {
-                world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.rigid.count());
-            }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
-            default -> {
-                // nothing depends on the state
-            }
+            default -> makeRoom(call);
         }
         world.calls.begin(call, w);
         change(call, w);
         return 0;
     }
 
-    private void change(Call call, int[] w) {
+    /** Makes room for calls on bodies that are there. */
+    void makeRoom(Call call) {
+        switch (call) {
+            case REMOVE_RIGID, CLEAR_RIGIDS -> {
+                world.pending.settleJoints();
+                world.joints.departures().ensure(world.joints.table.rigid.count());
+            }
+            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE, RIGID_GROUP -> table.ensureExtras();
+            default -> {
+                // it needs none
+            }
+        }
+    }
+
+    /** Changes a body as a call says, which has been checked and begun. There is room. */
+    void change(Call call, int[] w) {
         switch (call) {
             case REMOVE_RIGID -> {
                 world.joints.departures().removeOfRigid(w[0]);
@@ -224,6 +267,11 @@ public final class RigidCalls implements Calls.Effects {
                 table.push(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
             case RIGID_ANGULAR_IMPULSE -> table.pushAround(w[0], real(w[1]));
             case RIGID_FORCE -> table.applyForce(w[0], real(w[1]), real(w[2]), real(w[3]));
+            case RIGID_FORCE_AT ->
+                table.applyForceAt(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
+            case RIGID_LASTING_FORCE -> table.setForce(w[0], real(w[1]), real(w[2]));
+            case RIGID_LASTING_TORQUE -> table.setTorque(w[0], real(w[1]));
+            case RIGID_GROUP -> table.setGroup(w[0], w[1]);
             case RIGID_KIND -> table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
             case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
             case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;

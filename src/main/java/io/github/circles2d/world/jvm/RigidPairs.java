@@ -6,6 +6,7 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.CircleMath;
@@ -121,10 +122,10 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.gainX[t] = Velocity.gain(gx, step.forceX[id], things.w[t], k.h);
-            things.gainY[t] = Velocity.gain(gy, step.forceY[id], things.w[t], k.h);
+            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.w[t], k.h);
+            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.w[t], k.h);
         }
-        things.gainOmega[t] = Velocity.gain(0f, step.torque[id], things.i[t], k.h);
+        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.i[t], k.h);
         things.turn(t);
         return t;
     }
@@ -262,7 +263,7 @@ final class RigidPairs {
         for (int f = 0; f < tree.foundCount; f++) {
             int other = tree.found[f];
             boolean moves = things.w[t] > 0f || things.i[t] > 0f || things.w[other] > 0f || things.i[other] > 0f;
-            if (other > t && moves && meets(things.kind[t], things.kind[other])) {
+            if (other > t && moves && meets(things.kind[t], things.kind[other]) && !areOfOneGroup(t, other)) {
                 add(BODY_BODY, things.id[t], things.id[other]);
             }
         }
@@ -270,6 +271,11 @@ final class RigidPairs {
 
     private boolean meets(int kind, int other) {
         return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
+    }
+
+    private boolean areOfOneGroup(int t, int other) {
+        return step.extras.areThere()
+                && step.isOfGroup(things.id[t], step.extras.get(things.id[other], RigidExtras.GROUP));
     }
 
     private void findWalls(int t, float minX, float minY, float maxX, float maxY) {
@@ -333,10 +339,11 @@ final class RigidPairs {
         float m = r + 2.25f * nearOf(slot);
         look(x - m, y - m, x + m, y + m);
         int kind = state.filtering && tree.foundCount > 0 ? kindOf(slot) : 0;
+        int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
         for (int f = 0; f < tree.foundCount; f++) {
             int t = tree.found[f];
             boolean moves = things.w[t] > 0f || things.i[t] > 0f || !state.isStatic(slot);
-            if (moves && meets(things.kind[t], kind)) {
+            if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
                 add(BODY_CIRCLE, things.id[t], state.id[slot]);
             }
         }

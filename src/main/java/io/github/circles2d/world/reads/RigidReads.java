@@ -1,6 +1,7 @@
 package io.github.circles2d.world.reads;
 
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
@@ -96,6 +97,25 @@ public final class RigidReads {
 
     public int kind(long handle) {
         return bodies.kind[require(handle)];
+    }
+
+    /** The exclusion group; 0 for none. */
+    public int group(long handle) {
+        return bodies.extras.get(require(handle), RigidExtras.GROUP);
+    }
+
+    /** The force that is set, along x. */
+    public float forceX(long handle) {
+        return bodies.extras.real(require(handle), RigidExtras.FORCE_X);
+    }
+
+    public float forceY(long handle) {
+        return bodies.extras.real(require(handle), RigidExtras.FORCE_Y);
+    }
+
+    /** The torque that is set. */
+    public float torque(long handle) {
+        return bodies.extras.real(require(handle), RigidExtras.TORQUE);
     }
 
     public long tag(long handle) {

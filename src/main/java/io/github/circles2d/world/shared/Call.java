@@ -265,7 +265,24 @@ public enum Call {
     RIGID_INERTIA(133, 2, Named.RIGID),
 
     /** A rigid body is put somewhere: the body, x, y, angle in radians. */
-    TELEPORT_RIGID(134, 4, Named.RIGID, (w, settings) -> pose(w, 1, settings));
+    TELEPORT_RIGID(134, 4, Named.RIGID, (w, settings) -> pose(w, 1, settings)),
+
+    /** A force on a rigid body in the next step: the body, x and y of the force, those of the point. */
+    RIGID_FORCE_AT(135, 5, Named.RIGID, (w, settings) -> {
+        Limits.force(real(w[1]), real(w[2]));
+        TerrainLimits.coordinate("x", real(w[3]));
+        TerrainLimits.coordinate("y", real(w[4]));
+    }),
+
+    /** The force on a rigid body that lasts: the body, x, y. */
+    RIGID_LASTING_FORCE(136, 3, Named.RIGID, (w, settings) -> Limits.force(real(w[1]), real(w[2]))),
+
+    /** The torque on a rigid body that lasts: the body, the torque. */
+    RIGID_LASTING_TORQUE(
+            137, 2, Named.RIGID, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE)),
+
+    /** A rigid body is in an exclusion group: the body, the group. */
+    RIGID_GROUP(138, 2, Named.RIGID);
 
     /** What the first word of a call may be the id of. */
     public enum Named {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidRules;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
@@ -250,6 +251,10 @@ final class RigidSection {
         Limits.restitution(r.real(body, SavedRigids.RESTITUTION));
         Limits.force(r.real(body, SavedRigids.FORCE_X), r.real(body, SavedRigids.FORCE_Y));
         Limits.within("torque", r.real(body, SavedRigids.TORQUE), -Limits.TORQUE, Limits.TORQUE);
+        Limits.force(
+                r.real(body, SavedRigids.EXTRAS + RigidExtras.FORCE_X),
+                r.real(body, SavedRigids.EXTRAS + RigidExtras.FORCE_Y));
+        Limits.within("torque", r.real(body, SavedRigids.EXTRAS + RigidExtras.TORQUE), -Limits.TORQUE, Limits.TORQUE);
     }
 
     private static void readContacts(ByteBuffer in, SavedState s) {

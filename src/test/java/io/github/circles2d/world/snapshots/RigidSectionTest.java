@@ -7,6 +7,7 @@ import io.github.circles2d.Bodies;
 import io.github.circles2d.Outline;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.joints.JointTable;
@@ -51,6 +52,9 @@ class RigidSectionTest {
         world.add(5, 2.5f, 0.5f, 1);
         world.step(STEP, 30);
         bodies.applyTorque(bodies.handle(3), 0.25f);
+        bodies.setForce(bodies.handle(2), 0.125f, 0);
+        bodies.setTorque(bodies.handle(3), -0.5f);
+        bodies.setGroup(bodies.handle(0), -5);
     }
 
     private static ByteBuffer snapshot(World world) {
@@ -120,6 +124,8 @@ class RigidSectionTest {
         refused("the inertia", s -> set(s, SavedRigids.INERTIA, 1e-9f));
         refused("restitution", s -> set(s, SavedRigids.RESTITUTION, 2));
         refused("torque", s -> set(s, SavedRigids.TORQUE, Float.POSITIVE_INFINITY));
+        refused("force", s -> set(s, SavedRigids.EXTRAS + RigidExtras.FORCE_Y, -2e18f));
+        refused("torque", s -> set(s, SavedRigids.EXTRAS + RigidExtras.TORQUE, Float.NaN));
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.A] = GONE);
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.B] = 7);
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);

@@ -1,0 +1,61 @@
+package io.github.circles2d.world.bodies;
+
+import java.util.Arrays;
+
+/** What few rigid bodies have, by id; it is 0 at first. There is no memory for it until a body has it. */
+public final class RigidExtras {
+    /** The force that is set, along x; the bits of a float. */
+    public static final int FORCE_X = 0;
+
+    public static final int FORCE_Y = 1;
+
+    /** The torque that is set; the bits of a float. */
+    public static final int TORQUE = 2;
+
+    /** The exclusion group; 0 for none. */
+    public static final int GROUP = 3;
+
+    /** Ints of a body. */
+    static final int COUNT = 4;
+
+    private int[] values = new int[0];
+
+    /** Makes room for ids. If there is none, nothing has changed. */
+    void ensure(int ids) {
+        if (values.length < COUNT * ids) {
+            values = Arrays.copyOf(values, COUNT * Math.max(ids, values.length / COUNT * 3 / 2));
+        }
+    }
+
+    /** Whether some body has something, or has had. */
+    public boolean areThere() {
+        return values.length > 0;
+    }
+
+    public int get(int body, int which) {
+        int at = COUNT * body + which;
+        return at < values.length ? values[at] : 0;
+    }
+
+    public float real(int body, int which) {
+        return Float.intBitsToFloat(get(body, which));
+    }
+
+    /** Sets a value, for which there is room unless it is 0. */
+    void set(int body, int which, int to) {
+        if (to != 0 || COUNT * body < values.length) {
+            values[COUNT * body + which] = to;
+        }
+    }
+
+    /** A body has nothing. */
+    void clear(int body) {
+        for (int k = 0; k < COUNT; k++) {
+            set(body, k, 0);
+        }
+    }
+
+    long bytes() {
+        return 4L * values.length;
+    }
+}
