@@ -7,7 +7,8 @@ import java.util.Map;
  *
  * @param circles number of circles
  * @param candidatePairs pairs whose distance the broad phase tested in the last step; back ends test the same ones if radii are
- *     alike, so that there is one level of the grid, and no circle is static: those that do not move are not tested on the JVM
+ *     alike, so that there is one level of the grid, no circle is static, as the JVM does not test those that do not move, and circles
+ *     fill the arena, as the JVM fits its grid to where they are
  * @param contacts pairs of circles that were listed as contacts in the last step: they touch, or might have within the step
  * @param greatestContacts greatest number of contacts of one circle in the last step
  * @param awake circles that steps move: they neither sleep nor are static

@@ -43,6 +43,10 @@ public final class JvmPipeline implements Pipeline {
 
     final State state = new State();
     final GridLevels levels = new GridLevels();
+    private final Extent extent;
+
+    /** Whether the grid of the step has been fitted to where the circles are. */
+    private boolean fits;
 
     /** The levels of all circles; {@link #levels} has room for those that do not rest. */
     private GridLevels shape;
@@ -113,6 +117,7 @@ public final class JvmPipeline implements Pipeline {
         this.leastShare = leastShare;
         times = new StageTimes(profiling, "Grid", "ContinuousCollision", "Contacts", "Solver");
         grid = new Grid(state, levels, team);
+        extent = new Extent(state, team);
         contacts = new Contacts(state, grid, levels, team);
         sweep = new ContinuousCollision(state, grid, levels, team);
         solver = new Solver(state, grid, contacts, levels, team);
@@ -123,6 +128,11 @@ public final class JvmPipeline implements Pipeline {
     /** From now on no circle rests, which changes no bit; for tests. */
     public void keepAwake() {
         state.resting.turnOff();
+    }
+
+    /** Whether the grid of the last step was fitted to where the circles are: a device may have tested other pairs; for tests. */
+    public boolean fitsGrid() {
+        return fits;
     }
 
     @Override
@@ -222,8 +232,10 @@ public final class JvmPipeline implements Pipeline {
 
     private void makeRoom() {
         levels.copy(shape);
-        if (state.awake < state.n && !state.hasMovingStatic()) {
-            levels.fit(state.awake);
+        fits = (state.awake < state.n || levels.areRoomy()) && !state.hasMovingStatic();
+        if (fits) {
+            extent.measure();
+            levels.fit(state.awake, extent.width, extent.height);
         }
         grid.ensure();
         contacts.ensure();

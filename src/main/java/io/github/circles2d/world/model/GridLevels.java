@@ -29,6 +29,9 @@ public final class GridLevels {
 
     private static final int WRAPS = 4;
 
+    /** Cells of an arena for each bucket. */
+    private static final float ROOMY = 2f;
+
     private static final int LEAST_PRIME_SIDE_LOG = 4;
 
     /** By log2 of V, from {@link #LEAST_PRIME_SIDE_LOG} on. */
@@ -154,21 +157,32 @@ public final class GridLevels {
         }
     }
 
+    /** Whether a level has far fewer buckets than its arena has cells, so that it matters where the circles are. */
+    public boolean areRoomy() {
+        boolean roomy = false;
+        for (int l = 0; l < usedCount; l++) {
+            int level = used[l];
+            float edge = edge(top[level], bounds);
+            float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
+            float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
+            roomy |= across * down > ROOMY * (1 << (columnsLog[level] + rowsLog[level]));
+        }
+        return roomy;
+    }
+
     /**
-     * Makes the tori as small as so many circles need. Cells, levels and the parities of cells stay, and so do all results that do not depend on
-     * the order of buckets.
+     * Makes the tori as small as so many circles need, and gives them the form of a box that has all circles: cells of the box share no bucket if
+     * there are buckets enough. Cells, levels and the parities of cells stay, and so do all results that do not depend on the order of buckets.
      *
-     * @param circles the greatest number in any level; at least {@link #population} changes nothing
+     * @param circles the greatest number in any level
      */
-    public void fit(int circles) {
+    public void fit(int circles, float width, float height) {
         buckets = 0;
         rows = 0;
         for (int l = 0; l < usedCount; l++) {
             int level = used[l];
-            if (circles < population[level]) {
-                population[level] = circles;
-                fitLevel(level);
-            }
+            population[level] = Math.min(population[level], circles);
+            fitLevel(level, width, height);
             first[level] = buckets;
             firstRow[level] = rows;
             buckets += 1 << (columnsLog[level] + rowsLog[level]);
@@ -176,10 +190,12 @@ public final class GridLevels {
         }
     }
 
-    private void fitLevel(int level) {
+    private void fitLevel(int level, float width, float height) {
         float edge = edge(top[level], bounds);
-        float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
-        float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
+        float boxAcross = cellsOfBox(width, level, bounds.edgeX());
+        float boxDown = cellsOfBox(height, level, bounds.edgeY());
+        float across = Math.min(cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX()), boxAcross);
+        float down = Math.min(cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY()), boxDown);
         int columnsBefore = columnCount[level];
         int rowsBefore = rowCount[level];
         setSides(level, across, down);
@@ -197,7 +213,12 @@ public final class GridLevels {
             sheetsY[level] = cells / rowCount[level];
             rowsUsed[level] = rowCount[level];
         }
-        fold(level);
+        fold(level, boxAcross, boxDown);
+    }
+
+    /** At most; an axis that wraps keeps all of its cells. */
+    private float cellsOfBox(float extent, int level, AxisEdge at) {
+        return at == AxisEdge.WRAP ? Float.POSITIVE_INFINITY : extent / (2f * speculativeDistance(top[level])) + 2f;
     }
 
     /** A side of which an axis that wraps has whole sheets, as it has of the side before. */
@@ -230,7 +251,7 @@ public final class GridLevels {
         if (!bounds.isWalled()) {
             layOutEdges(level, across, down);
         }
-        fold(level);
+        fold(level, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
     }
 
     private void setSides(int level, float across, float down) {
@@ -252,10 +273,10 @@ public final class GridLevels {
         rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
     }
 
-    private void fold(int level) {
+    private void fold(int level, float across, float down) {
         folded[level] = isFolded(
-                        bounds.edgeX(), bounds.minX(), bounds.maxX(), level, columnCount[level], sheetsX[level])
-                || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), level, rowCount[level], sheetsY[level]);
+                        bounds.edgeX(), bounds.minX(), bounds.maxX(), across, level, columnCount[level], sheetsX[level])
+                || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), down, level, rowCount[level], sheetsY[level]);
     }
 
     /** Even if the axis wraps, so that colours fit at the seam. */
@@ -291,10 +312,10 @@ public final class GridLevels {
         rowsUsed[level] = rowCount[level];
     }
 
-    private boolean isFolded(AxisEdge edge, float min, float max, int level, int side, int sheets) {
+    private boolean isFolded(AxisEdge edge, float min, float max, float cells, int level, int side, int sheets) {
         return switch (edge) {
-            case WALL -> Cells.cell(max, min, inverseEdge[level]) >= WRAPS * side;
-            case OPEN -> true;
+            case WALL -> Math.min(Cells.cell(max, min, inverseEdge[level]), cells) >= WRAPS * side;
+            case OPEN -> cells >= WRAPS * side;
             case WRAP -> sheets > WRAPS;
         };
     }

@@ -2,8 +2,11 @@ package io.github.circles2d.world.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashSet;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -27,9 +30,50 @@ class GridLevelsTest {
             counts[random.nextInt(GridLevels.COUNT)] += 1 + random.nextInt(1 << random.nextInt(1, 20));
             float greatest = random.nextBoolean() ? bounds.greatestRadius() : bounds.leastRadius();
             levels.layOut(bounds, greatest, counts, random.nextBoolean());
-            for (int l = 0; l < levels.usedCount; l++) {
-                assertCellsOf(levels.used[l]);
+            assertCells();
+            float width = (float) random.nextDouble(bounds.maxX() - bounds.minX());
+            levels.fit(1 + random.nextInt(1 << random.nextInt(1, 20)), width, random.nextFloat() * width);
+            assertCells();
+        }
+    }
+
+    /** A torus of 1,024 buckets has room for a floor of 250 by 2 cells, be the arena as high as it is wide. */
+    @ParameterizedTest
+    @EnumSource(names = {"WALL", "OPEN"})
+    void cellsOfABoxThatHasAllCirclesShareNoBucketIfThereAreEnough(AxisEdge edge) {
+        int[] counts = new int[GridLevels.COUNT];
+        counts[0] = 1000;
+        levels.layOut(Limits.bounds(0, 0, 1000, 1000).with(edge, edge), 0.5f, counts, false);
+        float cell = 1 / levels.inverseEdge[0];
+        assertThat(levels.areRoomy()).isTrue();
+        assertThat(levels.folded[0]).isTrue();
+
+        levels.fit(1000, 249 * cell, 1.9f * cell);
+
+        assertThat(levels.folded[0]).isFalse();
+        Set<Integer> buckets = new HashSet<>();
+        for (int column = 0; column < 250; column++) {
+            for (int row = 0; row < 2; row++) {
+                float x = 200 + (column + 0.5f) * cell;
+                float y = 100 + (row + 0.5f) * cell;
+                buckets.add(levels.rowStart(0, levels.row(y, 0)) + levels.column(x, 0));
             }
+        }
+        assertThat(buckets).hasSizeGreaterThan(495).allMatch(bucket -> bucket < levels.buckets());
+    }
+
+    /** Its circles are spread over its cells: where they are does not matter. */
+    @Test
+    void anArenaThatCirclesFillIsNotRoomy() {
+        int[] counts = new int[GridLevels.COUNT];
+        counts[0] = 10_000;
+        levels.layOut(Limits.bounds(0, 0, 120, 120), 0.5f, counts, false);
+        assertThat(levels.areRoomy()).isFalse();
+    }
+
+    private void assertCells() {
+        for (int l = 0; l < levels.usedCount; l++) {
+            assertCellsOf(levels.used[l]);
         }
     }
 
