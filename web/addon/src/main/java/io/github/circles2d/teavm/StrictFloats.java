@@ -109,8 +109,7 @@ public final class StrictFloats implements TeaVMPlugin, ClassHolderTransformer {
 
     private static boolean losesBrackets(BinaryInstruction binary) {
         return binary.getOperandType() == NumericOperandType.DOUBLE
-                && (binary.getOperation() == BinaryOperation.ADD
-                        || binary.getOperation() == BinaryOperation.MULTIPLY);
+                && (binary.getOperation() == BinaryOperation.ADD || binary.getOperation() == BinaryOperation.MULTIPLY);
     }
 
     /** Whether the shortest decimal of a float, which TeaVM writes, is the same number as a double. */
