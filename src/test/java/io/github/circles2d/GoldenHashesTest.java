@@ -2,8 +2,6 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -14,7 +12,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The states that the scenes on record go through are the same on every back end, device and number of threads. The more
+ * The states that the scenes on record go through are the same for every number of threads; {@link WorldHashesOnDevicesTest} has devices. The more
  * circles a scene has, the earlier the mark that it runs to. {@code -Dcircles2d.golden=full} asks for all marks.
  */
 class GoldenHashesTest {
@@ -28,6 +26,9 @@ class GoldenHashesTest {
             System.getProperty("circles2d.golden", "").equals("full");
 
     private static final long LONG = FULL ? Long.MAX_VALUE : 13_000_000;
+
+    /** Of a run on a device. */
+    static final long OF_DEVICES = TestScale.EXHAUSTIVE ? LONG : SHORTEST;
 
     static List<Arguments> scenesAndTwoNumbersOfThreads() throws IOException {
         return scenesAndThreads(1, 7);
@@ -47,49 +48,11 @@ class GoldenHashesTest {
         return runs;
     }
 
-    static List<Arguments> plainScenesAndDevices() throws IOException {
-        return scenesAndDevices(true);
-    }
-
-    static List<Arguments> otherScenesAndDevices() throws IOException {
-        return scenesAndDevices(false);
-    }
-
-    private static List<Arguments> scenesAndDevices(boolean plain) throws IOException {
-        List<Arguments> runs = new ArrayList<>();
-        for (Device device : TestDevices.all()) {
-            for (GoldenScene scene : GoldenHashes.scenes()) {
-                if (scene.isPlain() == plain && scene.runsOnDevices()) {
-                    runs.add(Arguments.of(scene, device));
-                }
-            }
-        }
-        return runs;
-    }
-
     @ParameterizedTest
     @MethodSource("scenesAndTwoNumbersOfThreads")
     @Tag("each-jdk")
     void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), SHORT);
-    }
-
-    @ParameterizedTest
-    @MethodSource("plainScenesAndDevices")
-    void everyOpenClDeviceGivesTheHashesOfPlainScenes(GoldenScene scene, Device device) throws IOException {
-        checkOn(device, scene);
-    }
-
-    /** Those with edges, surfaces, terrain and joints, each of which has kernels of its own. Bodies that are pushed have none. */
-    @ParameterizedTest
-    @MethodSource("otherScenesAndDevices")
-    @Tag("long")
-    void everyOpenClDeviceGivesTheHashesOfAllOtherScenes(GoldenScene scene, Device device) throws IOException {
-        checkOn(device, scene);
-    }
-
-    private static void checkOn(Device device, GoldenScene scene) throws IOException {
-        check(scene, scene.builder().device(device).build(), TestScale.EXHAUSTIVE ? LONG : SHORTEST);
     }
 
     @ParameterizedTest
@@ -103,7 +66,7 @@ class GoldenHashesTest {
         return WorldScenes.onThreads(threads, scene.builder());
     }
 
-    private static void check(GoldenScene scene, World world, long affordable) throws IOException {
+    static void check(GoldenScene scene, World world, long affordable) throws IOException {
         GoldenHashes golden = GoldenHashes.load();
         try (GoldenScene.Run run = scene.start(world)) {
             for (int mark : GoldenHashes.MARKS) {

@@ -25,7 +25,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a replay repeats, how it says that it differs, and what it refuses. */
-@Tag("each-jdk")
 class RecordingTest {
     private static final int STEPS = 60;
 
@@ -43,6 +42,7 @@ class RecordingTest {
 
     @ParameterizedTest
     @MethodSource("backends")
+    @Tag("each-jdk")
     void aLogOfAnyBackEndReplaysOnAnyOther(Backend backend) throws IOException {
         Scene scene = Scenes.packed(300, 4);
         byte[] log;
@@ -116,6 +116,7 @@ class RecordingTest {
 
     /** The calls make a log, whatever makes the steps, and whether somebody reads between them. */
     @Test
+    @Tag("each-jdk")
     void aLogHasTheSameBytesWithAnyThreadsAndReads() throws IOException {
         byte[] expected = recordUnread(WorldScenes.jvm().threads(1), false);
         assertThat(recordUnread(WorldScenes.jvm().threads(1), true)).isEqualTo(expected);
@@ -125,6 +126,7 @@ class RecordingTest {
 
     @ParameterizedTest
     @MethodSource("backends")
+    @Tag("each-jdk")
     @Tag("long")
     void aLogHasTheSameBytesOnAnyBackEnd(Backend backend) throws IOException {
         byte[] expected = recordUnread(WorldScenes.jvm().threads(1), false);
@@ -348,6 +350,7 @@ class RecordingTest {
     }
 
     @Test
+    @Tag("each-jdk")
     void aForgedLengthTakesNoMemory() {
         ByteBuffer head = ByteBuffer.allocate(HEADER + BLOCK_HEAD).order(ByteOrder.LITTLE_ENDIAN);
         head.putInt(0x4C324443).putInt(1).putInt(60).put((byte) 2).putInt(Integer.MAX_VALUE);
@@ -464,6 +467,7 @@ class RecordingTest {
     }
 
     @Test
+    @Tag("each-jdk")
     void aFailureOfTheStreamIsToldAsAnIoExceptionWithATextWhateverWasThrownAndWhenever() throws IOException {
         Map<Exception, String> failures = new LinkedHashMap<>();
         failures.put(new IOException("no room"), "no room");

@@ -12,14 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
  * Random heaps that fall asleep, and calls that disturb them: World has the same bits, events and sleepers as its description in the plainest
  * form, after every call. The system property circles2d.fuzz.sleep sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
-@Tag("each-jdk")
 class ReferenceSleepTest {
     private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.sleep", 60);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);

@@ -18,7 +18,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Frames that are made with predictions and again come out as those of a game that knew all inputs. */
-@Tag("each-jdk")
 class RollbackTest {
     private static final int FRAMES = 150;
     private static final int WINDOW = 8;
@@ -52,6 +51,7 @@ class RollbackTest {
 
     @ParameterizedTest
     @MethodSource("backends")
+    @Tag("each-jdk")
     void confirmedFramesAreThoseOfAStraightRunOnEveryBackEnd(Backend backend) {
         RollbackGame game = new RollbackGame(backend);
         Rollback rollback = play(game, game, 1, Integer.MAX_VALUE);

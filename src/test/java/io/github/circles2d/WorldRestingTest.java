@@ -21,7 +21,7 @@ class WorldRestingTest {
     /** Programs of calls and steps in two worlds, in one of which no circle rests. */
     @Test
     void aWorldInWhichStaticCirclesRestHasTheBitsOfOneInWhichNoneDoes() {
-        for (int seed = 0; seed < TestScale.of(24, 120, 2000); seed++) {
+        for (int seed = 0; seed < TestScale.of(24, 60, 2000); seed++) {
             new Program(seed).run();
         }
     }

@@ -16,7 +16,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a snapshot keeps, what it costs, and what it refuses. */
-@Tag("each-jdk")
 class WorldSnapshotTest {
     private static final int AHEAD = 8;
 
@@ -58,6 +57,7 @@ class WorldSnapshotTest {
 
     @ParameterizedTest
     @MethodSource("crowdedScenes")
+    @Tag("each-jdk")
     void restoredAfterAnyStepANewWorldGoesOnAsTheOldOne(Scene scene) {
         int steps = 60;
         long[] hashes = new long[steps + AHEAD];
@@ -136,6 +136,7 @@ class WorldSnapshotTest {
     }
 
     @Test
+    @Tag("each-jdk")
     void ofARestoredWorldIsTheSameBytes() {
         Scene scene = Scenes.thesis(600, 9);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).subSteps(3));
@@ -180,6 +181,7 @@ class WorldSnapshotTest {
     }
 
     @Test
+    @Tag("each-jdk")
     void goesIntoAndOutOfTheMiddleOfAnyBuffer() {
         try (World world = settled();
                 World restored = WorldScenes.jvm().build()) {

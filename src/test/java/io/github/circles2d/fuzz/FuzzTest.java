@@ -80,7 +80,7 @@ class FuzzTest {
 
     @Test
     void programsAreTheSameOnAnyNumberOfThreads() {
-        run(SEED, TestScale.of(5, 15, 600), List.of());
+        run(SEED, TestScale.of(5, 600), List.of());
     }
 
     /** Where the heap is full, a call changes nothing, or a step says that the state is lost. */

@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -31,7 +34,7 @@ class OclgrindTest {
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
     private static final Pattern KERNEL = Pattern.compile("^\\s*Kernel: (\\w+)", Pattern.MULTILINE);
 
-    /** Of the scenes, which run side by side from the start: each takes seconds, on one core. */
+    /** Of the scenes whose tests are run, which run side by side from the start: each takes seconds, on one core. */
     private static final Map<String, Future<ForkedJvm.Result>> RUNS = new HashMap<>();
 
     @BeforeAll
@@ -45,28 +48,32 @@ class OclgrindTest {
                 .exists();
         ExecutorService threads =
                 Executors.newFixedThreadPool(Math.min(4, Runtime.getRuntime().availableProcessors()));
-        RUNS.put("pairs", threads.submit(() -> run("pairs", true)));
-        RUNS.put("crowd", threads.submit(() -> run("crowd", true)));
-        RUNS.put("wrong slots", threads.submit(() -> run("wrong slots", false)));
-        RUNS.put("control", threads.submit(() -> run("control", false)));
+        List<String> scenes = new ArrayList<>(List.of("pairs", "control"));
+        if (TestScale.LONG) {
+            scenes.add("wrong slots");
+        }
+        if (TestScale.EXHAUSTIVE) {
+            scenes.add("crowd");
+        }
+        scenes.forEach(scene -> RUNS.put(scene, threads.submit(() -> run(scene))));
         threads.shutdown();
     }
 
-    private static ForkedJvm.Result run(String scene, boolean races) {
+    private static ForkedJvm.Result run(String scene) {
         ForkedJvm jvm = new ForkedJvm()
                 .option("-Djavacl.cacheBinaries=false")
                 .environment("OCL_ICD_VENDORS", System.getProperty(PROPERTY, DRIVER))
                 .environment("OCLGRIND_UNINITIALIZED", "1")
                 .environment("OCLGRIND_CHECK_API", "1")
                 .environment("OCLGRIND_MAX_ERRORS", "1000000");
-        if (races) {
+        if (scene.equals("pairs") || scene.equals("crowd")) {
             jvm.environment("OCLGRIND_DATA_RACES", "1");
         }
         return jvm.run(OclgrindScenes.class, scene);
     }
 
     private static ForkedJvm.Result resultOf(String scene) throws Exception {
-        ForkedJvm.Result result = RUNS.get(scene).get();
+        ForkedJvm.Result result = RUNS.containsKey(scene) ? RUNS.get(scene).get() : run(scene);
         assertThat(result.exitStatus()).as(result.output()).isZero();
         assertThat(result.output()).contains("done");
         return result;
@@ -99,7 +106,7 @@ class OclgrindTest {
 
     /** The thesis resolves all pairs at once, so two work-items may read and write one circle: a race by design. */
     @Test
-    @Tag("long")
+    @Tag("exhaustive")
     void inACrowdTheResolveKernelsRaceAndNothingElseIsReported() throws Exception {
         ForkedJvm.Result result = resultOf("crowd");
         assertThat(reportedKernels(result))

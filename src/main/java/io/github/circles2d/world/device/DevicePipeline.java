@@ -107,6 +107,18 @@ public final class DevicePipeline implements Pipeline {
     }
 
     DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize, boolean waits) {
+        this(device, capacity, profiling, plans, workGroupSize, waits, Features.NONE);
+    }
+
+    /** Ready for features from the start: nothing is compiled without them. */
+    DevicePipeline(
+            Device device,
+            int capacity,
+            boolean profiling,
+            List<Plan> plans,
+            int workGroupSize,
+            boolean waits,
+            Features features) {
         this.plans = plans;
         inParts = !waits && plans.size() > 1;
         ready = new ReadyPlans(plans, waits);
@@ -116,13 +128,16 @@ public final class DevicePipeline implements Pipeline {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
             joints = new JointTransfer(arrays);
-            kernels = kernelsOf(Readiness.USUAL);
+            ensure(features);
+            loaded = features(features.edges());
+            kernels = kernelsOf(new Readiness(false, loaded, false, false));
             commands = new CommandsStage(session, kernels, arrays);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> home.slots, () -> home.circles);
             queue = new StepQueue(arrays, home, ready.list(), commands, requested, stats);
             stats.use(kernels);
+            readBackWith(kernels);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -148,13 +163,8 @@ public final class DevicePipeline implements Pipeline {
         kernels = loading;
         stats.use(loading);
         commands.use(loading);
-        if (features.turning()) {
-            readback.useTurning(loading);
-        }
-        if (features.sleeping()) {
-            readback.useSleeping(loading);
-        }
         loaded = features;
+        readBackWith(loading);
         if (steps) {
             stages =
                     stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
@@ -163,6 +173,16 @@ public final class DevicePipeline implements Pipeline {
             ready.use(stages, loading);
         }
         bind(loading);
+    }
+
+    /** Reads back what circles with the features that are loaded have besides. */
+    private void readBackWith(StageKernels loading) {
+        if (loaded.turning()) {
+            readback.useTurning(loading);
+        }
+        if (loaded.sleeping()) {
+            readback.useSleeping(loading);
+        }
     }
 
     /** Before something uses the kernels: if a compiler refuses them, nothing has changed. */
@@ -321,6 +341,10 @@ public final class DevicePipeline implements Pipeline {
                 kernelsOf(new Readiness(anySettings, features, reporting, reporting && reader.isRecording())),
                 reporting);
         stats.keep(); // the figures of the last step are worked out from arrays that give way
+        ensure(features);
+    }
+
+    private void ensure(Features features) {
         if (features.turning()) {
             arrays.ensureTurning();
         }

@@ -9,6 +9,7 @@ import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.events.ContactEvents;
@@ -47,17 +48,21 @@ class EdgesAgreeTest {
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
         pipelines.add(new JvmPipeline(TestScale.of(2, 3), 1, 0, false));
         if (!TestScale.LONG) {
-            pipelines.add(Pipelines.of(device, Plans.COLOURS.of(device), false));
-            return Pipelines.ready(pipelines.toArray(Pipeline[]::new));
+            pipelines.add(of(device, Plans.COLOURS.of(device)));
+            return pipelines.toArray(Pipeline[]::new);
         }
-        pipelines.add(Pipelines.of(device, Plans.COLOURS));
+        pipelines.add(of(device, Pipelines.plans(device, Plans.COLOURS)));
         if (Tiles.fit(device)) {
-            pipelines.add(Pipelines.of(device, Plans.TILES));
+            pipelines.add(of(device, Pipelines.plans(device, Plans.TILES)));
         }
         if (Plans.choose(device) != Plans.TILES && Plans.choose(device) != Plans.COLOURS) {
-            pipelines.add(Pipelines.of(device, Plans.choose(device)));
+            pipelines.add(of(device, Pipelines.plans(device, Plans.choose(device))));
         }
-        return Pipelines.ready(pipelines.toArray(Pipeline[]::new));
+        return pipelines.toArray(Pipeline[]::new);
+    }
+
+    private static Pipeline of(Device device, List<Plan> plans) {
+        return Pipelines.of(device, plans, false, Pipelines.INSIDE_EDGES);
     }
 
     @ParameterizedTest

@@ -14,6 +14,7 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -31,7 +32,11 @@ class EventsAgreeTest {
 
     /** In Java on one thread and on more, and one for each plan that a device can follow. */
     private static Pipeline[] pipelines(Device device) {
-        List<Pipeline> pipelines = new ArrayList<>(List.of(PipelinesAgreeTest.pipelines(device)));
+        return pipelines(device, Features.NONE);
+    }
+
+    private static Pipeline[] pipelines(Device device, Features features) {
+        List<Pipeline> pipelines = new ArrayList<>(List.of(Pipelines.all(device, features)));
         pipelines.add(1, new JvmPipeline(2, 1, 0, false));
         if (TestScale.EXHAUSTIVE) { // more threads than processors, which take long on a busy machine
             pipelines.add(2, new JvmPipeline(7, 1, 0, false));
@@ -136,7 +141,7 @@ class EventsAgreeTest {
     @Tag("long")
     void staticCirclesHaveTheSameEvents(Device device) {
         Scene scene = Scenes.mixed(300, 6);
-        try (Twins twins = Twins.load(scene, Pipelines.ready(withThreads(pipelines(device))))) {
+        try (Twins twins = Twins.load(scene, withThreads(pipelines(device, Pipelines.INSIDE_EDGES)))) {
             SplittableRandom random = new SplittableRandom(13);
             twins.giveSensors(200, 7);
             twins.setKind(KindField.SENSES_STATIC, 200, 1);
@@ -183,7 +188,7 @@ class EventsAgreeTest {
     @Tag("long")
     void piecesOfTerrainHaveTheSameEvents(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4), Scenes.gas(300, 4)}) {
-            try (Twins twins = Twins.load(scene, Pipelines.ready(pipelines(device)))) {
+            try (Twins twins = Twins.load(scene, pipelines(device, Pipelines.INSIDE_EDGES))) {
                 SplittableRandom random = new SplittableRandom(9);
                 twins.report(0, 0, ContactEvents.OF_PAIR_TYPES);
                 twins.report(0, 1, ContactEvents.BEGIN | ContactEvents.END);
@@ -221,7 +226,7 @@ class EventsAgreeTest {
     @Tag("long")
     void piecesAcrossSeamsHaveTheSameEvents(Device device) {
         Scene scene = Scenes.gas(300, 5);
-        try (Twins twins = Twins.load(scene, Pipelines.ready(pipelines(device)))) {
+        try (Twins twins = Twins.load(scene, pipelines(device, Pipelines.INSIDE_EDGES))) {
             twins.restoreWithEdges(AxisEdge.WRAP, AxisEdge.WRAP);
             twins.report(ContactEvents.OF_PAIR_TYPES);
             twins.sense(0, 1);

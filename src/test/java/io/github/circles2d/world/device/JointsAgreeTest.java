@@ -119,7 +119,8 @@ class JointsAgreeTest {
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
         JointTwins joints = joints(scene);
         SplittableRandom random = new SplittableRandom(3);
-        try (Twins twins = Twins.load(Scenes.thesis(10, 1), joints.on(pipelines(device)))) {
+        Pipeline[] pipelines = Pipelines.ready(device, Pipelines.INSIDE_EDGES);
+        try (Twins twins = Twins.load(Scenes.thesis(10, 1), joints.on(pipelines))) {
             for (AxisEdge[] edges : all) {
                 twins.loadInPlace(scene, edges[0], edges[1]);
                 for (int k = 0; k < 6; k++) {
@@ -174,7 +175,8 @@ class JointsAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
             JointTwins joints = joints(scene);
             SplittableRandom random = new SplittableRandom(9);
-            try (Twins twins = Twins.load(scene, joints.on(pipelines(device)))) {
+            Pipeline[] pipelines = Pipelines.ready(device, Pipelines.INSIDE_EDGES);
+            try (Twins twins = Twins.load(scene, joints.on(pipelines))) {
                 twins.report(ContactEvents.ALL);
                 int events = 0;
                 for (int k = 0; k < TestScale.of(8, 20); k++) {
@@ -205,7 +207,7 @@ class JointsAgreeTest {
             Pipeline[] pipelines = PipelinesAgreeTest.pipelines(device);
             try (Twins twins = Twins.load(scene, pipelines)) {
                 twins.step(scene.timeStep(), 3);
-                Pipelines.ready(pipelines);
+                Pipelines.makeReady(pipelines);
                 int most = 0;
                 for (int k = 0; k < TestScale.of(30, 100); k++) {
                     if (k == 12) {
@@ -230,7 +232,7 @@ class JointsAgreeTest {
                     most = Math.max(most, twins.joints());
                 }
                 assertThat(most).as(scene.name()).isGreaterThan(30);
-                twins.assertGoOnIn(scene, PipelinesAgreeTest.pipelines(device));
+                twins.assertGoOnIn(scene, pipelines(device));
             }
         }
     }

@@ -33,7 +33,7 @@ class MixedRadiiAgreeTest {
     @Tag("long")
     void blendsHaveTheSameBitsWithAllEdges(Device device) {
         Scene[] scenes = {HardScenes.blend(500, 10, 1), HardScenes.blend(1200, 100, 2), HardScenes.blend(200, 3, 3)};
-        try (Twins twins = Twins.load(Scenes.thesis(10, 1), Pipelines.ready(PipelinesAgreeTest.pipelines(device)))) {
+        try (Twins twins = Twins.load(Scenes.thesis(10, 1), Pipelines.all(device, Pipelines.INSIDE_EDGES))) {
             for (int s = 0; s < scenes.length; s++) {
                 Scene scene = scenes[s];
                 AxisEdge[][] some = TestScale.EXHAUSTIVE ? EDGES : new AxisEdge[][] {EDGES[s]};

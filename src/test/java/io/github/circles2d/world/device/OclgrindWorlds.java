@@ -159,7 +159,9 @@ final class OclgrindWorlds {
                 kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
                 break;
             case "sleep":
-                kernels.addAll(sleep(Plans.COLOURS, false));
+                if (steps > 1) {
+                    kernels.addAll(sleep(Plans.COLOURS, false));
+                }
                 kernels.addAll(sleep(Plans.COLOURS, true));
                 break;
             case "sleep of tiles":

@@ -5,6 +5,7 @@ import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.ResidentGroups;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
@@ -16,30 +17,58 @@ import java.util.List;
 /** Empty pipelines on devices, by plans that need not be those that the device would follow. */
 final class Pipelines {
     /** What a world has memory and kernels for only once it needs them. In a quick run edges, too, so that worlds with edges share programs. */
-    static final Features INSIDE = Features.of(!TestScale.LONG, true, true, true, true, true);
+    static final Features INSIDE = inside(!TestScale.LONG);
+
+    /** The same with edges, whether there are some or not: so worlds that report share programs with those that have edges. */
+    static final Features INSIDE_EDGES = inside(true);
 
     private Pipelines() {}
 
-    /**
-     * Those on devices are ready for all that a world can have inside, so that tests of surfaces, of terrain and of joints share programs.
-     * An exhaustive run compiles for each world what it has.
-     */
-    static Pipeline[] ready(Pipeline... pipelines) {
+    private static Features inside(boolean edges) {
+        return Features.of(edges, true, true, true, true, true);
+    }
+
+    /** Makes pipelines on devices ready for all that a world can have inside, in mid-life. In an exhaustive run they compile what they need. */
+    static void makeReady(Pipeline... pipelines) {
         for (Pipeline pipeline : pipelines) {
             if (pipeline instanceof DevicePipeline && !TestScale.EXHAUSTIVE) {
                 pipeline.prepare(ContactSettings.DEFAULT, INSIDE);
             }
         }
-        return pipelines;
     }
 
-    /** The pipeline in Java, and one for each plan that a device can follow; in a quick run by colours alone, whose program is shorter. */
+    /** Those of {@link #ready(Device, Features)} without edges. */
     static Pipeline[] ready(Device device) {
+        return ready(device, INSIDE);
+    }
+
+    /**
+     * The pipeline in Java, and one for each plan that a device can follow; in a quick run by colours alone, whose program is shorter. Those on
+     * devices are ready from the start, so that tests of surfaces, of terrain and of joints share programs.
+     */
+    static Pipeline[] ready(Device device, Features features) {
         if (!TestScale.LONG) {
-            return ready(
-                    new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false), of(device, Plans.COLOURS.of(device), false));
+            return new Pipeline[] {java(), of(device, Plans.COLOURS.of(device), false, features)};
         }
-        return ready(PipelinesAgreeTest.pipelines(device));
+        return all(device, features);
+    }
+
+    /** The pipeline in Java, and one for each plan that a device can follow. */
+    static Pipeline[] all(Device device, Features features) {
+        List<Pipeline> pipelines = new ArrayList<>();
+        pipelines.add(java());
+        pipelines.add(of(device, plans(device, Plans.COLOURS), false, features));
+        if (Tiles.fit(device)) {
+            pipelines.add(of(device, plans(device, Plans.TILES), false, features));
+        }
+        if (ResidentGroups.fit(device)) {
+            pipelines.add(of(device, plans(device, Plans.PERSISTENT_GPU), false, features));
+        }
+        return pipelines.toArray(Pipeline[]::new);
+    }
+
+    private static Pipeline java() {
+        return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
 
     static DevicePipeline of(Device device, Plans plans) {
@@ -51,7 +80,7 @@ final class Pipelines {
     }
 
     /** Those by colours have the program of those by tiles: a driver compiles what both have once. */
-    private static List<Plan> plans(Device device, Plans plans) {
+    static List<Plan> plans(Device device, Plans plans) {
         if (plans != Plans.COLOURS || !Tiles.fit(device)) {
             return plans.of(device);
         }
@@ -61,6 +90,12 @@ final class Pipelines {
     }
 
     static DevicePipeline of(Device device, List<Plan> plans, boolean profiling) {
-        return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS, true);
+        return of(device, plans, profiling, Features.NONE);
+    }
+
+    /** One that is ready for features from the start; an exhaustive run compiles for each world what it has. */
+    static DevicePipeline of(Device device, List<Plan> plans, boolean profiling, Features features) {
+        Features first = TestScale.EXHAUSTIVE ? Features.NONE : features;
+        return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS, true, first);
     }
 }

@@ -8,13 +8,10 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.plan.Plans;
-import io.github.circles2d.world.device.plan.ResidentGroups;
-import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,16 +25,7 @@ class PipelinesAgreeTest {
 
     /** The pipeline in Java, and one for each plan that a device can follow. */
     static Pipeline[] pipelines(Device device) {
-        List<Pipeline> pipelines = new ArrayList<>();
-        pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
-        pipelines.add(Pipelines.of(device, Plans.COLOURS));
-        if (Tiles.fit(device)) {
-            pipelines.add(Pipelines.of(device, Plans.TILES));
-        }
-        if (ResidentGroups.fit(device)) {
-            pipelines.add(Pipelines.of(device, Plans.PERSISTENT_GPU));
-        }
-        return pipelines.toArray(Pipeline[]::new);
+        return Pipelines.all(device, Features.NONE);
     }
 
     private static void compare(Device device, Scene scene, int rounds, int steps, float dt) {
@@ -135,11 +123,16 @@ class PipelinesAgreeTest {
             HardScenes.squeezed(28, 2),
             Scenes.billiards(200)
         };
-        for (Scene scene : scenes) {
-            try (Twins twins = Twins.load(scene, pipelines(device))) {
+        for (int i = 0; i < scenes.length; i++) {
+            Scene scene = scenes[i];
+            boolean moves = i % 2 == 1;
+            Features features = moves ? Pipelines.INSIDE : Features.NONE;
+            try (Twins twins = Twins.load(scene, Pipelines.all(device, features))) {
                 twins.step(scene.timeStep(), 3);
                 twins.giveKinds();
-                twins.giveMotions();
+                if (moves || TestScale.EXHAUSTIVE) {
+                    twins.giveMotions();
+                }
                 for (int k = 0; k < 6; k++) {
                     twins.step(k % 3 == 2 ? 0.5f : scene.timeStep(), 3);
                     twins.assertEqual(scene.name() + " with kinds, round " + k);

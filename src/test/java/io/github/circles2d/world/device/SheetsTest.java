@@ -10,6 +10,7 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -201,10 +202,8 @@ class SheetsTest {
     void linesHaveTheSameBitsAndEventsOnTheDeviceAsInJava(Device device) {
         for (AxisEdge edge : AxisEdge.values()) {
             for (int large : TestScale.EXHAUSTIVE ? new int[] {1, 6} : new int[] {6}) {
-                Pipeline[] pipelines = PipelinesAgreeTest.pipelines(device);
-                if (edge != AxisEdge.WALL) {
-                    Pipelines.ready(pipelines);
-                }
+                Features features = edge == AxisEdge.WALL ? Features.NONE : Pipelines.INSIDE_EDGES;
+                Pipeline[] pipelines = Pipelines.all(device, features);
                 try (Twins twins = Twins.empty(UNIT.with(edge, edge), pipelines)) {
                     twins.report(ContactEvents.BEGIN | ContactEvents.END | ContactEvents.HIT);
                     Random random = new Random(7);

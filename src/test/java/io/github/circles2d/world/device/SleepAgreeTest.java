@@ -30,7 +30,7 @@ class SleepAgreeTest {
 
     /** A heap of circles that have friction, and report all. */
     private static Twins heap(Device device, Bounds bounds, int circles, float ratio) {
-        Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device));
+        Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device, Pipelines.INSIDE_EDGES));
         twins.setKind(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
         twins.setKind(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.1f));
         twins.report(ContactEvents.ALL);
@@ -98,8 +98,8 @@ class SleepAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void stepsInWhichAllSleepCostNothing(Device device) {
-        DevicePipeline profiled = Pipelines.of(device, Plans.COLOURS, true);
-        try (Twins twins = Twins.sleeping(BOX, 4, 10, Pipelines.ready(jvm(), profiled))) {
+        DevicePipeline profiled = Pipelines.of(device, Pipelines.plans(device, Plans.COLOURS), true, Pipelines.INSIDE);
+        try (Twins twins = Twins.sleeping(BOX, 4, 10, jvm(), profiled)) {
             for (int k = 0; k < 4; k++) {
                 twins.add(0.5f + 0.4f * k, 0.15f, 0.15f, 1, 0, 0, 0);
             }
@@ -139,7 +139,7 @@ class SleepAgreeTest {
     void manyThatSleepAreTakenOver(Device device) {
         Bounds bounds = new Bounds(0, 0, 6, 12);
         try (Twins asleep = Twins.sleeping(bounds, 4, 10, jvm());
-                Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device))) {
+                Twins twins = Twins.sleeping(bounds, 4, 10, Pipelines.ready(device, Pipelines.INSIDE_EDGES))) {
             asleep.setKind(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
             asleep.setKind(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.1f));
             for (int k = 0; k < 400; k++) {

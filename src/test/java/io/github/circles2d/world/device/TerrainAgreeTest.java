@@ -117,7 +117,7 @@ class TerrainAgreeTest {
             Pipeline[] pipelines = PipelinesAgreeTest.pipelines(device);
             try (Twins twins = Twins.load(scene, pipelines)) {
                 twins.step(scene.timeStep(), 3);
-                Pipelines.ready(pipelines);
+                Pipelines.makeReady(pipelines);
                 for (int k = 0; k < TestScale.of(30, 100); k++) {
                     for (int changes = 0; changes < 8; changes++) {
                         twins.changeTerrain(random);
@@ -148,7 +148,8 @@ class TerrainAgreeTest {
         AxisEdge[][] all = {{AxisEdge.WRAP, AxisEdge.WALL}, {AxisEdge.OPEN, AxisEdge.WRAP}};
         TerrainTwins terrain = terrain(scene);
         SplittableRandom random = new SplittableRandom(3);
-        try (Twins twins = Twins.load(Scenes.thesis(10, 1), terrain.on(pipelines(device)))) {
+        Pipeline[] pipelines = Pipelines.ready(device, Pipelines.INSIDE_EDGES);
+        try (Twins twins = Twins.load(Scenes.thesis(10, 1), terrain.on(pipelines))) {
             for (AxisEdge[] edges : all) {
                 twins.loadInPlace(scene, edges[0], edges[1]);
                 for (int k = 0; k < 10; k++) {
@@ -197,7 +198,8 @@ class TerrainAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(300, 4), Scenes.mixed(300, 4)}) {
             TerrainTwins terrain = terrain(scene);
             SplittableRandom random = new SplittableRandom(9);
-            try (Twins twins = Twins.load(scene, terrain.on(pipelines(device)))) {
+            Pipeline[] pipelines = Pipelines.ready(device, Pipelines.INSIDE_EDGES);
+            try (Twins twins = Twins.load(scene, terrain.on(pipelines))) {
                 twins.report(ContactEvents.ALL);
                 int events = 0;
                 for (int k = 0; k < TestScale.of(8, 20); k++) {

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
@@ -20,8 +21,10 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
@@ -38,6 +41,10 @@ import java.util.function.UnaryOperator;
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
 final class Twins implements AutoCloseable {
     private static final int SUB_STEPS = 4;
+
+    /** For a circle with a motion of its own. */
+    private static final Readiness OWN_MOTION =
+            new Readiness(false, Features.of(false, false, false, false, false, true), false, false);
 
     private final Simulation[] simulations;
     private final Pipeline[] pipelines;
@@ -641,13 +648,21 @@ final class Twins implements AutoCloseable {
         for (int k = 0; k < 5; k++) {
             grow(random.nextInt(ids), r * between(random, 0.8f, 1.3f), 1 + random.nextInt(6));
         }
+        boolean moves = TestScale.EXHAUSTIVE || Arrays.stream(pipelines).allMatch(Twins::isReadyForMotions);
         for (CircleField field : CircleField.values()) {
-            boolean isOfCalls =
-                    field != CircleField.TARGET && field != CircleField.GROWTH && (turns || !field.isOfTurning());
+            boolean isOfCalls = field != CircleField.TARGET
+                    && field != CircleField.GROWTH
+                    && (turns || !field.isOfTurning())
+                    && (moves || !field.isOfMotion());
             for (int k = 0; k < 20 && isOfCalls; k++) {
                 setField(field, random.nextInt(ids), random.nextLong() >> random.nextInt(Long.SIZE));
             }
         }
+    }
+
+    /** Whether a device has kernels for circles with motions of their own: changes compile none, which would be programs of no other test. */
+    private static boolean isReadyForMotions(Pipeline pipeline) {
+        return pipeline instanceof JvmPipeline || pipeline.isReady(OWN_MOTION);
     }
 
     /** Makes circles grip and turn: some kinds, some walls and some circles, each in some way. */

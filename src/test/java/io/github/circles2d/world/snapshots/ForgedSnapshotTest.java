@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Snapshots that somebody has written with a check that fits: refused, or a world as sound as any other. */
 class ForgedSnapshotTest {
-    private static final int FORGERIES = TestScale.of(1_500, 5_000, 20_000);
+    private static final int FORGERIES = TestScale.of(1_500, 3_000, 20_000);
     private static final int[] HOSTILE = {
         Float.floatToRawIntBits(Float.NaN),
         Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
