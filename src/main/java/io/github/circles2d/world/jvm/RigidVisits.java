@@ -254,14 +254,7 @@ final class RigidVisits {
         contacts.bounce[c] = bounceSpeed(c, length, pushSpeed, before);
         float accumulated = contacts.impulse[c];
         float next = Constraints.solve(
-                accumulated,
-                mass,
-                vn,
-                contacts.gap[c],
-                contacts.bounce[c],
-                pushSpeed,
-                k.contactSoftness,
-                k);
+                accumulated, mass, vn, contacts.gap[c], contacts.bounce[c], pushSpeed, k.contactSoftness, k);
         return take(c, next);
     }
 
@@ -312,8 +305,7 @@ final class RigidVisits {
         float friction = Surface.friction(things.friction[a], things.friction[b]);
         if (friction > 0f) {
             float before = contacts.grip[c];
-            float next = Surface.grip(
-                    before, mass, slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
+            float next = Surface.grip(before, mass, slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
             contacts.grip[c] = next;
             float x = -contacts.ny[c] * (next - before);
             float y = contacts.nx[c] * (next - before);
