@@ -2,6 +2,7 @@ package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.BlobSwarm;
+import io.github.circles2d.bench.games.BodyCosts;
 import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.games.JointCosts;
 import io.github.circles2d.bench.games.MovingCrowd;
@@ -99,6 +100,9 @@ public final class Bench {
                     break;
                 case "moves":
                     MovingCrowd.run(rest, System.out);
+                    break;
+                case "bodies":
+                    BodyCosts.run(rest, System.out);
                     break;
                 case "blobs":
                     BlobSwarm.run(rest, System.out);

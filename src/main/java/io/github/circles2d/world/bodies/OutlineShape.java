@@ -42,6 +42,9 @@ public final class OutlineShape {
     public static final int CENTRE_Y = 3;
     public static final int EDGE_RADIUS = 4;
 
+    /** More than what rounding takes. */
+    private static final float SLACK = 1.0001f;
+
     /** Of the least width. */
     private static final double ROUNDING = 0.05;
 
@@ -66,6 +69,8 @@ public final class OutlineShape {
     /** x and y of a polygon near the core: what lies in it is inside. */
     private final float[] core;
 
+    private final float coreReach;
+
     private final double[] edges;
 
     // a box around it: the middle, and half its sides
@@ -86,6 +91,7 @@ public final class OutlineShape {
         corners = built.corners(mass.centroidX, mass.centroidY);
         lines = built.lines(mass.centroidX, mass.centroidY);
         core = built.core(mass.centroidX, mass.centroidY);
+        coreReach = SLACK * farthest(core);
         edges = built.edges(mass.centroidX, mass.centroidY);
         float far = 0f;
         for (int c = 0; c < corners.length; c += CORNER_STRIDE) {
@@ -157,6 +163,14 @@ public final class OutlineShape {
         }
         path.close();
         return of(path, Float.intBitsToFloat(words[0]));
+    }
+
+    private static float farthest(float[] points) {
+        float far = 0f;
+        for (int k = 0; k < points.length; k += 2) {
+            far = Math.max(far, length(points[k], points[k + 1]));
+        }
+        return far;
     }
 
     /** How far from the centroid the core of a corner is at most. */
@@ -283,6 +297,11 @@ public final class OutlineShape {
 
     public float[] core() {
         return core;
+    }
+
+    /** A little more than the distance of the centroid from the farthest point of {@link #core}. */
+    public float coreReach() {
+        return coreReach;
     }
 
     /** x and y of points on the outline around its centroid, between which lines are at most so far from it; the last is not the first again. */

@@ -31,6 +31,9 @@ final class RigidContacts {
     /** The same of what is round: between a line and the corner beside it is no gap by rounding. */
     private static final float NO_GAP = 1e-5f;
 
+    /** More than what rounding takes. */
+    private static final float SLACK = 1.01f;
+
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
@@ -253,6 +256,9 @@ final class RigidContacts {
             float uy = things.vy[t] + things.omega[t] * things.turnedCorner[at] - things.vy[other];
             ux += things.omega[other] * py;
             uy -= things.omega[other] * px;
+            if (isFar(c, other, px, py, m + dt * (Math.abs(ux) + Math.abs(uy)))) {
+                continue;
+            }
             int from = count;
             int deepest = -1;
             float deepestHeight = Float.NEGATIVE_INFINITY;
@@ -323,6 +329,13 @@ final class RigidContacts {
                 }
             }
         }
+    }
+
+    /** Whether a corner, which is (x, y) away from a thing, is surely farther from it than a distance; this spares looking closer. */
+    private boolean isFar(int c, int thing, float x, float y, float distance) {
+        int at = RigidThings.corner(c);
+        float own = things.turnedCorner[at + RADIUS] + things.turnedCorner[at + BEND];
+        return CircleMath.isLonger(x, y, SLACK * (things.reach[thing] + own + distance));
     }
 
     /** Whether a corner of a body had a contact with a line before. */
@@ -400,6 +413,9 @@ final class RigidContacts {
     private void cornersOnCorners(int p, int t, int other, float x, float y, float m) {
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
+            if (isFar(c, other, x + things.turnedCorner[at], y + things.turnedCorner[at + 1], m)) {
+                continue;
+            }
             for (int o = things.firstCorner[other]; o < things.firstCorner[other] + things.corners[other]; o++) {
                 int to = RigidThings.corner(o);
                 float rx = x + things.turnedCorner[at] - things.turnedCorner[to];

@@ -18,6 +18,9 @@ final class RigidCover {
     /** The cosine of 1.8 degrees: nearer normals are one plane. */
     private static final float SAME = 0.9995f;
 
+    private static final byte ABOVE = 1;
+    private static final byte BELOW = 2;
+
     private final RigidContacts contacts;
     private final RigidThings things;
 
@@ -26,6 +29,9 @@ final class RigidCover {
 
     private int[] next = new int[0];
     private boolean[] gone = new boolean[0];
+
+    /** By contact and side: {@link #ABOVE} or {@link #BELOW}, as that thing is wholly above the plane of the contact or not; 0 if not known yet. */
+    private byte[] lies = new byte[0];
 
     RigidCover(RigidContacts contacts, RigidThings things) {
         this.contacts = contacts;
@@ -41,7 +47,9 @@ final class RigidCover {
         if (gone.length < n) {
             gone = new boolean[2 * n];
             next = new int[4 * n];
+            lies = new byte[4 * n];
         }
+        Arrays.fill(lies, 0, 2 * n, (byte) 0);
         Arrays.fill(head, 0, things.count, -1);
         for (int c = 0; c < n; c++) {
             gone[c] = false;
@@ -92,23 +100,18 @@ final class RigidCover {
         if ((ownCorner ? dot : -dot) > SAME) {
             return false;
         }
-        for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
-            int at = RigidThings.corner(k);
-            float x = things.turnedCorner[at] - px;
-            float y = things.turnedCorner[at + 1] - py;
-            if (things.isBent(k)) {
-                x += things.bentX(k, -nx, -ny);
-                y += things.bentY(k, -nx, -ny);
-            }
-            if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
-                return false;
-            }
+        int side = 2 * p + (isA ? 0 : 1);
+        if (lies[side] == 0) {
+            lies[side] = isAbove(t, nx, ny, px, py, slack) ? ABOVE : BELOW;
+        }
+        if (lies[side] == BELOW) {
+            return false;
         }
         // the place of the other thing, against that of this one
         int other = ownCorner ? contacts.b[c] : contacts.a[c];
-        float side = ownCorner ? -1f : 1f;
-        float x = side * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]])) - px;
-        float y = side * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]])) - py;
+        float sign = ownCorner ? -1f : 1f;
+        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]])) - px;
+        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]])) - py;
         if (!ownCorner || !contacts.isLine[c]) {
             int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
             int at = RigidThings.corner(its);
@@ -136,11 +139,28 @@ final class RigidCover {
         return !isHigher(sx, sy, nx, ny, most) && !isHigher(ex, ey, nx, ny, most);
     }
 
+    /** Whether a thing is wholly above a plane through a point. */
+    private boolean isAbove(int t, float nx, float ny, float px, float py, float slack) {
+        for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
+            int at = RigidThings.corner(k);
+            float x = things.turnedCorner[at] - px;
+            float y = things.turnedCorner[at + 1] - py;
+            if (things.isBent(k)) {
+                x += things.bentX(k, -nx, -ny);
+                y += things.bentY(k, -nx, -ny);
+            }
+            if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     private static boolean isHigher(float x, float y, float nx, float ny, float most) {
         return x * nx + y * ny > most;
     }
 
     long bytes() {
-        return 4L * (head.length + next.length) + gone.length;
+        return 4L * (head.length + next.length) + gone.length + lies.length;
     }
 }

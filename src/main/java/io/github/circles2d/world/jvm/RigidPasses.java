@@ -127,6 +127,7 @@ final class RigidPasses {
             }
         }
         contacts.measureAll();
+        visits.measured();
     }
 
     private void move(int t) {

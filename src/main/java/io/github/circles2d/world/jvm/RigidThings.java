@@ -355,6 +355,10 @@ final class RigidThings {
 
     /** Whether a place, against that of a body, is inside its core. */
     boolean isInside(int t, float px, float py) {
+        float far = shape[t].coreReach();
+        if (px * px + py * py > far * far) {
+            return false;
+        }
         float[] p = shape[t].core();
         float lx = cos[t] * px + sin[t] * py;
         float ly = cos[t] * py - sin[t] * px;

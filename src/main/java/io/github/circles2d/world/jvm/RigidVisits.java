@@ -39,6 +39,11 @@ final class RigidVisits {
     /** By body: what circles give in a pass, in units. */
     private long[] sums = new long[0];
 
+    /** By contact without a circle: effective masses along the normal and the tangent, since contacts were measured. */
+    private float[] normalMass = new float[0];
+
+    private float[] tangentMass = new float[0];
+
     /** Whether bodies take nothing but sums. */
     private boolean summing;
 
@@ -71,6 +76,20 @@ final class RigidVisits {
         }
         for (int t = 0; t < things.bodies; t++) {
             share[t] = CircleMath.max(share[t], 1f);
+        }
+        measured();
+    }
+
+    /** To be told when contacts have been measured. */
+    void measured() {
+        if (normalMass.length < contacts.count) {
+            normalMass = new float[2 * contacts.count];
+            tangentMass = new float[2 * contacts.count];
+        }
+        int end = contacts.firstOf[order.firstWithCircle];
+        for (int c = 0; c < end; c++) {
+            normalMass[c] = 1f / (massOfA(c) + massOfB(c));
+            tangentMass[c] = gripMass(c, 1f, 1f);
         }
     }
 
@@ -140,7 +159,7 @@ final class RigidVisits {
                     times = isHit(c) ? OF_HITS : times;
                     for (int other = from; other < to && times > 1; other++) {
                         if (contacts.bounce[other] > 0f) {
-                            solveGrip(other, 1f, 1f);
+                            solveGrip(other, tangentMass[other]);
                         }
                     }
                 }
@@ -159,7 +178,7 @@ final class RigidVisits {
             for (int c = from; c < to; c++) {
                 relaxNormal(c);
                 for (int other = from; other < to; other++) {
-                    solveGrip(other, 1f, 1f);
+                    solveGrip(other, tangentMass[other]);
                 }
             }
         }
@@ -171,13 +190,13 @@ final class RigidVisits {
     }
 
     private void solveNormal(int c) {
-        apply(c, solvedNormal(c, massOfA(c) + massOfB(c), normalSpeed(c)));
+        apply(c, solvedNormal(c, normalMass[c], normalSpeed(c)));
     }
 
     private void relaxNormal(int c) {
         float vn = normalSpeed(c);
         if (!isIdle(c) && !bouncesLater(c, vn)) {
-            apply(c, relaxedNormal(c, massOfA(c) + massOfB(c), vn));
+            apply(c, relaxedNormal(c, normalMass[c], vn));
         }
     }
 
@@ -227,7 +246,7 @@ final class RigidVisits {
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
-    private float solvedNormal(int c, float inverseMass, float vn) {
+    private float solvedNormal(int c, float mass, float vn) {
         float length = thickness(c);
         float pushSpeed = PUSH * k.pushRate * length;
         float before = speedBefore(c);
@@ -235,19 +254,12 @@ final class RigidVisits {
         contacts.bounce[c] = bounceSpeed(c, length, pushSpeed, before);
         float accumulated = contacts.impulse[c];
         float next = Constraints.solve(
-                accumulated,
-                1f / inverseMass,
-                vn,
-                contacts.gap[c],
-                contacts.bounce[c],
-                pushSpeed,
-                k.contactSoftness,
-                k);
+                accumulated, mass, vn, contacts.gap[c], contacts.bounce[c], pushSpeed, k.contactSoftness, k);
         return take(c, next);
     }
 
-    private float relaxedNormal(int c, float inverseMass, float vn) {
-        float next = Constraints.relax(contacts.impulse[c], 1f / inverseMass, vn, contacts.gap[c], 0f, k.inverseH);
+    private float relaxedNormal(int c, float mass, float vn) {
+        float next = Constraints.relax(contacts.impulse[c], mass, vn, contacts.gap[c], 0f, k.inverseH);
         return take(c, next);
     }
 
@@ -273,6 +285,9 @@ final class RigidVisits {
         int a = contacts.a[c];
         int b = contacts.b[c];
         float e = CircleMath.max(things.restitution[a], things.restitution[b]);
+        if (!(e > 0f)) {
+            return 0f;
+        }
         float threshold = Bounce.bounceThreshold(length, e, k.thresholdRate, k.restRate, k.fixedThreshold);
         if (!(Constraints.bounceSpeed(e, 1f, before, contacts.gap[c], k.h, threshold, pushSpeed) > 0f)) {
             return 0f;
@@ -283,15 +298,14 @@ final class RigidVisits {
         return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
     }
 
-    /** Friction and rolling resistance, by the normal impulse; shares: 1, or of what counts as lighter. */
-    private void solveGrip(int c, float shareA, float shareB) {
+    /** Friction and rolling resistance, by the normal impulse. */
+    private void solveGrip(int c, float mass) {
         int a = contacts.a[c];
         int b = contacts.b[c];
         float friction = Surface.friction(things.friction[a], things.friction[b]);
         if (friction > 0f) {
             float before = contacts.grip[c];
-            float next = Surface.grip(
-                    before, gripMass(c, shareA, shareB), slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
+            float next = Surface.grip(before, mass, slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
             contacts.grip[c] = next;
             float x = -contacts.ny[c] * (next - before);
             float y = contacts.nx[c] * (next - before);
@@ -310,6 +324,7 @@ final class RigidVisits {
         }
     }
 
+    /** Shares: 1, or of what counts as lighter. */
     private float gripMass(int c, float shareA, float shareB) {
         int a = contacts.a[c];
         int b = contacts.b[c];
@@ -365,18 +380,18 @@ final class RigidVisits {
     private void visit(int c, int body, boolean relaxes) {
         float shareA = contacts.a[c] == body ? share[body] : 1f;
         float shareB = contacts.b[c] == body ? share[body] : 1f;
-        float inverseMass = shareA * massOfA(c) + shareB * massOfB(c);
         if (relaxes && isIdle(c)) {
             return;
         }
+        float mass = 1f / (shareA * massOfA(c) + shareB * massOfB(c));
         float vn = normalSpeed(c);
-        apply(c, relaxes ? relaxedNormal(c, inverseMass, vn) : solvedNormal(c, inverseMass, vn));
+        apply(c, relaxes ? relaxedNormal(c, mass, vn) : solvedNormal(c, mass, vn));
         if (relaxes || contacts.bounce[c] > 0f) {
-            solveGrip(c, shareA, shareB);
+            solveGrip(c, gripMass(c, shareA, shareB));
         }
     }
 
     long bytes() {
-        return 4L * share.length + 8L * sums.length;
+        return 4L * (share.length + normalMass.length + tangentMass.length) + 8L * sums.length;
     }
 }

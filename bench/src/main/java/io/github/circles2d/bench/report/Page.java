@@ -67,6 +67,7 @@ public final class Page {
         part("joints cost", () -> beside("joints", JointTables::cost));
         part("joints swarm", () -> beside("joints", JointTables::swarm));
         part("sleep cost", () -> beside("sleep", SleepTables::cost));
+        part("bodies cost", () -> beside("bodies", BodyTables::cost));
         part("moves", () -> beside("moves", Moves::totals));
         parts.put("moves chart", () -> picture("ms a frame by frame", "moves/" + Moves.FILE));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));

@@ -1,0 +1,157 @@
+package io.github.circles2d.bench.games;
+
+import io.github.circles2d.Backend;
+import io.github.circles2d.Outline;
+import io.github.circles2d.World;
+import io.github.circles2d.scenes.Scenes;
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+
+/**
+ * What bodies cost that are pushed, on the JVM. The main method prints a line of a CSV file for each scene. It needs the library and no other
+ * class.
+ */
+public final class BodyCosts {
+    /**
+     * The scenes: a pyramid of 20 rows of crates at rest ({@code pyramid}); a thousand crates that fall into a basin ({@code pour}); a heap of
+     * ten thousand circles at rest with ten crates among them ({@code crates}), and the same circles without crates ({@code circles}).
+     */
+    public static final List<String> CASES = List.of("pyramid", "pour", "crates", "circles");
+
+    static final String HEADER = "scene,bodies,circles,ms";
+
+    private static final float STEP = 1 / 60f;
+    private static final float DENSITY = 1f;
+    private static final int ROWS = 20;
+    private static final int POURED = 1000;
+    private static final int COLUMNS = 20;
+    private static final int CIRCLES = 10_000;
+    private static final int CRATES = 10;
+    private static final int SETTLING = 300;
+    private static final int STEPS = 600;
+
+    private BodyCosts() {}
+
+    /**
+     * Prints what bodies cost.
+     *
+     * @param arguments as {@link #run}
+     */
+    public static void main(String[] arguments) {
+        InTurn.main(arguments, BodyCosts::run);
+    }
+
+    /**
+     * Prints what bodies cost: the median of steps of settled scenes, and the mean of the steps of a fall.
+     *
+     * @param arguments scenes; by default all
+     * @param out takes the lines of a CSV file
+     * @throws IllegalArgumentException where the arguments are others
+     */
+    public static void run(List<String> arguments, PrintStream out) {
+        for (String each : arguments) {
+            if (!CASES.contains(each)) {
+                throw new IllegalArgumentException("a scene is one of " + CASES + ", not '" + each + "'");
+            }
+        }
+        out.println(HEADER);
+        for (String each : arguments.isEmpty() ? CASES : arguments) {
+            measure(each, SETTLING, STEPS); // for the JVM's compiler
+            out.println(measure(each, SETTLING, STEPS));
+        }
+    }
+
+    /** The line of a scene. */
+    static String measure(String scene, int settling, int steps) {
+        try (World world = world(scene)) {
+            boolean falls = scene.equals("pour");
+            world.step(STEP, falls ? 1 : settling);
+            double[] ms = new double[steps];
+            for (int k = 0; k < steps; k++) {
+                long from = System.nanoTime();
+                world.step(STEP);
+                ms[k] = (System.nanoTime() - from) / 1e6;
+            }
+            double mean = Arrays.stream(ms).average().orElseThrow();
+            Arrays.sort(ms);
+            return String.format(
+                    Locale.ROOT,
+                    "%s,%d,%d,%.2f",
+                    scene,
+                    world.bodies().size(),
+                    world.size(),
+                    falls ? mean : ms[steps / 2]);
+        }
+    }
+
+    /** A world of a scene, at its start. */
+    static World world(String scene) {
+        World.Builder builder = World.builder()
+                .backend(Backend.JVM)
+                .threads(2)
+                .gravity(0, -10)
+                .friction(0.6f);
+        return switch (scene) {
+            case "pyramid" -> pyramid(builder);
+            case "pour" -> pour(builder);
+            case "crates" -> heap(builder, CRATES);
+            default -> heap(builder, 0);
+        };
+    }
+
+    private static World pyramid(World.Builder builder) {
+        World world = builder.bounds(0, 0, 100, 60).build();
+        Outline crate = Outline.box(1, 1);
+        for (int row = 0; row < ROWS; row++) {
+            for (int k = 0; k < ROWS - row; k++) {
+                world.bodies().add(crate, 50 + 1.1f * (k - 0.5f * (ROWS - row - 1)), 0.5f + row, 0, mass(crate));
+            }
+        }
+        return world;
+    }
+
+    private static World pour(World.Builder builder) {
+        World world = builder.bounds(0, 0, 26, 100).build();
+        Outline crate = Outline.box(1, 1);
+        Random random = new Random(Scenes.SEED);
+        for (int k = 0; k < POURED; k++) {
+            float x = 1.5f + 1.2f * (k % COLUMNS) + 0.1f * random.nextFloat();
+            float y = 2 + 1.5f * (k / COLUMNS);
+            world.bodies().add(crate, x, y, random.nextFloat() - 0.5f, mass(crate));
+        }
+        return world;
+    }
+
+    private static float mass(Outline outline) {
+        return DENSITY * outline.area();
+    }
+
+    /** Rows of circles; some crates lie between the tenth and the fourteenth row, where circles are left out. */
+    private static World heap(World.Builder builder, int crates) {
+        int columns = 142;
+        World world = builder.bounds(0, 0, 150, 150).rollingResistance(0.02f).build();
+        Outline crate = Outline.box(2, 2);
+        List<float[]> places = new ArrayList<>();
+        for (int k = 0; k < crates; k++) {
+            float[] place = {10 + 14 * k, 12};
+            places.add(place);
+            world.bodies().add(crate, place[0], place[1], 0, mass(crate));
+        }
+        Random random = new Random(Scenes.SEED);
+        for (int k = 0; k < CIRCLES; k++) {
+            float x = 1.05f * (k % columns + 0.5f) + 0.1f * (random.nextFloat() - 0.5f);
+            float y = 0.5f + k / columns;
+            float radius = 0.4f + 0.1f * random.nextFloat();
+            boolean free = places.stream()
+                    .noneMatch(place -> Math.abs(place[0] - x) < 1 + radius && Math.abs(place[1] - y) < 1 + radius);
+            if (free) {
+                world.add(x, y, radius, radius * radius);
+            }
+        }
+        return world;
+    }
+}

@@ -1,0 +1,30 @@
+package io.github.circles2d.bench.report;
+
+import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.Table;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/** The table of what bodies cost that are pushed, from the folder {@code bodies} of the results. */
+final class BodyTables {
+    private BodyTables() {}
+
+    /** Steps of World and of Box2D. Empty if the folder has no such file. */
+    static String cost(Path folder) {
+        StringBuilder text = new StringBuilder("| scene | bodies | circles | World on the JVM, ms | Box2D v3, ms |\n")
+                .append("|---|--:|--:|--:|--:|\n");
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("scene"));
+        for (Map<String, String> row : rows) {
+            text.append("| ").append(row.get("scene"));
+            for (String column : List.of("bodies", "circles")) {
+                text.append(" | ").append(Numbers.whole(row.get(column)));
+            }
+            for (String column : List.of("ms", "box2d_ms")) {
+                text.append(" | ").append(row.get(column));
+            }
+            text.append(" |\n");
+        }
+        return rows.isEmpty() ? "" : text.toString();
+    }
+}
