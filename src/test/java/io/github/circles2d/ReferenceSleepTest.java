@@ -186,7 +186,7 @@ class ReferenceSleepTest {
             long one = some();
             float a = little();
             float b = little();
-            switch (random.nextInt(45)) {
+            switch (random.nextInt(46)) {
                 case 0 -> add(0.5f + 9f * (float) random.nextDouble(), 4f + 4f * (float) random.nextDouble());
                 case 1 -> both("remove", c -> c.remove(one));
                 case 2 -> both("setVelocity", c -> c.setVelocity(one, 10f * a, 10f * b));
@@ -228,6 +228,7 @@ class ReferenceSleepTest {
                 case 32 -> both("setDamping", c -> c.setDamping(one, a > 0f ? 4f : Float.NaN));
                 case 33 -> both("setGreatestSpeed", c -> c.setGreatestSpeed(one, a > 0f ? 5f : Float.NaN));
                 case 34, 35, 36, 37, 38, 39, 40, 41 -> changeKind(random.nextInt(3), a, b);
+                case 44 -> both("setAngle", c -> c.setAngle(one, 8f * a));
                 case 42 -> both("setWallSurface", c -> c.setWallSurface(Wall.MIN_Y, a > 0f ? 0.5f : 0f, 0f, b));
                 case 43 -> both("setWallSurface", c -> c.setWallSurface(Wall.MAX_X, 0.5f + a, 0f, 0f));
                 default -> both("setVelocity", c -> c.setVelocity(one, a, 0f));

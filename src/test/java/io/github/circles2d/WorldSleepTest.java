@@ -551,6 +551,32 @@ class WorldSleepTest {
         }
     }
 
+    /** Far from each other, so that only the joint says so. */
+    @Test
+    void whatAStaticCircleHoldsWakesIfACallPutsItElsewhereOrTurnsIt() {
+        try (World world = box().sleep(true).build()) {
+            long post = world.add(2, 10, 0.5f, Float.POSITIVE_INFINITY);
+            long hung = world.add(2, 5, 0.5f, 1);
+            long pole = world.add(8, 10, 0.5f, Float.POSITIVE_INFINITY);
+            long welded = world.add(8, 13, 0.5f, 1);
+            world.joints().add(hung, post, Joint.rope(5));
+            world.joints().add(pole, welded, Joint.weld());
+            for (Runnable put : List.<Runnable>of(
+                    () -> world.teleport(post, 2, 12),
+                    () -> world.setPosition(post, 2, 13),
+                    () -> world.setPositions(new long[] {hung}, 1, new float[] {2, 9}, StaleHandles.REFUSE),
+                    () -> world.setAngle(pole, 1))) {
+                sleepAll(world);
+                put.run();
+                float y = world.y(hung);
+                float x = world.x(welded);
+                world.step(DT, 60);
+                assertThat(Math.abs(world.y(hung) - y) + Math.abs(world.x(welded) - x))
+                        .isGreaterThan(0.5f);
+            }
+        }
+    }
+
     @Test
     void aJointThatBreaksWakesBothEnds() {
         try (World world = wide().build()) {

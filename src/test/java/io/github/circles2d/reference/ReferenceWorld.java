@@ -330,9 +330,22 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleport(long handle, float x, float y) {
-        wakeNear(find(handle));
-        put(find(handle), x, y);
-        change(find(handle));
+        wakeHeld(find(handle));
+        move(find(handle), x, y);
+    }
+
+    private void move(Circle c, float x, float y) {
+        wakeNear(c);
+        put(c, x, y);
+        change(c);
+    }
+
+    /** Wakes those that joints hold to a circle. */
+    private void wakeHeld(Circle c) {
+        joints.of(c).stream()
+                .map(joint -> joint.otherThan(c))
+                .filter(Objects::nonNull)
+                .forEach(Circle::wake);
     }
 
     private void put(Circle c, float x, float y) {
@@ -396,7 +409,7 @@ public final class ReferenceWorld implements WorldCalls {
         Circle c = find(handle);
         c.mass = mass;
         if (c.target != null && !c.hasInfiniteMass()) {
-            teleport(handle, c.target[0], c.target[1]);
+            move(c, c.target[0], c.target[1]);
         }
         forgetImpulses(find(handle));
         change(find(handle));
@@ -880,6 +893,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setAngle(long handle, float radians) {
         find(handle).wake();
+        wakeHeld(find(handle));
         find(handle).angle = (int) Math.round(radians / (Math.PI / (1L << 31)));
     }
 
