@@ -194,14 +194,23 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
 #ifdef SLEEPING
 #define HOME_SLEEP_PARAMETER , global int4 *homeSleep
 
-// Wakes circles near to those that have changed, or all. Index space: slots at home. Cost: the changes.
+int sideOf(float wallImpulse) { return wallImpulse == 0.0f ? 0 : wallImpulse > 0.0f ? 1 : 2; }
+
+// Whether circles of a kind wake, or those that a wall presses as it does one. kinds, walls: a bit of each.
+bool wakesBy(global const uint *kinds, int walls, int kind, float4 traits) {
+    int pressing = sideOf(traits.WALL_X) | sideOf(traits.WALL_Y) << 2;
+    return (kinds[kind / 32] >> (kind % 32) & 1) != 0 || (pressing & walls) != 0;
+}
+
+// Wakes circles near to those that have changed, and by kinds and walls if some wake so. Index space: slots at home. Cost: the changes.
 kernel void commands_wake(global const int *homeId, global const float4 *homeCircle, global const float4 *homeMotion,
                           global float4 *homeTraits, global int4 *homeSleep, int slots, global const float4 *changed, int changes,
-                          int all, float periodX, float periodY) {
+                          float periodX, float periodY, int some, global const uint *kinds, int walls,
+                          global const CircleFields *fields) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0 || !isAsleep(homeSleep[slot].REST)) return;
     float4 c = homeCircle[slot];
-    bool near = all != 0;
+    bool near = some != 0 && wakesBy(kinds, walls, fields[homeId[slot]].kind, homeTraits[slot]);
     for (int k = 0; k < changes && !near; k++) {
         float4 o = changed[k];
         float far = SLEEP_NEIGHBOURS * (c.RADIUS + o.RADIUS);

@@ -144,7 +144,7 @@ class ReferenceSleepTest {
         }
 
         private void addTerrain() {
-            both("addSegment", c -> c.addSegment(GROUND, 0f, 2f, 4f, 1f, 0f, 0));
+            both("addSegment", c -> c.addSegment(GROUND, 0f, 2f, 4f, 1f, 0f, 1));
             both(
                     "addChain",
                     c -> c.addChain(
@@ -155,14 +155,14 @@ class ReferenceSleepTest {
             long[] body = new long[1];
             both("addBody", c -> body[0] = c.addBody(8f, 3f, 0f));
             bodies.add(body[0]);
-            both("addSegment", c -> c.addSegment(bodies.get(0), -1f, 0f, 1f, 0f, 0.2f, 0));
+            both("addSegment", c -> c.addSegment(bodies.get(0), -1f, 0f, 1f, 0f, 0.2f, 2));
         }
 
         private void add(float x, float y) {
             float radius =
                     mixed ? 0.15f + 0.6f * (float) random.nextDouble() : 0.4f + 0.2f * (float) random.nextDouble();
             float mass = random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : radius * radius;
-            int kind = random.nextInt(4) == 0 ? 1 : 0;
+            int kind = Math.max(0, random.nextInt(5) - 2);
             both("add", c -> c.add(x, y, radius, mass, 0f, 0f, kind));
         }
 
@@ -184,7 +184,7 @@ class ReferenceSleepTest {
             long one = some();
             float a = little();
             float b = little();
-            switch (random.nextInt(35)) {
+            switch (random.nextInt(46)) {
                 case 0 -> add(0.5f + 9f * (float) random.nextDouble(), 4f + 4f * (float) random.nextDouble());
                 case 1 -> both("remove", c -> c.remove(one));
                 case 2 -> both("setVelocity", c -> c.setVelocity(one, 10f * a, 10f * b));
@@ -225,7 +225,34 @@ class ReferenceSleepTest {
                 case 31 -> both("setGravityScale", c -> c.setGravityScale(one, a > 0f ? 1f + 0.1f * b : Float.NaN));
                 case 32 -> both("setDamping", c -> c.setDamping(one, a > 0f ? 4f : Float.NaN));
                 case 33 -> both("setGreatestSpeed", c -> c.setGreatestSpeed(one, a > 0f ? 5f : Float.NaN));
+                case 34, 35, 36, 37, 38, 39, 40, 41 -> changeKind(random.nextInt(3), a, b);
+                case 44 -> both("setAngle", c -> c.setAngle(one, 8f * a));
+                case 42 -> both("setWallSurface", c -> c.setWallSurface(Wall.MIN_Y, a > 0f ? 0.5f : 0f, 0f, b));
+                case 43 -> both("setWallSurface", c -> c.setWallSurface(Wall.MAX_X, 0.5f + a, 0f, 0f));
                 default -> both("setVelocity", c -> c.setVelocity(one, a, 0f));
+            }
+        }
+
+        /** Wakes circles of the kind, and perhaps others. Kinds are soon what they were: what falls through all never sleeps again. */
+        private void changeKind(int kind, float a, float b) {
+            int other = random.nextInt(3);
+            switch (random.nextInt(7)) {
+                case 0 -> {
+                    Response response = a > 0f ? Response.IGNORE : Response.SENSE;
+                    both("setResponse", c -> c.setResponse(kind, other, response));
+                    step(1 / 60f, 1 + random.nextInt(3));
+                    both("setResponse", c -> c.setResponse(kind, other, Response.BY_MASK));
+                }
+                case 1 -> {
+                    both("setPairs", c -> c.setPairs(kind, 1 << kind, ~(1 << other), a > 0.1f));
+                    step(1 / 60f, 1 + random.nextInt(3));
+                    both("setPairs", c -> c.setPairs(kind, 1, -1, false));
+                }
+                case 2 -> both("setSurface", c -> c.setSurface(kind, a > 0f ? 0.5f + a : Float.NaN, 0f, b));
+                case 3 -> both("setTurning", c -> c.setTurning(kind, a > 0f ? Inertia.RING : Inertia.DISC, 1f + b));
+                case 4 -> both("setOneWay", c -> c.setOneWay(kind, a > 0f));
+                case 5 -> both("setMotion", c -> c.setMotion(kind, 1f + a, 1f + b, 50f));
+                default -> both("setSensesStatic", c -> c.setSensesStatic(kind, a > 0f));
             }
         }
 

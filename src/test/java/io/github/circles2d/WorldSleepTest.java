@@ -134,6 +134,136 @@ class WorldSleepTest {
         }
     }
 
+    /** A heap of circles of kind 0, and three of kind 1 in a corner of their own, which sleep. */
+    private static long[] twoKinds(World world) {
+        heap(world);
+        world.terrain().addSegment(8.4f, 0, 8.4f, 3, 0, 3);
+        long[] corner = new long[3];
+        for (int k = 0; k < corner.length; k++) {
+            corner[k] = world.add(9.4f, 0.5f + 1.001f * k, 0.5f, 1, 0, 0, 1);
+        }
+        sleepAll(world);
+        return corner;
+    }
+
+    private static void assertAwake(World world, int count, Runnable change) {
+        sleepAll(world);
+        change.run();
+        assertThat(world.stats().awake()).isEqualTo(count);
+    }
+
+    @Test
+    void aChangeOfAKindWakesWhomItConcerns() {
+        try (World world =
+                box().friction(0.5f).rollingResistance(0.05f).sleep(true).build()) {
+            twoKinds(world);
+            Kind kind = world.kind(1);
+            assertAwake(world, 3, () -> kind.setGravityScale(1.5f).setDamping(0.1f));
+            assertAwake(world, 3, () -> kind.setFriction(0.4f).setInertia(Inertia.RING));
+            assertAwake(world, 3, () -> kind.setSleeps(false));
+            kind.setSleeps(true);
+            assertAwake(world, 0, () -> world.kind(2).setFriction(0.7f).setDamping(2));
+            assertAwake(world, 3, () -> world.setResponse(1, 2, Response.IGNORE));
+            assertAwake(world, 12, () -> world.setResponse(0, 2, Response.IGNORE));
+            assertAwake(world, 3, () -> kind.setCategory(3));
+            assertAwake(world, 15, () -> kind.setMask(2)); // it ignores kind 0 now
+        }
+    }
+
+    /** Circles that sleep on what has no balance of its own: they do not notice by themselves. */
+    @Test
+    void aChangeOfAKindThatTerrainOrStaticCirclesHaveWakesWhoLiesOnThem() {
+        for (boolean terrain : new boolean[] {true, false}) {
+            try (World world = WorldScenes.jvm()
+                    .bounds(0, 0, 30, 10)
+                    .gravity(0, -10)
+                    .friction(0.6f)
+                    .rollingResistance(0.6f)
+                    .sleep(true)
+                    .build()) {
+                world.kind(2).setFriction(0.6f);
+                if (terrain) {
+                    world.terrain().addSegment(2, 4, 12, 6, 0, 2);
+                } else {
+                    for (int k = 0; k <= 50; k++) {
+                        world.add(2 + 0.2f * k, 4 + 0.04f * k, 0.4f, Float.POSITIVE_INFINITY, 0, 0, 2);
+                    }
+                }
+                long sleeper = world.add(7, terrain ? 5.52f : 5.9f, 0.5f, 1);
+                long other = world.add(20, 0.5f, 0.5f, 1, 0, 0, 1);
+                sleepAll(world);
+                float x = world.x(sleeper);
+                world.setResponse(1, 2, Response.IGNORE);
+                assertThat(world.isAwake(sleeper)).isFalse();
+                sleepAll(world);
+                world.kind(2).setFriction(0);
+                world.kind(0).setInertia(Inertia.NONE);
+                assertThat(world.isAwake(other)).as("what ignores the kind").isFalse();
+                world.step(DT, 30);
+                assertThat(world.x(sleeper)).as("it slides").isLessThan(x - 0.1f);
+                world.kind(0).setGravityScale(0);
+                world.setVelocity(sleeper, 0, 0);
+                world.kind(0).setDamping(3);
+                sleepAll(world);
+                world.kind(0).setGravityScale(1);
+                world.kind(2).setMask(0);
+                world.step(DT, 90);
+                assertThat(world.y(sleeper)).as("it falls through").isLessThan(4);
+            }
+        }
+    }
+
+    /** A tower of other circles on two of the kind that loses its grip: it comes down as it does if all wake. */
+    @Test
+    void whoSleepsOnCirclesOfAKindThatChangesNoticesByItsBalance() {
+        float[] tops = new float[2];
+        for (int all = 0; all < 2; all++) {
+            try (World world = WorldScenes.jvm()
+                    .bounds(0, 0, 10, 20)
+                    .gravity(0, -10)
+                    .friction(0.8f)
+                    .rollingResistance(0.8f)
+                    .sleep(true)
+                    .build()) {
+                world.kind(1).setFriction(0.8f).setRollingResistance(0.8f);
+                world.add(4.4f, 0.5f, 0.5f, 1, 0, 0, 1);
+                world.add(5.6f, 0.5f, 0.5f, 1, 0, 0, 1);
+                long top = -1;
+                for (int k = 0; k < 8; k++) {
+                    top = world.add(5, 1.3f + k, 0.5f, 1);
+                }
+                sleepAll(world);
+                world.kind(1).setFriction(0).setRollingResistance(0);
+                if (all == 1) {
+                    world.wakeAll();
+                } else {
+                    assertThat(world.stats().awake()).isEqualTo(2);
+                }
+                world.step(DT, 20);
+                tops[all] = world.y(top);
+            }
+        }
+        assertThat(tops[1]).isLessThan(8);
+        assertThat(tops[0]).isCloseTo(tops[1], within(0.1f));
+    }
+
+    @Test
+    void aWallThatGetsAnotherSurfaceWakesWhoLeansOnIt() {
+        try (World world =
+                box().friction(0.5f).rollingResistance(0.05f).sleep(true).build()) {
+            long[] corner = twoKinds(world);
+            assertAwake(world, 0, () -> world.setWallSurface(Wall.MAX_Y, 0.5f, 0, 1));
+            world.setWallSurface(Wall.MIN_Y, 0.3f, 0, 0);
+            assertThat(world.isAwake(corner[0])).isTrue();
+            assertThat(world.isAwake(corner[1])).isFalse();
+            sleepAll(world);
+            world.setWallSurface(Wall.MIN_Y, 0.3f, 0, 1);
+            float x = world.x(corner[0]);
+            world.step(DT, 30);
+            assertThat(world.x(corner[0])).as("a belt takes it along").isNotEqualTo(x);
+        }
+    }
+
     @Test
     void aWorldThatHasMadeNoStepHasASnapshotToo() {
         try (World world = box().sleep(true).build();
@@ -417,6 +547,32 @@ class WorldSleepTest {
                 assertThat(world.stats().awake()).as("nothing has changed").isZero();
                 change.accept(world, world.joints().handle(2));
                 assertThat(world.isAwake(beads[2])).isTrue();
+            }
+        }
+    }
+
+    /** Far from each other, so that only the joint says so. */
+    @Test
+    void whatAStaticCircleHoldsWakesIfACallPutsItElsewhereOrTurnsIt() {
+        try (World world = box().sleep(true).build()) {
+            long post = world.add(2, 10, 0.5f, Float.POSITIVE_INFINITY);
+            long hung = world.add(2, 5, 0.5f, 1);
+            long pole = world.add(8, 10, 0.5f, Float.POSITIVE_INFINITY);
+            long welded = world.add(8, 13, 0.5f, 1);
+            world.joints().add(hung, post, Joint.rope(5));
+            world.joints().add(pole, welded, Joint.weld());
+            for (Runnable put : List.<Runnable>of(
+                    () -> world.teleport(post, 2, 12),
+                    () -> world.setPosition(post, 2, 13),
+                    () -> world.setPositions(new long[] {hung}, 1, new float[] {2, 9}, StaleHandles.REFUSE),
+                    () -> world.setAngle(pole, 1))) {
+                sleepAll(world);
+                put.run();
+                float y = world.y(hung);
+                float x = world.x(welded);
+                world.step(DT, 60);
+                assertThat(Math.abs(world.y(hung) - y) + Math.abs(world.x(welded) - x))
+                        .isGreaterThan(0.5f);
             }
         }
     }

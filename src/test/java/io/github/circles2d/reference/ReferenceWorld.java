@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
+import java.util.function.IntPredicate;
 
 /**
  * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, events of bodies, and explosions
@@ -218,10 +219,29 @@ public final class ReferenceWorld implements WorldCalls {
         }
     }
 
-    private void wakeAllIf(boolean changes) {
-        if (changes) {
-            wakeAll();
+    private void wakeKinds(IntPredicate which) {
+        circles().stream().filter(c -> c.isAsleep() && which.test(c.kind)).forEach(Circle::wake);
+    }
+
+    /** Changes a value of a kind. */
+    private void change(int kind, int field, int value) {
+        Response[] before = responses(kind);
+        if (kinds.set(kind, field, value)) {
+            boolean stays = circles().stream().anyMatch(c -> c.hasInfiniteMass() && c.kind == kind)
+                    || terrain.pieces().stream().anyMatch(piece -> piece.kind == kind);
+            Response[] now = responses(kind);
+            wakeKinds(k -> k == kind || now[k] != before[k] || stays && now[k] != Response.IGNORE);
         }
+    }
+
+    private void change(int kind, int field, float value) {
+        change(kind, field, Float.floatToIntBits(value));
+    }
+
+    private Response[] responses(int kind) {
+        Response[] all = new Response[256];
+        Arrays.setAll(all, other -> kinds.response(kind, other));
+        return all;
     }
 
     @Override
@@ -310,9 +330,22 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleport(long handle, float x, float y) {
-        wakeNear(find(handle));
-        put(find(handle), x, y);
-        change(find(handle));
+        wakeHeld(find(handle));
+        move(find(handle), x, y);
+    }
+
+    private void move(Circle c, float x, float y) {
+        wakeNear(c);
+        put(c, x, y);
+        change(c);
+    }
+
+    /** Wakes those that joints hold to a circle. */
+    private void wakeHeld(Circle c) {
+        joints.of(c).stream()
+                .map(joint -> joint.otherThan(c))
+                .filter(Objects::nonNull)
+                .forEach(Circle::wake);
     }
 
     private void put(Circle c, float x, float y) {
@@ -376,7 +409,7 @@ public final class ReferenceWorld implements WorldCalls {
         Circle c = find(handle);
         c.mass = mass;
         if (c.target != null && !c.hasInfiniteMass()) {
-            teleport(handle, c.target[0], c.target[1]);
+            move(c, c.target[0], c.target[1]);
         }
         forgetImpulses(find(handle));
         change(find(handle));
@@ -427,7 +460,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setResponse(int kindA, int kindB, Response response) {
-        wakeAllIf(kinds.setResponse(kindA, kindB, response));
+        if (kinds.setResponse(kindA, kindB, response)) {
+            wakeKinds(kind -> kind == kindA || kind == kindB);
+        }
     }
 
     @Override
@@ -437,44 +472,39 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPairs(int kind, int category, int mask, boolean sensor) {
-        boolean changes = kinds.set(kind, Kinds.CATEGORY, category);
-        changes |= kinds.set(kind, Kinds.MASK, mask);
-        changes |= kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
-        wakeAllIf(changes);
+        change(kind, Kinds.CATEGORY, category);
+        change(kind, Kinds.MASK, mask);
+        change(kind, Kinds.SENSOR, sensor ? 1 : 0);
     }
 
     @Override
     public void setSensesStatic(int kind, boolean senses) {
-        kinds.set(kind, Kinds.SENSES_STATIC, senses ? 1 : 0);
-        wakeAll();
+        change(kind, Kinds.SENSES_STATIC, senses ? 1 : 0);
     }
 
     @Override
     public void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
-        boolean changes = kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
-        changes |= kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
-        changes |= kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
-        wakeAllIf(changes);
+        change(kind, Kinds.GRAVITY_SCALE, gravityScale);
+        change(kind, Kinds.DAMPING, damping);
+        change(kind, Kinds.GREATEST_SPEED, greatestSpeed);
     }
 
     @Override
     public void setSurface(int kind, float friction, float rollingResistance, float beltSpeed) {
-        boolean changes = kinds.set(kind, Kinds.FRICTION, Float.floatToIntBits(friction));
-        changes |= kinds.set(kind, Kinds.ROLLING_RESISTANCE, Float.floatToIntBits(rollingResistance));
-        changes |= kinds.set(kind, Kinds.BELT_SPEED, Float.floatToIntBits(0f - beltSpeed));
-        wakeAllIf(changes);
+        change(kind, Kinds.FRICTION, friction);
+        change(kind, Kinds.ROLLING_RESISTANCE, rollingResistance);
+        change(kind, Kinds.BELT_SPEED, 0f - beltSpeed);
     }
 
     @Override
     public void setTurning(int kind, Inertia inertia, float angularDamping) {
-        boolean changes = kinds.set(kind, Kinds.INERTIA, inertia.ordinal());
-        changes |= kinds.set(kind, Kinds.ANGULAR_DAMPING, Float.floatToIntBits(angularDamping));
-        wakeAllIf(changes);
+        change(kind, Kinds.INERTIA, inertia.ordinal());
+        change(kind, Kinds.ANGULAR_DAMPING, angularDamping);
     }
 
     @Override
     public void setKindRestitution(int kind, float e) {
-        wakeAllIf(kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e)));
+        change(kind, Kinds.RESTITUTION, e);
     }
 
     @Override
@@ -484,7 +514,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setOneWay(int kind, boolean oneWay) {
-        wakeAllIf(kinds.set(kind, Kinds.ONE_WAY, oneWay ? 1 : 0));
+        change(kind, Kinds.ONE_WAY, oneWay ? 1 : 0);
     }
 
     @Override
@@ -524,7 +554,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPieceKind(long piece, int kind) {
-        wakeAllIf(terrain.piece(piece).kind != kind);
+        if (terrain.piece(piece).kind != kind) {
+            wakeAll();
+        }
         terrain.piece(piece).kind = kind;
     }
 
@@ -840,7 +872,11 @@ public final class ReferenceWorld implements WorldCalls {
         int number = wall.ordinal();
         long before = surfaces.hash();
         surfaces = surfaces.withWall(number, friction, rollingResistance, Surfaces.turned(number, beltSpeed));
-        wakeAllIf(surfaces.hash() != before);
+        boolean changes = surfaces.hash() != before;
+        float side = number % 2 == 0 ? 1f : -1f;
+        circles().stream()
+                .filter(c -> changes && c.isAsleep() && side * c.wallImpulse[number / 2] > 0f)
+                .forEach(Circle::wake);
     }
 
     @Override
@@ -876,6 +912,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setAngle(long handle, float radians) {
         find(handle).wake();
+        wakeHeld(find(handle));
         find(handle).angle = (int) Math.round(radians / (Math.PI / (1L << 31)));
     }
 
@@ -1112,7 +1149,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** Sets if circles of a kind fall asleep. */
     @Override
     public void setSleeps(int kind, boolean sleeps) {
-        wakeAllIf(kinds.set(kind, Kinds.AWAKE, sleeps ? 0 : 1));
+        change(kind, Kinds.AWAKE, sleeps ? 0 : 1);
     }
 
     @Override

@@ -145,16 +145,20 @@ public final class Circles implements Calls.Effects {
             }
             default -> Limits.impulse(a, b);
         }
+        boolean places = operation == Commands.POSITION;
         world.pending.expect(2);
+        if (places) {
+            changes.beginHeld(id);
+        }
         world.copies.forgetBy(operation);
         world.calls.begin(Call.of(operation), id, floatToRawIntBits(a), floatToRawIntBits(b), 0);
         if (operation == Commands.MASS) {
             setMass(id, a);
         }
-        boolean places = operation == Commands.POSITION;
         world.commands.set(operation, id, places ? bounds.placeX(a) : a, places ? bounds.placeY(b) : b);
         if (places) {
             nextStep.travels.forget(id);
+            changes.wakePartners();
         } else if (operation == Commands.RADIUS) {
             world.handles.setRadius(id, a);
             nextStep.growth.forget(id);

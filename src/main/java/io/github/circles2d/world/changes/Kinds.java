@@ -14,6 +14,9 @@ public final class Kinds implements Calls.Effects {
     private final WorldParts world;
     private final CircleFields fields;
 
+    /** How a kind responded to each one before a change. */
+    private final int[] before = new int[PairTable.KINDS];
+
     public Kinds(WorldParts world) {
         this.world = world;
         fields = world.handles.fields();
@@ -76,15 +79,54 @@ public final class Kinds implements Calls.Effects {
 
     @Override
     public long make(Call call, int[] words) {
+        world.calls.begin(call, words);
         if (call == Call.KIND) {
-            KindField field = KindField.ofNumber(words[1]);
-            world.calls.begin(call, words, world.kinds.get(field, words[0]) != words[2]);
-            world.kinds.set(field, words[0], words[2]);
+            change(KindField.ofNumber(words[1]), words[0], words[2]);
         } else {
-            world.calls.begin(call, words, world.kinds.setting(words[0], words[1]) != words[2]);
+            if (world.settings.sleeps() && world.kinds.setting(words[0], words[1]) != words[2]) {
+                world.commands.wakeKind(words[0]);
+                world.commands.wakeKind(words[1]);
+            }
             world.kinds.setSetting(words[0], words[1], words[2]);
         }
         return 0;
+    }
+
+    /**
+     * Sets a field of a kind. Its circles wake, and those that meet them in another way from now on. Others notice by their balance what its
+     * circles do, but not if these are static, nor what is new about pieces of terrain.
+     */
+    private void change(KindField field, int kind, int value) {
+        boolean wakes = world.settings.sleeps() && world.kinds.get(field, kind) != value;
+        for (int other = 0; wakes && other < PairTable.KINDS; other++) {
+            before[other] = response(kind, other);
+        }
+        world.kinds.set(field, kind, value);
+        boolean stays = wakes && isOfWhatStays(kind);
+        for (int other = 0; wakes && other < PairTable.KINDS; other++) {
+            int response = response(kind, other);
+            if (other == kind || response != before[other] || stays && response != PairTable.IGNORE) {
+                world.commands.wakeKind(other);
+            }
+        }
+    }
+
+    private int response(int kind, int other) {
+        return PairTable.get(world.kinds.responses(), kind, other);
+    }
+
+    /** Whether a static circle or a piece of terrain has a kind. */
+    private boolean isOfWhatStays(int kind) {
+        return hasStatics(kind) || world.terrain.pieces.has(kind);
+    }
+
+    private boolean hasStatics(int kind) {
+        for (int id = 0; world.handles.hasStatics() && id < world.handles.end(); id++) {
+            if (world.handles.lives(id) && world.handles.isStatic(id) && fields.getInt(CircleField.KIND, id) == kind) {
+                return true;
+            }
+        }
+        return false;
     }
 
     public float restitution(int kind, float otherwise) {

@@ -10,6 +10,7 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
+import java.util.Arrays;
 
 /**
  * The changes of circles by one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
@@ -125,8 +126,16 @@ public final class PreparedChanges {
 
     /** Makes what has been prepared, by one operation; {@link Commands#FIELD} also if some changes are of restitutions. */
     void make(int operation) {
-        if (operation == Commands.REMOVE && world.joints.isThere()) {
+        partners = 0;
+        boolean holds = world.joints.isThere();
+        if (holds && operation == Commands.REMOVE) {
             makeRoomForJoints();
+        } else if (holds && (operation == Commands.POSITION || operation == Commands.ANGLE)) {
+            for (int k = 0; k < count && world.settings.sleeps(); k++) {
+                if (operation == Commands.ANGLE || !handles.isStatic(commands.preparedId(k))) { // else it travels
+                    noteHeld(commands.preparedId(k), count);
+                }
+            }
         }
         if (world.log.isOn()) {
             for (int k = 0; k < count; k++) {
@@ -144,7 +153,6 @@ public final class PreparedChanges {
             world.needs.askToTurn();
         }
         boolean ofPipelines = turns || operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        partners = 0;
         commands.admitChanges(ofPipelines ? count : changeAll());
         wakePartners();
         world.guard.changing = false;
@@ -160,13 +168,33 @@ public final class PreparedChanges {
         world.joints.departures().ensure(leavingToo);
         if (world.settings.sleeps()) {
             commands.ensure(count + leavingToo);
-            if (partner.length < leavingToo) {
-                partner = new int[leavingToo + (leavingToo >> 1)];
-            }
+            makeRoomForPartners(leavingToo);
         }
     }
 
-    /** Takes note of those that joints hold to a circle that goes. */
+    private void makeRoomForPartners(int many) {
+        if (partner.length < many) {
+            partner = Arrays.copyOf(partner, many + (many >> 1));
+        }
+    }
+
+    /** Takes note of those that joints hold to a circle that is put somewhere else, or turned. Makes room for more commands besides. */
+    private void noteHeld(int id, int more) {
+        world.pending.settleJoints();
+        makeRoomForPartners(partners + world.joints.departures().countOf(id));
+        findPartners(id);
+        commands.ensure(more + partners);
+    }
+
+    /** The same of one circle that no prepared change is of. */
+    void beginHeld(int id) {
+        partners = 0;
+        if (world.settings.sleeps() && world.joints.isThere()) {
+            noteHeld(id, 2);
+        }
+    }
+
+    /** Takes note of those that joints hold to a circle. */
     private void findPartners(int id) {
         JointTable table = world.joints.table;
         for (int place = table.firstOfCircle(id); place >= 0; place = table.nextOfCircle(place)) {
@@ -178,7 +206,7 @@ public final class PreparedChanges {
         }
     }
 
-    private void wakePartners() {
+    void wakePartners() {
         for (int k = 0; k < partners; k++) {
             if (handles.lives(partner[k])) {
                 commands.set(Commands.WAKE, partner[k], 0, 0);

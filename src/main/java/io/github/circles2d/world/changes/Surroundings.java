@@ -47,7 +47,10 @@ public final class Surroundings implements Calls.Effects {
             world.settings.setGravity(real(w[0]), real(w[1]));
         } else if (call == Call.WALL_SURFACE) {
             SurfaceSettings surfaces = world.settings.surfaces().withWall(w[0], real(w[1]), real(w[2]), real(w[3]));
-            world.calls.begin(call, w, surfaces.differs(world.settings.surfaces()));
+            world.calls.begin(call, w);
+            if (world.settings.sleeps() && surfaces.differs(world.settings.surfaces())) {
+                world.commands.wakeAtWall(w[0]);
+            }
             world.settings.setSurfaces(surfaces);
         } else {
             Bounds next = Limits.bounds(real(w[0]), real(w[1]), real(w[2]), real(w[3]));

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Arrays;
 
 /**
@@ -118,7 +120,14 @@ public final class Commands {
     private int[] records = new int[STRIDE * 64];
     private int count;
     private int added;
-    private boolean wakeAll;
+
+    /** A bit of each kind whose circles wake. */
+    private final int[] kindsToWake = new int[PairTable.KINDS / Integer.SIZE];
+
+    /** A bit of each wall, by {@link WallMotion#of}: circles wake that it presses. */
+    private int wallsToWake;
+
+    private boolean wakes;
 
     public Commands() {}
 
@@ -161,21 +170,55 @@ public final class Commands {
     public void clear() {
         count = 0;
         added = 0;
-        wakeAll = false;
+        if (wakes) {
+            Arrays.fill(kindsToWake, 0);
+            wallsToWake = 0;
+            wakes = false;
+        }
     }
 
     /** All circles that sleep wake with these changes, before them or behind them: no change puts any to sleep. */
     public void wakeAll() {
-        wakeAll = true;
+        Arrays.fill(kindsToWake, -1);
+        wakes = true;
     }
 
-    public boolean wakesAll() {
-        return wakeAll;
+    /** The same of circles of a kind: those that get another one with these changes wake anyway. */
+    public void wakeKind(int kind) {
+        kindsToWake[kind / Integer.SIZE] |= 1 << kind % Integer.SIZE;
+        wakes = true;
+    }
+
+    /** The same of circles that a wall presses, numbered as by {@link WallMotion#of}. */
+    public void wakeAtWall(int wall) {
+        wallsToWake |= 1 << wall;
+        wakes = true;
+    }
+
+    /** Whether circles wake by their kind, or at a wall. */
+    public boolean wakesSome() {
+        return wakes;
+    }
+
+    /** A bit of each kind whose circles wake; valid until the next change. */
+    public int[] kindsToWake() {
+        return kindsToWake;
+    }
+
+    /** A bit of each wall at which circles wake. */
+    public int wallsToWake() {
+        return wallsToWake;
+    }
+
+    /** Whether circles of a kind wake on which walls have these impulses. */
+    public boolean wakes(int kind, float wallX, float wallY) {
+        return (kindsToWake[kind / Integer.SIZE] & 1 << kind % Integer.SIZE) != 0
+                || (WallMotion.pressing(wallX, wallY) & wallsToWake) != 0;
     }
 
     /** Whether there is nothing to do. */
     public boolean isEmpty() {
-        return count == 0 && !wakeAll;
+        return count == 0 && !wakes;
     }
 
     /** Makes room: the next records cannot fail for want of memory. */

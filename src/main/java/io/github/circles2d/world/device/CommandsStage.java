@@ -10,6 +10,7 @@ import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.PairTable;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -29,6 +30,8 @@ final class CommandsStage {
     /** Two of x, y, radius, and whether there is one. */
     private static final long CHANGED_BYTES = 2L * 4 * Float.BYTES;
 
+    private static final long KINDS_BYTES = PairTable.KINDS / Byte.SIZE;
+
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
@@ -40,6 +43,9 @@ final class CommandsStage {
 
     /** By record: the circle before and behind a change that wakes those near to it. */
     private DeviceBuffer changed;
+
+    /** A bit of each kind whose circles wake. */
+    private DeviceBuffer kindsToWake;
 
     private DeviceBuffer records;
     private DeviceBuffer links;
@@ -77,7 +83,10 @@ final class CommandsStage {
         confine = withAll.plain("commands_confine");
         if (arrays.sleeping()) {
             wake = withAll.plain("commands_wake");
-            changed = changed == null ? session.allocate("changed circles", CHANGED_BYTES * LEAST_CAPACITY) : changed;
+            if (changed == null) {
+                changed = session.allocate("changed circles", CHANGED_BYTES * LEAST_CAPACITY);
+                kindsToWake = session.allocate("kinds to wake", KINDS_BYTES);
+            }
         }
     }
 
@@ -128,10 +137,13 @@ final class CommandsStage {
         return nextSlot;
     }
 
-    /** Wakes those near to circles that have changed, or all. */
+    /** Wakes those near to circles that have changed, and those of kinds and at walls. */
     private void wake(Commands commands, int slots, Bounds arena) {
-        if (wake == null || !(commands.wakesAll() || wakesNear(commands))) {
+        if (wake == null || !(commands.wakesSome() || wakesNear(commands))) {
             return;
+        }
+        if (commands.wakesSome()) {
+            kindsToWake.write(0, IntBuffer.wrap(commands.kindsToWake()));
         }
         wake.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
@@ -141,9 +153,12 @@ final class CommandsStage {
                 .arg(5, slots)
                 .arg(6, changed)
                 .arg(7, 2 * commands.count())
-                .arg(8, commands.wakesAll() ? 1 : 0)
-                .arg(9, arena.periodX())
-                .arg(10, arena.periodY())
+                .arg(8, arena.periodX())
+                .arg(9, arena.periodY())
+                .arg(10, commands.wakesSome() ? 1 : 0)
+                .arg(11, kindsToWake)
+                .arg(12, commands.wallsToWake())
+                .arg(13, arrays.get(DeviceArray.FIELDS))
                 .run(slots);
     }
 

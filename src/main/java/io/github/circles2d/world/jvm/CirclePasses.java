@@ -64,6 +64,9 @@ final class CirclePasses {
 
     void begin(int from, int to, StepConstants k) {
         Arrays.fill(state.load, CircleRow.of(from), CircleRow.of(to), 0f);
+        if (state.sleepers != null) {
+            state.sleepers.noteStarts(from, to);
+        }
         if (k.turning) {
             state.turning.begin(from, to);
         }
@@ -327,7 +330,7 @@ final class CirclePasses {
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
         if (state.sleepers != null) {
-            noteMoves(from, to);
+            state.sleepers.noteMoves(from, to);
         }
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
@@ -348,14 +351,6 @@ final class CirclePasses {
         }
         if (state.wraps) {
             bringInside(from, to, k.arena);
-        }
-    }
-
-    private void noteMoves(int from, int to) {
-        float[] moved = state.sleepers.moved;
-        for (int slot = from; slot < to; slot++) {
-            moved[CircleRow.vector(slot)] = state.motion[CircleRow.of(slot) + DX];
-            moved[CircleRow.vector(slot) + 1] = state.motion[CircleRow.of(slot) + DY];
         }
     }
 

@@ -21,7 +21,7 @@ final class FallingAsleep {
     static boolean find(State state, float[] kinds, boolean[] driven, int from, int to, StepConstants k) {
         boolean some = false;
         for (int slot = from; slot < to; slot++) {
-            if (!state.isStatic(slot)) {
+            if (!state.sleepers.movesOn[slot] && !state.isStatic(slot)) {
                 some |= look(state, kinds, driven, slot, k);
             }
         }
@@ -32,12 +32,13 @@ final class FallingAsleep {
         Sleepers all = state.sleepers;
         int s = CircleRow.of(slot);
         int id = state.id[slot];
+        all.writeStart(slot, id);
         float r = state.circle[s + RADIUS];
         int row = Sleepers.RESTS * id;
         float driftX = Float.intBitsToFloat(all.rests[row + Sleepers.DRIFT_X]) + all.moved[CircleRow.vector(slot)];
         float driftY = Float.intBitsToFloat(all.rests[row + Sleepers.DRIFT_Y]) + all.moved[CircleRow.vector(slot) + 1];
-        if (!Sleep.rests(driftX, driftY, 0, r, Sleep.DRIFT * r)) { // nearly all that move
-            all.set(id, 0, 0, 0f - state.motion[s + DX], 0f - state.motion[s + DY]);
+        if (!Sleep.rests(driftX, driftY, 0, r, Sleep.DRIFT * r)) {
+            all.begins[id] = true;
             return false;
         }
         int turned = all.rests[row + Sleepers.TURNED] + (k.turning ? all.turnedInStep[slot] : 0);
@@ -53,7 +54,7 @@ final class FallingAsleep {
                 && state.fields.getFloat(CircleField.TORQUE, id) == 0f
                 && !(k.turning && Math.abs(state.turning.angularVelocity[slot]) * k.dt >= Sleep.TURN_OF_STEP);
         if (!mayRest || !Sleep.rests(driftX, driftY, turned, r, most)) {
-            all.set(id, 0, 0, 0f - state.motion[s + DX], 0f - state.motion[s + DY]);
+            all.begins[id] = true;
             return false;
         }
         int rest = all.rest(id) + 1;

@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.DX;
 import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
 
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.CircleRow;
@@ -42,8 +43,20 @@ final class Sleepers {
      */
     int[] rests = new int[0];
 
+    /**
+     * By id: whether a circle that is awake and not static has begun anew in the last step, so that its rest and turn are 0, and its drift is minus its
+     * displacement, whatever {@link #rests} has. Steps touch no more of circles that plainly move.
+     */
+    boolean[] begins = new boolean[0];
+
+    /** By slot, within a step: the displacement at its start. */
+    float[] start = new float[0];
+
     /** By slot, within a step: the displacement before it went into the base. */
     float[] moved = new float[0];
+
+    /** By slot, within a step: whether a circle that {@link #begins} does so again. */
+    boolean[] movesOn = new boolean[0];
 
     /** By slot, within a step, if circles can rotate: the units by which a circle has turned in it. */
     int[] turnedInStep = new int[0];
@@ -101,8 +114,10 @@ final class Sleepers {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (rests.length + moved.length + turnedInStep.length + first.length + links.length)
-                + 4L * (normal.length + rows.length + pieceCount.length + suspects.length);
+        long sum = 4L * (rests.length + start.length + moved.length + turnedInStep.length + first.length + links.length)
+                + 4L * (normal.length + rows.length + pieceCount.length + suspects.length)
+                + begins.length
+                + movesOn.length;
         for (float[] each : pieceRows) {
             sum += each == null ? 0 : 4L * each.length;
         }
@@ -113,7 +128,10 @@ final class Sleepers {
     void ensure(int ids) {
         if (first.length < ids) {
             int old = first.length;
+            boolean[] newBegins = Arrays.copyOf(begins, ids);
+            float[] newStart = Arrays.copyOf(start, CircleRow.vector(ids));
             float[] newMoved = Arrays.copyOf(moved, CircleRow.vector(ids));
+            boolean[] newMovesOn = Arrays.copyOf(movesOn, ids);
             int[] newTurnedInStep = Arrays.copyOf(turnedInStep, ids);
             int[] newRests = Arrays.copyOf(rests, RESTS * ids);
             int[] newFirst = Arrays.copyOf(first, ids);
@@ -121,7 +139,10 @@ final class Sleepers {
             float[][] newPieceRows = Arrays.copyOf(pieceRows, ids);
             int[][] newPieceNumbers = Arrays.copyOf(pieceNumbers, ids);
             int[] newPieceCount = Arrays.copyOf(pieceCount, ids);
+            begins = newBegins;
+            start = newStart;
             moved = newMoved;
+            movesOn = newMovesOn;
             turnedInStep = newTurnedInStep;
             rests = newRests;
             pieceRows = newPieceRows;
@@ -136,7 +157,7 @@ final class Sleepers {
     }
 
     int rest(int id) {
-        return rests[RESTS * id + REST];
+        return begins[id] ? 0 : rests[RESTS * id + REST];
     }
 
     void setRest(int id, int rest) {
@@ -156,6 +177,7 @@ final class Sleepers {
 
     void set(int id, int rest, int turned, float driftX, float driftY) {
         int row = RESTS * id;
+        begins[id] = false;
         rests[row + REST] = rest;
         rests[row + TURNED] = turned;
         rests[row + DRIFT_X] = Float.floatToRawIntBits(driftX);
@@ -163,11 +185,52 @@ final class Sleepers {
     }
 
     private float driftX(int id) {
-        return Float.intBitsToFloat(rests[RESTS * id + DRIFT_X]);
+        return begins[id]
+                ? 0f - state.motion[CircleRow.of(state.slotOf[id]) + DX]
+                : Float.intBitsToFloat(rests[RESTS * id + DRIFT_X]);
     }
 
     private float driftY(int id) {
-        return Float.intBitsToFloat(rests[RESTS * id + DRIFT_Y]);
+        return begins[id]
+                ? 0f - state.motion[CircleRow.of(state.slotOf[id]) + DY]
+                : Float.intBitsToFloat(rests[RESTS * id + DRIFT_Y]);
+    }
+
+    private int turned(int id) {
+        return begins[id] ? 0 : rests[RESTS * id + TURNED];
+    }
+
+    // ---- of a step
+    // ----------------------------------------------------------------------------------------------------
+
+    /** Before some slots move. */
+    void noteStarts(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            start[CircleRow.vector(slot)] = state.motion[CircleRow.of(slot) + DX];
+            start[CircleRow.vector(slot) + 1] = state.motion[CircleRow.of(slot) + DY];
+        }
+    }
+
+    /** Once some slots have moved, before their displacements go into the bases. */
+    void noteMoves(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            int s = CircleRow.of(slot);
+            int v = CircleRow.vector(slot);
+            float movedX = state.motion[s + DX];
+            float movedY = state.motion[s + DY];
+            moved[v] = movedX;
+            moved[v + 1] = movedY;
+            float r = state.circle[s + RADIUS];
+            movesOn[slot] = begins[state.id[slot]]
+                    && !Sleep.rests(0f - start[v] + movedX, 0f - start[v + 1] + movedY, 0, r, Sleep.DRIFT * r);
+        }
+    }
+
+    /** A circle that begins anew gets a row, as it was at the start of the step. */
+    void writeStart(int slot, int id) {
+        if (begins[id]) {
+            set(id, 0, 0, 0f - start[CircleRow.vector(slot)], 0f - start[CircleRow.vector(slot) + 1]);
+        }
     }
 
     /** A circle falls asleep, with the acceleration by gravity and its force. */
@@ -412,7 +475,7 @@ final class Sleepers {
         into.rest[k] = rest(id);
         into.drift[2 * k] = driftX(id);
         into.drift[2 * k + 1] = driftY(id);
-        into.turned[k] = rests[RESTS * id + TURNED];
+        into.turned[k] = turned(id);
     }
 
     /** Saves the impulses of a circle, as the one of lower id. */
@@ -427,6 +490,7 @@ final class Sleepers {
     /** Takes over saved circles, for which there is room. */
     void load(SavedState from) {
         Arrays.fill(rests, 0);
+        Arrays.fill(begins, false);
         Arrays.fill(first, NONE);
         Arrays.fill(pieceCount, 0);
         used = 0;
@@ -444,7 +508,7 @@ final class Sleepers {
 
     /** The part of a circle in the hash of the state. */
     long hash(int id) {
-        long sum = StateHash.rest(id, rest(id), driftX(id), driftY(id), rests[RESTS * id + TURNED]);
+        long sum = StateHash.rest(id, rest(id), driftX(id), driftY(id), turned(id));
         for (int k = first[id]; k != NONE; k = next(k, id)) {
             if (links[LINKS * k + LO] == id) {
                 int hi = links[LINKS * k + HI];

@@ -305,8 +305,8 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Applies what the caller asked for, for which there is room. */
     void apply(Commands commands) {
-        if (commands.wakesAll()) {
-            wakeAll();
+        if (commands.wakesSome()) {
+            wakeBy(commands);
         }
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
@@ -447,9 +447,13 @@ public final class State implements ContactEvents.Sleepers {
         }
     }
 
-    private void wakeAll() {
+    /** Wakes circles by their kinds, and at walls. */
+    private void wakeBy(Commands commands) {
         for (int slot = n - 1; slot >= 0 && sleepers != null && sleepers.count > 0; slot--) {
-            if (sleepers.isAsleep(id[slot])) {
+            int s = CircleRow.of(slot);
+            if (sleepers.isAsleep(id[slot])
+                    && commands.wakes(
+                            fields.getInt(CircleField.KIND, id[slot]), traits[s + WALL_X], traits[s + WALL_Y])) {
                 sleepers.restart(wake(slot));
                 slot = Math.min(slot + 1, n); // another one has come to the place
             }

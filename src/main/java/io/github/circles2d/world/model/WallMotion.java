@@ -25,6 +25,11 @@ public final class WallMotion {
         return 2 * axis + (side > 0f ? 0 : 1);
     }
 
+    /** A bit of each wall that presses a circle with these wall impulses. */
+    public static int pressing(float impulseX, float impulseY) {
+        return (impulseX == 0f ? 0 : 1 << of(0, impulseX)) | (impulseY == 0f ? 0 : 1 << of(1, impulseY));
+    }
+
     /** A wall that is set farther than any circle is large jumps. */
     public static Bounds start(Bounds from, Bounds to, float greatestRadius) {
         boolean walledX = to.edgeX() == AxisEdge.WALL;

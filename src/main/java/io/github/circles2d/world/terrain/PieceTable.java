@@ -121,6 +121,16 @@ public final class PieceTable {
         return traits[PieceRow.traits(piece) + PieceRow.KIND];
     }
 
+    /** Whether a piece has a kind. */
+    public boolean has(int kind) {
+        for (int piece = 0; piece < ids.end(); piece++) {
+            if (ids.has(piece) && kindOf(piece) == kind) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Names who is told of pieces whose contacts so far do not count. */
     public void watch(IntConsumer whom) {
         renewed = whom;

@@ -94,6 +94,32 @@ class SleepAgreeTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aChangeOfAKindOrAWallWakesTheSame(Device device) {
+        try (Twins twins = heap(device, BOX, 20, 1)) {
+            twins.setKinds(3);
+            twins.set(Commands.MASS, 4, Float.POSITIVE_INFINITY, 0);
+            assertThat(run(twins, "a heap", DT, 240)).isGreaterThan(10);
+            SplittableRandom random = new SplittableRandom(2);
+            int most = 0;
+            for (int k = 0; k < TestScale.of(3, 20); k++) {
+                twins.setKind(KindField.FRICTION, k % 3, Float.floatToRawIntBits(0.5f + 0.01f * k));
+                most = Math.max(most, twins.assertSameSleepers("another friction"));
+                run(twins, "another friction " + k, DT, 90);
+                twins.setWall(k % 4, 0.7f + 0.01f * k);
+                most = Math.max(most, twins.assertSameSleepers("another wall"));
+                run(twins, "another wall " + k, DT, 90);
+                twins.changeSurfaces(random);
+                twins.setKind(KindField.CATEGORY, 2, k % 2 == 0 ? 3 : 1);
+                twins.setKind(KindField.MASK, 2, k % 2 == 0 ? 2 : -1);
+                twins.assertSameSleepers("another mask");
+                run(twins, "another mask " + k, DT, 60);
+            }
+            assertThat(most).as("circles that sleep on").isGreaterThan(5);
+        }
+    }
+
     /** Nothing is launched while all sleep, until something is new. */
     @ParameterizedTest
     @MethodSource("devices")

@@ -152,6 +152,22 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Gives circles kinds from 0 on, by turns. */
+    void setKinds(int kinds) {
+        for (Simulation simulation : simulations) {
+            for (int id = 0; id < ids; id++) {
+                simulation.circles.setKind(handles[id], id % kinds);
+            }
+        }
+    }
+
+    /** Gives a wall a friction. */
+    void setWall(int wall, float friction) {
+        for (Simulation simulation : simulations) {
+            simulation.surroundings.setWallSurface(wall, friction, 0, 0);
+        }
+    }
+
     void wakeAll() {
         for (Simulation simulation : simulations) {
             simulation.circles.wakeAll();
