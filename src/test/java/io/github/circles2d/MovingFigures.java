@@ -169,8 +169,7 @@ public final class MovingFigures {
         Pipeline home = new JvmPipeline(THREADS, JvmPipeline.LEAST_SHARE, circles, false);
         Pipeline device = new DevicePipeline(OpenCl.bestDevice(), circles, false, true);
         device.compile(Readiness.USUAL);
-        SavedState memory =
-                rehearsed ? Rehearsal.of(device, Readiness.USUAL, circles + circles / 4, () -> true) : null;
+        SavedState memory = rehearsed ? Rehearsal.of(device, Readiness.USUAL, circles + circles / 4, () -> true) : null;
         ToAndFro moves = new ToAndFro(home, device, memory);
         try (World world = new World(WorldScenes.builder(scene), new BackendChoice(Backend.JVM, home, "measured"))) {
             WorldScenes.load(scene, world);
