@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.shared.Mover;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Locale;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
@@ -34,6 +35,9 @@ final class RunningChoice implements Mover {
     /** From so many circles on the device lacks memory. */
     private int tooMany = Integer.MAX_VALUE;
 
+    /** How many circles there will be, as far as the game has said; else 0. */
+    private final int crowd;
+
     /** For so many circles a device is opened before they are there, but not beside the first frame, which has all processors; else 0. */
     private int expected;
 
@@ -60,7 +64,8 @@ final class RunningChoice implements Mover {
         this.opensHome = opensHome;
         this.rule = rule;
         beside = new DeviceBeside(opensDevice);
-        expected = capacity < FrameRule.LEAST_CIRCLES ? 0 : capacity;
+        crowd = capacity < FrameRule.LEAST_CIRCLES ? 0 : capacity;
+        expected = crowd;
         reason = expected == 0
                 ? "no GPU is looked for below " + FrameRule.LEAST_CIRCLES + " circles, and the capacity is " + capacity
                 : "it starts here, and a GPU is made ready beside it";
@@ -105,9 +110,9 @@ final class RunningChoice implements Mover {
             }
             return now;
         }
-        Pipeline device = beside.ready(wanted);
+        Pipeline device = beside.ready(wanted, circles);
         if (device == null) {
-            beside.prepare(wanted, circles);
+            beside.prepare(wanted, circles, Math.max(circles, crowd));
         }
         return goes && device != null ? device : now;
     }
@@ -118,6 +123,11 @@ final class RunningChoice implements Mover {
         if (refusal != null) {
             reason = "the GPU refuses kernels: " + refusal.getMessage();
             Notice.once(reason, "World stays on " + Backend.JVM + ": " + reason);
+        }
+        DeviceBeside.Lack lack = beside.takeLack();
+        if (lack != null) {
+            lack(lack.device(), lack.circles(), lack.why());
+            beside.free();
         }
         Throwable failure = hasFailed ? null : beside.failure();
         if (failure != null) {
@@ -156,7 +166,7 @@ final class RunningChoice implements Mover {
         }
         reason = null;
         if (cause != null) {
-            lack(from, cause);
+            lack(from.device(), circles, cause);
         } else if (to != chosen) {
             reason = from.device() + " compiles what has come to the world";
         }
@@ -166,7 +176,7 @@ final class RunningChoice implements Mover {
     @Override
     public void refused(Pipeline device, Throwable why) {
         if (device != home) {
-            lack(device, why);
+            lack(device.device(), circles, why);
             beside.free();
         }
     }
@@ -181,10 +191,15 @@ final class RunningChoice implements Mover {
                         + Backend.JVM);
     }
 
-    private void lack(Pipeline device, Throwable why) {
-        tooMany = circles - circles / 10; // else the loss of one circle would be reason to try again
-        reason = device.device() + " cannot take " + circles + " circles: " + why.getMessage();
+    private void lack(String device, int count, Throwable why) {
+        tooMany = count - count / 10; // else the loss of one circle would be reason to try again
+        reason = device + " cannot take " + count + " circles: " + why.getMessage();
         Notice.once(reason, "World goes on on " + Backend.JVM + ": " + reason);
+    }
+
+    @Override
+    public SavedState takeMemory() {
+        return beside.takeMemory();
     }
 
     boolean isAway() {

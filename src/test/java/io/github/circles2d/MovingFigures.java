@@ -8,6 +8,7 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.shared.Mover;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 import java.util.Locale;
 
@@ -16,7 +17,8 @@ import java.util.Locale;
  *
  * <pre>
  * MovingFigures start 50000 30       the first frames of a world by AUTO, for so many seconds, and those of a world on the JVM beside it
- * MovingFigures moves 10000 100000 1000000   what a move to the device and back takes
+ * MovingFigures moves 10000 100000 1000000   what a move to the device and back takes, behind a rehearsal as a world by AUTO has it
+ * MovingFigures unrehearsed 10000            the same without one
  * </pre>
  */
 public final class MovingFigures {
@@ -27,9 +29,12 @@ public final class MovingFigures {
     public static void main(String[] arguments) throws InterruptedException {
         switch (arguments[0]) {
             case "start" -> start(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
-            case "moves" ->
-                Arrays.stream(arguments).skip(1).mapToInt(Integer::parseInt).forEach(MovingFigures::moves);
-            default -> throw new IllegalArgumentException("start or moves, not " + arguments[0]);
+            case "moves", "unrehearsed" ->
+                Arrays.stream(arguments)
+                        .skip(1)
+                        .mapToInt(Integer::parseInt)
+                        .forEach(circles -> moves(circles, arguments[0].equals("moves")));
+            default -> throw new IllegalArgumentException("start, moves or unrehearsed, not " + arguments[0]);
         }
     }
 
@@ -101,13 +106,22 @@ public final class MovingFigures {
     private static final class ToAndFro implements Mover {
         private final Pipeline home;
         private final Pipeline device;
+        private SavedState memory;
         private int calls;
         private final double[] least = {Double.MAX_VALUE, Double.MAX_VALUE};
         private final double[] first = {0, 0};
 
-        ToAndFro(Pipeline home, Pipeline device) {
+        ToAndFro(Pipeline home, Pipeline device, SavedState memory) {
             this.home = home;
             this.device = device;
+            this.memory = memory;
+        }
+
+        @Override
+        public SavedState takeMemory() {
+            SavedState taken = memory;
+            memory = null;
+            return taken;
         }
 
         @Override
@@ -150,25 +164,39 @@ public final class MovingFigures {
         }
     }
 
-    private static void moves(int circles) {
+    private static void moves(int circles, boolean rehearsed) {
         Scene scene = Scenes.packed(circles, Scenes.SEED);
         Pipeline home = new JvmPipeline(THREADS, JvmPipeline.LEAST_SHARE, circles, false);
-        ToAndFro moves = new ToAndFro(home, new DevicePipeline(OpenCl.bestDevice(), circles, false, true));
+        Pipeline device = new DevicePipeline(OpenCl.bestDevice(), circles, false, true);
+        device.compile(Readiness.USUAL);
+        SavedState memory = rehearsed ? Rehearsal.of(device, Readiness.USUAL, circles + circles / 4, () -> true) : null;
+        ToAndFro moves = new ToAndFro(home, device, memory);
         try (World world = new World(WorldScenes.builder(scene), new BackendChoice(Backend.JVM, home, "measured"))) {
             WorldScenes.load(scene, world);
             world.simulation().moves.by(moves);
             float[] read = new float[4 * circles];
             double[] behind = {Double.MAX_VALUE, Double.MAX_VALUE};
+            double[] first = {0, 0};
             for (int frame = 0; frame < 80; frame++) {
                 double millis = frame(world, scene, read);
-                if (frame >= 8 && frame % 4 == 0) {
+                if (frame >= 4 && frame % 4 == 0) {
                     int way = frame / 4 % 2 == 1 ? 0 : 1;
+                    first[way] = first[way] == 0 ? millis : first[way];
                     behind[way] = Math.min(behind[way], millis);
                 }
             }
             say(
-                    "%,d circles: to the device %.2f ms (first %.2f, least frame with it %.2f), back %.2f ms (first %.2f, least frame %.2f)",
-                    circles, moves.least[0], moves.first[0], behind[0], moves.least[1], moves.first[1], behind[1]);
+                    "%,d circles: to the device %.2f ms, the first %.2f; frames with it %.2f, the first %.2f;"
+                            + " back %.2f ms, the first %.2f; frames with it %.2f, the first %.2f",
+                    circles,
+                    moves.least[0],
+                    moves.first[0],
+                    behind[0],
+                    first[0],
+                    moves.least[1],
+                    moves.first[1],
+                    behind[1],
+                    first[1]);
         }
     }
 }

@@ -22,6 +22,8 @@ public final class RandomMoves implements Mover {
     /** A world moves before one call of step in so many. */
     private static final int SELDOM = 3;
 
+    private static final int CIRCLES_OF_REHEARSALS = 40;
+
     private final Random random;
     private final int threads;
     private final Pipeline home;
@@ -116,7 +118,7 @@ public final class RandomMoves implements Mover {
     }
 
     private Pipeline other(Pipeline now, Readiness wanted) {
-        if (device != null && random.nextBoolean() && isReady(wanted)) {
+        if (device != null && random.nextBoolean() && isReady(now, wanted)) {
             return device;
         }
         if (now != others.get(1) && random.nextInt(4) == 0) {
@@ -125,10 +127,19 @@ public final class RandomMoves implements Mover {
         return others.get(random.nextInt(2));
     }
 
-    private boolean isReady(Readiness wanted) {
+    /** As a world of AUTO does: what is made up leaves no bit there, even on a device that the world has left. */
+    private void rehearse(Readiness wanted) {
+        int[] rounds = {0};
+        Rehearsal.of(device, wanted, CIRCLES_OF_REHEARSALS, () -> rounds[0]++ < 2);
+    }
+
+    private boolean isReady(Pipeline now, Readiness wanted) {
         if (!device.isReady(wanted) && compilations > 0) {
             compilations--;
             device.compile(wanted);
+            if (now != device) {
+                rehearse(wanted);
+            }
         }
         return device.isReady(wanted);
     }

@@ -15,6 +15,7 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.snapshots.SavedState;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -26,6 +27,7 @@ import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -67,8 +69,12 @@ class RunningChoiceTest {
         final AtomicInteger closed = new AtomicInteger();
         final AtomicInteger compiled = new AtomicInteger();
 
-        /** What the devices refuse. */
+        /** What the devices refuse, what they do beside the point of it, and of how many circles they take over a state. */
         volatile String refused = "";
+
+        volatile Consumer<String> before = call -> {};
+
+        volatile int most = Integer.MAX_VALUE;
 
         private final long millis;
 
@@ -100,7 +106,11 @@ class RunningChoiceTest {
                             }
                             case "close" -> closed.addAndGet(closings.getAndIncrement() == 0 ? 1 : 0);
                             default -> {
-                                if (method.getName().equals(refused)) {
+                                before.accept(method.getName());
+                                boolean tooMany = arguments != null
+                                        && arguments[0] instanceof SavedState state
+                                        && state.circles > most;
+                                if (method.getName().equals(refused) || tooMany) {
                                     throw new DeviceMemoryException("none left", 2, 1);
                                 }
                             }
@@ -209,7 +219,7 @@ class RunningChoiceTest {
 
     @Test
     void aWorldStaysWhereADeviceRefusesItsKernelsOrHasNoMemory() {
-        for (String refused : List.of("compile", "makeRoom", "prepare", "load")) {
+        for (String refused : List.of("compile", "makeRoom", "prepare", "load", "step", "finish")) {
             Devices devices = new Devices(1);
             devices.refused = refused;
             try (World world = world(devices, new Eager());
@@ -221,6 +231,163 @@ class RunningChoiceTest {
                 assertThat(world.hash()).isEqualTo(stays.hash());
                 assertThat(world.stats().moves()).isZero();
             }
+        }
+    }
+
+    @Test
+    void aRehearsalLeavesNoTraceInTheWorldBeside() {
+        Devices devices = new Devices(1);
+        AtomicInteger rehearsals = new AtomicInteger();
+        devices.before = call -> rehearsals.addAndGet(call.equals("forget") ? 1 : 0);
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            for (World each : new World[] {world, stays}) {
+                each.report(Events.BEGIN + Events.END);
+                each.kind(0).setFriction(0.3f);
+            }
+            int events = 0;
+            for (int frame = 0; frame < 20 || world.stats().moves() == 0; frame++) {
+                world.step(SCENE.timeStep());
+                stays.step(SCENE.timeStep());
+                assertThat(bytes(world)).isEqualTo(bytes(stays));
+                assertThat(world.hash()).isEqualTo(stays.hash());
+                String told = text(world.events());
+                assertThat(told).isEqualTo(text(stays.events()));
+                events += told.length();
+                if (world.stats().moves() == 0) {
+                    assertThat(figures(world)).isEqualTo(figures(stays));
+                }
+            }
+            assertThat(events).isPositive();
+            assertThat(rehearsals.get()).isOne();
+            assertThat(world.stats().moves()).isOne();
+            for (int frame = 0; frame < 20; frame++) {
+                world.step(SCENE.timeStep());
+                stays.step(SCENE.timeStep());
+                assertThat(bytes(world)).isEqualTo(bytes(stays));
+                assertThat(text(world.events())).isEqualTo(text(stays.events()));
+                assertThat(figures(world)).isEqualTo(figures(stays));
+            }
+        }
+    }
+
+    private static byte[] bytes(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.array();
+    }
+
+    private static String text(Events events) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < events.size(); i++) {
+            text.append(events.type(i))
+                    .append(' ')
+                    .append(events.a(i))
+                    .append(' ')
+                    .append(events.b(i))
+                    .append(' ');
+        }
+        return text.toString();
+    }
+
+    private static List<Object> figures(World world) {
+        WorldStats stats = world.stats();
+        return List.of(stats.circles(), stats.candidatePairs(), stats.contacts(), stats.stageMillis());
+    }
+
+    @Test
+    void aClosingWorldEndsARehearsal() throws InterruptedException {
+        Devices devices = new Devices(0);
+        CountDownLatch rehearses = new CountDownLatch(1);
+        CountDownLatch closed = new CountDownLatch(1);
+        AtomicInteger loads = new AtomicInteger();
+        devices.before = call -> {
+            if (call.equals("load")) {
+                loads.incrementAndGet();
+                rehearses.countDown();
+                await(closed);
+            }
+        };
+        World world = world(devices, new Eager());
+        while (rehearses.getCount() > 0) {
+            world.step(SCENE.timeStep()); // goes on meanwhile
+        }
+        world.close();
+        assertThat(devices.closed.get()).isZero();
+        closed.countDown();
+        while (devices.closed.get() == 0) {
+            Thread.sleep(1);
+        }
+        assertThat(loads.get()).isOne();
+        assertThat(devices.closed.get()).isOne();
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void aDeviceWithoutMemoryForMoreTakesThoseThatThereAre() {
+        Devices devices = new Devices(0);
+        devices.most = 1500;
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            stepUntilMoved(1, world, stays);
+            assertThat(world.stats().backend()).isEqualTo(Backend.OPENCL_GPU);
+            assertThat(devices.opened.get()).isOne();
+        }
+    }
+
+    @Test
+    void aCrowdThatOutgrowsTheRoomIsRehearsedAgain() {
+        Devices devices = new Devices(0);
+        AtomicInteger rehearsals = new AtomicInteger();
+        devices.before = call -> rehearsals.addAndGet(call.equals("forget") ? 1 : 0);
+        FrameRule late = new FrameRule() {
+            @Override
+            boolean frame(double nanos, int circles) {
+                return circles == 2000;
+            }
+
+            @Override
+            boolean endsGroup() {
+                return false;
+            }
+        };
+        try (World world = world(devices, late);
+                World stays = stays()) {
+            while (rehearsals.get() == 0) {
+                world.step(SCENE.timeStep());
+                stays.step(SCENE.timeStep());
+            }
+            for (int k = 0; k < 500; k++) {
+                int of = k % SCENE.size();
+                world.add(SCENE.x(of), SCENE.y(of), SCENE.radius(of), 1);
+                stays.add(SCENE.x(of), SCENE.y(of), SCENE.radius(of), 1);
+            }
+            stepUntilMoved(1, world, stays);
+            assertThat(rehearsals.get()).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void aRehearsalThatFailsByItselfKeepsNoWorldFromItsDevice() {
+        Devices devices = new Devices(0);
+        AtomicInteger reads = new AtomicInteger();
+        devices.before = call -> {
+            if (call.equals("readCircles") && reads.getAndIncrement() == 0) {
+                throw new IllegalArgumentException("not the device's fault");
+            }
+        };
+        try (World world = world(devices, new Eager());
+                World stays = stays()) {
+            stepUntilMoved(1, world, stays);
+            assertThat(reads.get()).isOne();
+            assertThat(world.stats().backend()).isEqualTo(Backend.OPENCL_GPU);
         }
     }
 

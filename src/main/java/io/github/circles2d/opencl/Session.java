@@ -254,6 +254,14 @@ public final class Session implements AutoCloseable {
         return profile == null ? Map.of() : profile.nanosByKernel();
     }
 
+    /** Leaves out of {@link #profileNanos} what has run so far; waits for the device. */
+    public void forgetProfile() {
+        finish();
+        if (profile != null) {
+            profile.forget();
+        }
+    }
+
     /**
      * Names whom it tells of commands that the device refuses or fails, after which its memory may have anything in it. A build is no command, and
      * a refused allocation changes no memory.

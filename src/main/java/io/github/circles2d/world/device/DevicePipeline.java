@@ -30,6 +30,7 @@ import io.github.circles2d.world.queries.RemoteSearch;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.terrain.SavedPieceContacts;
+import java.lang.ref.SoftReference;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -87,6 +88,11 @@ public final class DevicePipeline implements Pipeline {
 
     /** What the next load needs; null except between making room for it and loading. */
     private StateTransfer.Links links;
+
+    /** Memory of the last load, and of the last save or hash, if it is still there. */
+    private SoftReference<StateTransfer.Links> memoryOfLoad = new SoftReference<>(null);
+
+    private SoftReference<StateTransfer> memoryOfSave = new SoftReference<>(null);
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
@@ -570,7 +576,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, home.slots, home.cachedContacts, sleeps).hash();
+        return copy().hash();
     }
 
     @Override
@@ -591,7 +597,16 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, home.slots, home.cachedContacts, sleeps).save(into);
+        copy().save(into);
+    }
+
+    private StateTransfer copy() {
+        StateTransfer transfer = memoryOfSave.get();
+        if (transfer == null) {
+            transfer = new StateTransfer(arrays);
+            memoryOfSave = new SoftReference<>(transfer);
+        }
+        return transfer.copy(home.slots, home.cachedContacts, sleeps);
     }
 
     @Override
@@ -627,7 +642,17 @@ public final class DevicePipeline implements Pipeline {
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(contacts);
         joints.makeRoom(from.jointStates);
-        links = new StateTransfer.Links(from, arrays);
+        links = links();
+        links.ensure(from, arrays);
+    }
+
+    private StateTransfer.Links links() {
+        StateTransfer.Links held = memoryOfLoad.get();
+        if (held == null) {
+            held = new StateTransfer.Links();
+            memoryOfLoad = new SoftReference<>(held);
+        }
+        return held;
     }
 
     @Override
@@ -658,6 +683,15 @@ public final class DevicePipeline implements Pipeline {
             reader = null;
             queue.use(stages, null);
         }
+    }
+
+    /** Tables of the host are told apart by versions, which those of another world have, too. */
+    @Override
+    public void forget() {
+        settle();
+        parameters.forget();
+        session.forgetProfile();
+        session.watch(failure -> {});
     }
 
     @Override

@@ -19,18 +19,19 @@ final class PieceTransfer {
     /** Floats of a contact: side, normal impulse. */
     private static final int FLOATS = 2;
 
-    /** Memory that saved contacts need on their way to the device. */
+    /** Memory that saved contacts need on their way to the device, which serves again. */
     static final class Room {
-        private final int[] ranges;
-        private final int[] numbers;
-        private final float[] floats;
-        private final float[] rows;
+        private int[] ranges = new int[0];
+        private int[] numbers = new int[0];
+        private float[] floats = new float[0];
+        private float[] rows = new float[0];
 
-        Room(SavedState from) {
-            ranges = new int[RANGE * from.circles];
-            numbers = new int[NUMBERS * from.pieceContacts.count];
-            floats = new float[FLOATS * from.pieceContacts.count];
-            rows = new float[ContactRows.of(from.pieceContacts.count)];
+        void ensure(SavedState from) {
+            int contacts = from.pieceContacts.count;
+            ranges = StateTransfer.ints(ranges, RANGE * from.circles);
+            numbers = StateTransfer.ints(numbers, NUMBERS * contacts);
+            floats = StateTransfer.floats(floats, FLOATS * contacts);
+            rows = StateTransfer.floats(rows, ContactRows.of(contacts));
         }
 
         /** Writes saved contacts to a device that has room for them; slots are in the order of the ids. */
@@ -48,10 +49,11 @@ final class PieceTransfer {
                 }
                 ranges[RANGE * slot + 1] = c - ranges[RANGE * slot];
             }
-            arrays.get(DeviceArray.HOME_PIECES).write(0, IntBuffer.wrap(ranges));
-            arrays.get(DeviceArray.HOME_PIECE).write(0, IntBuffer.wrap(numbers));
-            arrays.get(DeviceArray.HOME_PUSH).write(FloatBuffer.wrap(floats));
-            arrays.get(DeviceArray.HOME_PIECE_ROWS).write(FloatBuffer.wrap(rows));
+            int count = contacts.count;
+            arrays.get(DeviceArray.HOME_PIECES).write(0, IntBuffer.wrap(ranges, 0, RANGE * from.circles));
+            arrays.get(DeviceArray.HOME_PIECE).write(0, IntBuffer.wrap(numbers, 0, NUMBERS * count));
+            arrays.get(DeviceArray.HOME_PUSH).write(FloatBuffer.wrap(floats, 0, FLOATS * count));
+            arrays.get(DeviceArray.HOME_PIECE_ROWS).write(FloatBuffer.wrap(rows, 0, ContactRows.of(count)));
         }
     }
 

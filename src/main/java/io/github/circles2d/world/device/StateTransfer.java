@@ -30,91 +30,134 @@ final class StateTransfer {
     /** Where traits hold what does not follow from the circle. */
     private static final int AT_RESTITUTION = 1;
 
-    /** Memory that a saved state needs on its way to the device. */
+    /**
+     * Memory that a saved state needs on its way to the device. It serves again, for fresh memory takes longer than what is done with it, so
+     * arrays may be longer than their contents.
+     */
     static final class Links {
-        private final int[] slotOf;
-        private final int[] firstCached;
-        private final int[] entries;
-        private final int[] fields;
+        private int[] slotOf = new int[0];
+        private int[] firstCached = new int[0];
+        private int[] entries = new int[0];
+        private int[] fields = new int[0];
 
-        /** Empty, as the next three, unless circles can rotate. */
-        private final int[] turn;
+        /** As the next three, of circles that can rotate. */
+        private int[] turn = new int[0];
 
-        private final int[] own;
-        private final float[] cachedRows;
+        private int[] own = new int[0];
+        private float[] cachedRows = new float[0];
 
-        /** Empty, as the next, unless circles sleep. */
-        private final int[] sleep;
+        /** Of walls, if the state has none: zeros. */
+        private float[] noRows = new float[0];
+
+        /** As the next, of circles that sleep. */
+        private int[] sleep = new int[0];
 
         /** Traits with the inverse masses that steps see. */
-        private final float[] traits;
+        private float[] traits = new float[0];
 
-        /** Empty unless circles move in another way than those of their kind. */
-        private final int[] motion;
+        /** Of circles that move in another way than those of their kind. */
+        private int[] motion = new int[0];
 
-        /** Null in a world without terrain. */
-        private final PieceTransfer.Room pieces;
+        private final PieceTransfer.Room pieces = new PieceTransfer.Room();
 
-        /** Of walls, if the state has none. */
-        private final float[] noRows;
-
-        Links(SavedState from, DeviceArrays arrays) {
-            slotOf = new int[arrays.idCapacity()];
-            firstCached = new int[from.circles];
-            entries = new int[CachedImpulse.STRIDE * from.impulses];
-            fields = FieldsStruct.room(from.ids);
-            boolean turning = arrays.turning();
-            turn = new int[turning ? TURN_INTS * from.circles : 0];
-            own = new int[turning ? FieldsStruct.STRIDE * from.circles : 0];
-            motion = new int[arrays.ownMotion() ? FieldsStruct.STRIDE * from.ids : 0];
-            cachedRows = new float[turning ? ContactRows.of(from.impulses) : 0];
-            sleep = new int[arrays.sleeping() ? Readback.SLEEP_INTS * from.circles : 0];
-            traits = new float[arrays.sleeping() ? FLOATS * from.circles : 0];
-            pieces = arrays.terrain() ? new PieceTransfer.Room(from) : null;
-            noRows = new float[turning && !from.turns ? ContactRows.ofWalls(from.circles) : 0];
+        /** Makes room for a state. */
+        void ensure(SavedState from, DeviceArrays arrays) {
+            int n = from.circles;
+            slotOf = ints(slotOf, arrays.idCapacity());
+            firstCached = ints(firstCached, n);
+            entries = ints(entries, CachedImpulse.STRIDE * from.impulses);
+            fields = ints(fields, FieldsStruct.words(from.ids));
+            if (arrays.turning()) {
+                turn = ints(turn, TURN_INTS * n);
+                own = ints(own, FieldsStruct.STRIDE * n);
+                cachedRows = floats(cachedRows, ContactRows.of(from.impulses));
+                noRows = floats(noRows, from.turns ? 0 : ContactRows.ofWalls(n));
+            }
+            if (arrays.sleeping()) {
+                sleep = ints(sleep, Readback.SLEEP_INTS * n);
+                traits = floats(traits, FLOATS * n);
+            }
+            if (arrays.ownMotion()) {
+                motion = ints(motion, FieldsStruct.STRIDE * from.ids);
+            }
+            if (arrays.terrain()) {
+                pieces.ensure(from);
+            }
         }
     }
 
+    /** Ints that are held, if they are so many, else others. */
+    static int[] ints(int[] held, int count) {
+        return held.length < count ? new int[count] : held;
+    }
+
+    /** Likewise. */
+    static float[] floats(float[] held, int count) {
+        return held.length < count ? new float[count] : held;
+    }
+
     private final DeviceArrays arrays;
-    private final int slots;
-    private final int[] id;
-    private final int[] firstCached;
-    private final int[] slotOf;
+    private int slots;
+
+    // as the device has them; longer than their contents if they have served before
+    private int[] id = new int[0];
+    private int[] firstCached = new int[0];
+    private int[] slotOf = new int[0];
 
     /** Entries of the impulse cache, as {@link CachedImpulse} says. */
-    private final int[] entries;
+    private int[] entries = new int[0];
 
-    private final boolean turning;
+    private boolean turning;
 
-    /** Empty, as the next two, unless circles can rotate. */
+    /** As the next two, of circles that can rotate. */
     private int[] turn = new int[0];
 
     private float[] wallRows = new float[0];
     private float[] cachedRows = new float[0];
 
-    private final boolean sleeping;
+    private boolean sleeping;
 
-    /** Empty unless circles may have come to rest. */
-    private final int[] sleep;
+    /** Whether circles may have come to rest: else {@link #sleep} is not read. */
+    private boolean rests;
 
-    /** With how circles have come to rest, if they may have. */
-    StateTransfer(DeviceArrays arrays, int slots, int cachedContacts, boolean sleeps) {
+    private int[] sleep = new int[0];
+
+    /** It has no copy yet. */
+    StateTransfer(DeviceArrays arrays) {
         this.arrays = arrays;
-        this.slots = slots;
-        id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
-        firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
-        slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
-        entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedContacts);
+    }
+
+    /** Copies what the device has, with how circles have come to rest, if they may have. */
+    StateTransfer copy(int slotsAtHome, int cachedContacts, boolean sleeps) {
+        slots = slotsAtHome;
+        id = read(DeviceArray.HOME_ID, id, slots);
+        firstCached = read(DeviceArray.HOME_FIRST_CACHED, firstCached, slots);
+        slotOf = read(DeviceArray.SLOT_OF, slotOf, arrays.idCapacity());
+        entries = read(DeviceArray.IMPULSE_CACHE, entries, CachedImpulse.STRIDE * cachedContacts);
         sleeping = arrays.sleeping();
-        sleep = sleeps && sleeping
-                ? Readback.ints(arrays.get(DeviceArray.HOME_SLEEP), Readback.SLEEP_INTS * slots)
-                : new int[0];
+        rests = sleeps && sleeping;
+        if (rests) {
+            sleep = read(DeviceArray.HOME_SLEEP, sleep, Readback.SLEEP_INTS * slots);
+        }
         turning = arrays.turning();
         if (turning) {
-            turn = Readback.ints(arrays.get(DeviceArray.HOME_TURN), TURN_INTS * slots);
-            wallRows = Readback.floats(arrays.get(DeviceArray.HOME_WALL_ROWS), ContactRows.ofWalls(slots));
-            cachedRows = Readback.floats(arrays.get(DeviceArray.ROW_CACHE), ContactRows.of(cachedContacts));
+            turn = read(DeviceArray.HOME_TURN, turn, TURN_INTS * slots);
+            wallRows = read(DeviceArray.HOME_WALL_ROWS, wallRows, ContactRows.ofWalls(slots));
+            cachedRows = read(DeviceArray.ROW_CACHE, cachedRows, ContactRows.of(cachedContacts));
         }
+        return this;
+    }
+
+    private int[] read(DeviceArray array, int[] held, int count) {
+        int[] to = ints(held, count);
+        arrays.get(array).read(IntBuffer.wrap(to, 0, count));
+        return to;
+    }
+
+    private float[] read(DeviceArray array, float[] held, int count) {
+        float[] to = floats(held, count);
+        arrays.get(array).read(FloatBuffer.wrap(to, 0, count));
+        return to;
     }
 
     private float[] rows(DeviceArray array) {
@@ -152,7 +195,7 @@ final class StateTransfer {
     }
 
     private int sleepOf(int slot, int place) {
-        return sleep.length == 0 ? 0 : sleep[Readback.SLEEP_INTS * slot + place];
+        return !rests ? 0 : sleep[Readback.SLEEP_INTS * slot + place];
     }
 
     private long hashOfCircle(int slot, float[] circle, float[] motion, float[] traits) {
@@ -299,11 +342,11 @@ final class StateTransfer {
         int[] slotOf = links.slotOf;
         int[] firstCached = links.firstCached;
         int[] entries = links.entries;
-        Arrays.fill(slotOf, CachedImpulse.NONE);
+        Arrays.fill(slotOf, 0, arrays.idCapacity(), CachedImpulse.NONE);
         for (int slot = 0; slot < n; slot++) {
             slotOf[from.id[slot]] = slot;
         }
-        Arrays.fill(firstCached, CachedImpulse.NONE);
+        Arrays.fill(firstCached, 0, n, CachedImpulse.NONE);
         for (int c = 0; c < from.impulses; c++) {
             int lo = slotOf[from.lo[c]];
             entries[at(c, CachedImpulse.AT_HIGHER_ID)] = from.hi[c];
@@ -316,11 +359,12 @@ final class StateTransfer {
         float[] traits = arrays.sleeping() && from.sleeps ? traitsToSteps(from, links) : from.traits;
         arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(traits, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
-        arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(firstCached));
-        arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
-        arrays.get(DeviceArray.IMPULSE_CACHE).write(0, IntBuffer.wrap(entries));
-        FieldsStruct.pack(from.fields, links.fields);
-        arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields));
+        arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(firstCached, 0, n));
+        arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf, 0, arrays.idCapacity()));
+        arrays.get(DeviceArray.IMPULSE_CACHE)
+                .write(0, IntBuffer.wrap(entries, 0, CachedImpulse.STRIDE * from.impulses));
+        FieldsStruct.pack(from.fields, from.ids, links.fields);
+        arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields, 0, FieldsStruct.words(from.ids)));
         if (arrays.turning()) {
             loadTurning(from, arrays, links);
         }
@@ -328,8 +372,9 @@ final class StateTransfer {
             loadSleep(from, arrays, links);
         }
         if (arrays.ownMotion()) {
-            FieldsStruct.packMotion(from.fields, links.motion);
-            arrays.get(DeviceArray.OWN_MOTION).write(0, IntBuffer.wrap(links.motion));
+            FieldsStruct.packMotion(from.fields, from.ids, links.motion);
+            arrays.get(DeviceArray.OWN_MOTION)
+                    .write(0, IntBuffer.wrap(links.motion, 0, FieldsStruct.STRIDE * from.ids));
         }
         if (arrays.terrain()) {
             links.pieces.load(from, arrays);
@@ -337,6 +382,10 @@ final class StateTransfer {
     }
 
     private static void loadSleep(SavedState from, DeviceArrays arrays, Links links) {
+        int ints = Readback.SLEEP_INTS * from.circles;
+        if (!from.sleeps) {
+            Arrays.fill(links.sleep, 0, ints, 0);
+        }
         for (int slot = 0; from.sleeps && slot < from.circles; slot++) {
             int s = Readback.SLEEP_INTS * slot;
             links.sleep[s] = from.rest[slot];
@@ -344,12 +393,12 @@ final class StateTransfer {
             links.sleep[s + 2] = Float.floatToRawIntBits(from.drift[2 * slot + 1]);
             links.sleep[s + 3] = from.turned[slot];
         }
-        arrays.get(DeviceArray.HOME_SLEEP).write(0, IntBuffer.wrap(links.sleep));
+        arrays.get(DeviceArray.HOME_SLEEP).write(0, IntBuffer.wrap(links.sleep, 0, ints));
     }
 
     /** To steps the mass of one that sleeps is infinite. */
     private static float[] traitsToSteps(SavedState from, Links links) {
-        System.arraycopy(from.traits, 0, links.traits, 0, links.traits.length);
+        System.arraycopy(from.traits, 0, links.traits, 0, FLOATS * from.circles);
         for (int slot = 0; slot < from.circles; slot++) {
             if (Sleep.isAsleep(from.rest[slot])) {
                 links.traits[CircleRow.of(slot) + CircleRow.INVERSE_MASS] = 0;
@@ -360,17 +409,20 @@ final class StateTransfer {
 
     private static void loadTurning(SavedState from, DeviceArrays arrays, Links links) {
         int n = from.circles;
+        int rows = ContactRows.of(from.impulses);
         for (int slot = 0; slot < n; slot++) {
             links.turn[TURN_INTS * slot] = from.turns ? from.angle[slot] : 0;
             links.turn[TURN_INTS * slot + 1] = from.turns ? Float.floatToRawIntBits(from.angularVelocity[slot]) : 0;
         }
         if (from.turns) {
-            System.arraycopy(from.rows, 0, links.cachedRows, 0, ContactRows.of(from.impulses));
+            System.arraycopy(from.rows, 0, links.cachedRows, 0, rows);
+        } else {
+            Arrays.fill(links.cachedRows, 0, rows, 0f);
         }
         FieldsStruct.packTurning(from.fields, from.id, n, links.own);
-        arrays.get(DeviceArray.HOME_TURN).write(0, IntBuffer.wrap(links.turn));
-        arrays.get(DeviceArray.HOME_OWN).write(0, IntBuffer.wrap(links.own));
-        arrays.get(DeviceArray.ROW_CACHE).write(FloatBuffer.wrap(links.cachedRows));
+        arrays.get(DeviceArray.HOME_TURN).write(0, IntBuffer.wrap(links.turn, 0, TURN_INTS * n));
+        arrays.get(DeviceArray.HOME_OWN).write(0, IntBuffer.wrap(links.own, 0, FieldsStruct.STRIDE * n));
+        arrays.get(DeviceArray.ROW_CACHE).write(FloatBuffer.wrap(links.cachedRows, 0, rows));
         float[] wallRows = from.turns ? from.wallRows : links.noRows;
         arrays.get(DeviceArray.HOME_WALL_ROWS).write(FloatBuffer.wrap(wallRows, 0, ContactRows.ofWalls(n)));
     }

@@ -49,14 +49,41 @@ final class Saving {
     private void saveAlone() {
         into.impulses = 0;
         saveRows(0, into.circles);
+        if (state.sleepers == null) {
+            if (into.normalImpulse.length == 0) {
+                into.ensureImpulses(count(0, into.circles)); // memory that grew bit by bit would be copied
+            }
+            into.impulses = saveImpulses(0, into.circles, 0);
+            return;
+        }
         int slot = -1;
         for (int k = 0; k < into.circles; k++) {
             slot = slot(slot, k);
             into.impulses = impulses.save(slot, into, into.impulses);
-            if (state.sleepers != null) {
-                state.sleepers.saveImpulses(into.id[k], into);
-            }
+            state.sleepers.saveImpulses(into.id[k], into);
         }
+    }
+
+    /** How many impulses a range of circles has. */
+    private int count(int from, int to) {
+        int sum = 0;
+        int slot = -1;
+        for (int k = from; k < to; k++) {
+            slot = slot(slot, k);
+            sum += impulses.count(slot);
+        }
+        return sum;
+    }
+
+    /** Saves the impulses of a range of circles from a place on, and returns the place behind them. */
+    private int saveImpulses(int from, int to, int place) {
+        int at = place;
+        int slot = -1;
+        for (int k = from; k < to; k++) {
+            slot = slot(slot, k);
+            at = impulses.save(slot, into, at);
+        }
+        return at;
     }
 
     /** The slot of circle k: mostly that behind the slot of the circle before, where a processor finds it at once. */
@@ -94,14 +121,7 @@ final class Saving {
 
     private void count(int worker) {
         for (int part = worker; part < SavedCircles.PARTS; part += team.size()) {
-            int sum = 0;
-            int slot = -1;
-            int to = into.part(part + 1);
-            for (int k = into.part(part); k < to; k++) {
-                slot = slot(slot, k);
-                sum += impulses.count(slot);
-            }
-            places[part] = sum;
+            places[part] = count(into.part(part), into.part(part + 1));
         }
     }
 
@@ -110,12 +130,7 @@ final class Saving {
             int from = into.part(part);
             int to = into.part(part + 1);
             saveRows(from, to);
-            int at = places[part];
-            int slot = -1;
-            for (int k = from; k < to; k++) {
-                slot = slot(slot, k);
-                at = impulses.save(slot, into, at);
-            }
+            saveImpulses(from, to, places[part]);
         }
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.snapshots.SavedState;
 
 /** Decides where a world that moves makes its steps. The world's thread calls it, but for what it does beside. */
 public interface Mover extends AutoCloseable {
@@ -33,6 +34,11 @@ public interface Mover extends AutoCloseable {
 
     /** A pipeline away from home has failed, and with it the state. If another one takes its place, the world moves home. */
     void lost(Pipeline failed, Throwable why);
+
+    /** Memory for a state on the way that has been made since it was asked for last; null if there is none. */
+    default SavedState takeMemory() {
+        return null;
+    }
 
     /** Closes all pipelines. */
     @Override

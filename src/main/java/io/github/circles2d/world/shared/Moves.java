@@ -178,11 +178,20 @@ public final class Moves {
         }
     }
 
-    /** Memory of the last move, if it is still there. */
+    /** Memory of the last move, if it is still there; null before the first. */
+    public SavedState memory() {
+        return memory.get();
+    }
+
     private SavedState carried() {
-        SavedState held = memory.get();
+        SavedState held = mover.takeMemory();
+        if (held == null) {
+            held = memory.get();
+        }
         if (held == null) {
             held = new SavedState();
+        }
+        if (held != memory.get()) {
             memory = new SoftReference<>(held);
         }
         return held;

@@ -164,6 +164,11 @@ public interface Pipeline extends AutoCloseable {
     /** The world has moved elsewhere, from where {@link #load} may bring it back: reports end, and requested positions arrive. */
     void leave();
 
+    /** The world that has left was made up, and another one comes: nothing that is there is taken for its own, nor counted. Nobody watches. */
+    default void forget() {
+        watch(failure -> {});
+    }
+
     /** Always the same; null if only the host can search the circles. */
     default RemoteSearch search() {
         return null;

@@ -76,15 +76,15 @@ public final class FieldsStruct {
         return values;
     }
 
-    /** Ints for the structs of circles. */
-    public static int[] room(int ids) {
-        return new int[WORDS * ids];
+    /** Ints of the structs of so many circles. */
+    public static int words(int ids) {
+        return WORDS * ids;
     }
 
-    /** By id, to what {@link #room} has given. */
-    public static void pack(CircleFields from, int[] to) {
+    /** Of so many ids. */
+    public static void pack(CircleFields from, int ids, int[] to) {
         for (int k = 0; k < FIELDS.size(); k++) {
-            for (int id = 0; id < to.length / WORDS; id++) {
+            for (int id = 0; id < ids; id++) {
                 to[WORDS * id + k] = from.getInt(FIELDS.get(k), id);
             }
         }
@@ -99,9 +99,9 @@ public final class FieldsStruct {
         }
     }
 
-    /** By id, for {@link DeviceArray#OWN_MOTION}. */
-    public static void packMotion(CircleFields from, int[] to) {
-        for (int id = 0; id < to.length / STRIDE; id++) {
+    /** Of so many ids, for {@link DeviceArray#OWN_MOTION}. */
+    public static void packMotion(CircleFields from, int ids, int[] to) {
+        for (int id = 0; id < ids; id++) {
             for (int place = 0; place < MOTION.size(); place++) {
                 to[STRIDE * id + place] = from.getInt(MOTION.get(place), id);
             }

@@ -47,6 +47,14 @@ public final class JointUpload {
     private final int[] sentWords = new int[JointHead.STRUCT.words()];
     private final IntBuffer wordsView = IntBuffer.wrap(words);
 
+    /** What comes is of another world. */
+    void forget() {
+        tables = null;
+        head.any = 0;
+        sentRoom = NEVER; // so all tables are sent anew
+        sent = false;
+    }
+
     /** Takes down what the next steps are made with. */
     void set(StepInput input) {
         head.any = input.constants.joints ? 1 : 0;

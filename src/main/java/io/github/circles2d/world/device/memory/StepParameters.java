@@ -97,6 +97,9 @@ public final class StepParameters {
             .apart("firstTile[LEVELS]", GridLevels.COUNT, "first tile")
             .apart("tileCount", "tiles of all levels");
 
+    /** No version is that. */
+    private static final int NEVER = -1;
+
     private static final int WARM_SCALE = CONSTANTS.at("warmScale");
     private static final int SWEEPING = CONSTANTS.at("sweeping");
     private static final int THINNING = CONSTANTS.at("thinning");
@@ -146,6 +149,16 @@ public final class StepParameters {
         // No constants and no shape are all zeros. The motion of walls may be, but it has no -1 at the end.
         Arrays.fill(sentWalls, -1);
         clearSurfaces();
+    }
+
+    /** What comes is of another world, whose tables may have the versions of those that have been sent. */
+    public void forget() {
+        responsesVersion = NEVER;
+        motionVersion = NEVER;
+        surfacesVersion = NEVER;
+        sleepVersion = NEVER;
+        terrain.forget();
+        joints.forget();
     }
 
     /** Takes down what the next steps are made with. */

@@ -42,6 +42,15 @@ final class TerrainUpload {
     private final int[] sentHead = new int[TerrainRoom.HEAD];
     private final IntBuffer headView = IntBuffer.wrap(head);
 
+    /** What comes is of another world. */
+    void forget() {
+        tables = null;
+        any = false;
+        sentRoom = NEVER; // so all tables are sent anew
+        sentKinds = NEVER;
+        sent = false;
+    }
+
     /** Takes down what the next steps are made with. */
     void set(StepInput input) {
         any = input.constants.terrain;
