@@ -47,10 +47,14 @@ final class Pipelines {
      * devices are ready from the start, so that tests of surfaces, of terrain and of joints share programs.
      */
     static Pipeline[] ready(Device device, Features features) {
-        if (!TestScale.LONG) {
-            return new Pipeline[] {java(), of(device, Plans.COLOURS.of(device), false, features)};
-        }
-        return all(device, features);
+        return TestScale.LONG
+                ? all(device, features)
+                : new Pipeline[] {java(), of(device, colours(device), false, features)};
+    }
+
+    /** The plans by colours, with the program that tests share: in a quick run that of colours alone. */
+    static List<Plan> colours(Device device) {
+        return TestScale.LONG ? plans(device, Plans.COLOURS) : Plans.COLOURS.of(device);
     }
 
     /** The pipeline in Java, and one for each plan that a device can follow. */

@@ -7,7 +7,6 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
-import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
@@ -124,7 +123,7 @@ class SleepAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void stepsInWhichAllSleepCostNothing(Device device) {
-        DevicePipeline profiled = Pipelines.of(device, Pipelines.plans(device, Plans.COLOURS), true, Pipelines.INSIDE);
+        DevicePipeline profiled = Pipelines.of(device, Pipelines.colours(device), true, Pipelines.INSIDE);
         try (Twins twins = Twins.sleeping(BOX, 4, 10, jvm(), profiled)) {
             for (int k = 0; k < 4; k++) {
                 twins.add(0.5f + 0.4f * k, 0.15f, 0.15f, 1, 0, 0, 0);
