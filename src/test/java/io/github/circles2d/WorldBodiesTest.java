@@ -26,6 +26,20 @@ class WorldBodiesTest {
         return bytes.flip();
     }
 
+    /** Its effective mass against what stands still would be infinite. */
+    @Test
+    void whatTurnsButDoesNotMoveIsNotBrakedByAWall() {
+        try (World world = world().friction(1).build()) {
+            Outline disc = Outline.of(Chain.from(1, 0).arcTo(0, 0, (float) (2 * Math.PI)).close());
+            long wheel = world.bodies().add(disc, 5, 0.99f, 0, Float.POSITIVE_INFINITY);
+            world.bodies().setInertia(wheel, 1);
+            world.bodies().setAngularVelocity(wheel, 3);
+            world.step(1 / 60f, 30);
+            assertThat(world.bodies().angularVelocity(wheel)).isEqualTo(3);
+            assertThat(world.bodies().y(wheel)).isEqualTo(0.99f);
+        }
+    }
+
     @Test
     void aBodyIsWhatItWasAddedAs() {
         try (World world = world()) {

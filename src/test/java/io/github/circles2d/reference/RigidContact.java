@@ -20,6 +20,7 @@ final class RigidContact {
     private static final float OF_PUSH = 0.5f;
 
     private static final float LEAST_BOUNCE = 1e-6f;
+    private static final float GREATEST_IMPULSE = 1e20f;
 
     /** How far lines go on beyond their ends, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
@@ -219,10 +220,16 @@ final class RigidContact {
         return summing && t.type == RigidThing.BODY ? t.share : 1f;
     }
 
-    private float inverseMass(boolean summing) {
-        return summing
-                ? shareOf(a, true) * inverseMassOf(true) + shareOf(b, true) * inverseMassOf(false)
-                : inverseMassOf(true) + inverseMassOf(false);
+    private float mass(boolean summing) {
+        return massOf(
+                summing
+                        ? shareOf(a, true) * inverseMassOf(true) + shareOf(b, true) * inverseMassOf(false)
+                        : inverseMassOf(true) + inverseMassOf(false));
+    }
+
+    /** 0 of what nothing moves. */
+    private static float massOf(float inverse) {
+        return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
     }
 
     /** The velocity of A against B at the point. */
@@ -301,7 +308,7 @@ final class RigidContact {
         float impulseScale = 1f / (1f + a2);
         float massScale = a2 * impulseScale;
         float biasRate = (omega / a1) * k.inverseH();
-        float m = 1f / inverseMass(summing);
+        float m = mass(summing);
         float vn = normalSpeed();
         float before = normalSpeedBefore();
         approach = max(approach, -before);
@@ -322,10 +329,11 @@ final class RigidContact {
     /** Without bias, along the normal. */
     void relax(boolean summing) {
         float bias = gap > 0f ? gap * k.inverseH() : 0f;
-        take(max(impulse - 1f / inverseMass(summing) * (normalSpeed() + bias), 0f), summing);
+        take(max(impulse - mass(summing) * (normalSpeed() + bias), 0f), summing);
     }
 
-    private void take(float next, boolean summing) {
+    private void take(float wanted, boolean summing) {
+        float next = min(wanted, GREATEST_IMPULSE);
         float gained = next - impulse;
         impulse = next;
         apply(nx * gained, ny * gained, summing);
@@ -359,9 +367,8 @@ final class RigidContact {
         if (friction > 0f) {
             float armA = ax * nx + ay * ny;
             float armB = bx * nx + by * ny;
-            float m = 1f
-                    / (shareOf(a, summing) * (a.w + a.i * armA * armA)
-                            + shareOf(b, summing) * (b.w + b.i * armB * armB));
+            float m = massOf(shareOf(a, summing) * (a.w + a.i * armA * armA)
+                    + shareOf(b, summing) * (b.w + b.i * armB * armB));
             float[] u = speed();
             float slip = u[1] * nx - u[0] * ny - (a.belt + b.belt);
             float next = held(grip - m * slip, friction * impulse);
@@ -372,7 +379,7 @@ final class RigidContact {
         float resistance = max(a.rolling, b.rolling);
         float turns = a.i + b.i;
         if (resistance > 0f && turns > 0f) {
-            float next = held(roll - 1f / turns * (a.omega - b.omega), resistance * impulse);
+            float next = held(roll - massOf(turns) * (a.omega - b.omega), resistance * impulse);
             float gained = next - roll;
             roll = next;
             a.give(0f, 0f, a.i * gained, summing);

@@ -219,9 +219,9 @@ final class RigidThing {
             given.add(1, y);
             givenSpin.add(0, spin);
         } else {
-            velocity[0] += x;
-            velocity[1] += y;
-            omega += spin;
+            velocity[0] = Numbers.limitSpeed(velocity[0] + x);
+            velocity[1] = Numbers.limitSpeed(velocity[1] + y);
+            omega = Numbers.limitSpeed(omega + spin);
         }
     }
 

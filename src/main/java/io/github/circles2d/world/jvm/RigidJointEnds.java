@@ -25,6 +25,7 @@ import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Velocity;
 import java.util.Arrays;
 
 /**
@@ -276,9 +277,9 @@ final class RigidJointEnds {
     void pushBody(int e, float x, float y, float twist) {
         int t = thing[e];
         if (t != NONE) {
-            things.vx[t] += w[e] * x;
-            things.vy[t] += w[e] * y;
-            things.omega[t] += i[e] * ((arm[0][e] * y - arm[1][e] * x) + twist);
+            things.vx[t] = Velocity.limitSpeed(things.vx[t] + w[e] * x);
+            things.vy[t] = Velocity.limitSpeed(things.vy[t] + w[e] * y);
+            things.omega[t] = Velocity.limitSpeed(things.omega[t] + i[e] * ((arm[0][e] * y - arm[1][e] * x) + twist));
         }
     }
 

@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
 import java.util.Arrays;
 
 /**
@@ -27,6 +28,9 @@ final class RigidVisits {
     private static final float PUSH = 0.5f;
 
     private static final float LEAST_BOUNCE = 1e-6f;
+
+    /** No masses and speeds that a world takes need more. It and the greatest speed keep all finite: of what is not, processors make what they like. */
+    private static final float GREATEST_IMPULSE = 1e20f;
 
     private final RigidContacts contacts;
     private final RigidPairs pairs;
@@ -88,7 +92,7 @@ final class RigidVisits {
         }
         int end = contacts.firstOf[order.firstWithCircle];
         for (int c = 0; c < end; c++) {
-            normalMass[c] = 1f / (massOfA(c) + massOfB(c));
+            normalMass[c] = massOf(massOfA(c) + massOfB(c));
             tangentMass[c] = gripMass(c, 1f, 1f);
         }
     }
@@ -133,9 +137,9 @@ final class RigidVisits {
             sums[3 * t + 1] += CrossRule.toFixed(y, scale);
             sums[3 * t + 2] += CrossRule.toFixed(spin, CrossRule.scaleOf(k.inverseH));
         } else {
-            things.vx[t] += x;
-            things.vy[t] += y;
-            things.omega[t] += spin;
+            things.vx[t] = Velocity.limitSpeed(things.vx[t] + x);
+            things.vy[t] = Velocity.limitSpeed(things.vy[t] + y);
+            things.omega[t] = Velocity.limitSpeed(things.omega[t] + spin);
         }
     }
 
@@ -263,7 +267,8 @@ final class RigidVisits {
         return take(c, next);
     }
 
-    private float take(int c, float next) {
+    private float take(int c, float wanted) {
+        float next = CircleMath.min(wanted, GREATEST_IMPULSE);
         float gain = next - contacts.impulse[c];
         contacts.impulse[c] = next;
         contacts.most[c] = CircleMath.max(contacts.most[c], next);
@@ -317,7 +322,7 @@ final class RigidVisits {
         if (resistance > 0f && turns > 0f) {
             float before = contacts.roll[c];
             float next = Surface.rolling(
-                    before, 1f / turns, things.omega[a] - things.omega[b], resistance * contacts.impulse[c]);
+                    before, massOf(turns), things.omega[a] - things.omega[b], resistance * contacts.impulse[c]);
             contacts.roll[c] = next;
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
@@ -330,9 +335,13 @@ final class RigidVisits {
         int b = contacts.b[c];
         float armA = contacts.ax[c] * contacts.nx[c] + contacts.ay[c] * contacts.ny[c];
         float armB = contacts.bx[c] * contacts.nx[c] + contacts.by[c] * contacts.ny[c];
-        return 1f
-                / (shareA * (things.w[a] + things.i[a] * armA * armA)
-                        + shareB * (things.w[b] + things.i[b] * armB * armB));
+        return massOf(shareA * (things.w[a] + things.i[a] * armA * armA)
+                + shareB * (things.w[b] + things.i[b] * armB * armB));
+    }
+
+    /** An effective mass, from one over it. No impulse moves what has none. */
+    private static float massOf(float inverse) {
+        return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
     }
 
     private float slip(int c, float ux, float uy) {
@@ -383,7 +392,7 @@ final class RigidVisits {
         if (relaxes && isIdle(c)) {
             return;
         }
-        float mass = 1f / (shareA * massOfA(c) + shareB * massOfB(c));
+        float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
         float vn = normalSpeed(c);
         apply(c, relaxes ? relaxedNormal(c, mass, vn) : solvedNormal(c, mass, vn));
         if (relaxes || contacts.bounce[c] > 0f) {
