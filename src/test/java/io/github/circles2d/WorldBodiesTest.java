@@ -30,7 +30,8 @@ class WorldBodiesTest {
     @Test
     void whatTurnsButDoesNotMoveIsNotBrakedByAWall() {
         try (World world = world().friction(1).build()) {
-            Outline disc = Outline.of(Chain.from(1, 0).arcTo(0, 0, (float) (2 * Math.PI)).close());
+            Outline disc = Outline.of(
+                    Chain.from(1, 0).arcTo(0, 0, (float) (2 * Math.PI)).close());
             long wheel = world.bodies().add(disc, 5, 0.99f, 0, Float.POSITIVE_INFINITY);
             world.bodies().setInertia(wheel, 1);
             world.bodies().setAngularVelocity(wheel, 3);

@@ -367,8 +367,8 @@ final class RigidContact {
         if (friction > 0f) {
             float armA = ax * nx + ay * ny;
             float armB = bx * nx + by * ny;
-            float m = massOf(shareOf(a, summing) * (a.w + a.i * armA * armA)
-                    + shareOf(b, summing) * (b.w + b.i * armB * armB));
+            float m = massOf(
+                    shareOf(a, summing) * (a.w + a.i * armA * armA) + shareOf(b, summing) * (b.w + b.i * armB * armB));
             float[] u = speed();
             float slip = u[1] * nx - u[0] * ny - (a.belt + b.belt);
             float next = held(grip - m * slip, friction * impulse);
