@@ -14,7 +14,7 @@ import javax.swing.JPanel;
 /** The tools, the course of time and the colours, as buttons that show what is on, and sliders of surfaces. */
 final class Bar extends JPanel {
     private static final long serialVersionUID = 1;
-    private static final int GAP_X = 5;
+    private static final int GAP_X = 4;
     private static final int GAP_Y = 7;
 
     /** Between groups. */

@@ -24,7 +24,7 @@ final class FlatButton extends JToggleButton {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(getFontMetrics(getFont()).stringWidth(getText()) + 16, HEIGHT);
+        return new Dimension(getFontMetrics(getFont()).stringWidth(getText()) + 14, HEIGHT);
     }
 
     @Override
