@@ -90,11 +90,8 @@ public final class BodyCosts {
 
     /** A world of a scene, at its start. */
     static World world(String scene) {
-        World.Builder builder = World.builder()
-                .backend(Backend.JVM)
-                .threads(2)
-                .gravity(0, -10)
-                .friction(0.6f);
+        World.Builder builder =
+                World.builder().backend(Backend.JVM).threads(2).gravity(0, -10).friction(0.6f);
         return switch (scene) {
             case "pyramid" -> pyramid(builder);
             case "pour" -> pour(builder);
