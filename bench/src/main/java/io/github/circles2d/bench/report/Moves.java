@@ -55,6 +55,20 @@ final class Moves {
         return rows.isEmpty() ? "" : text.toString();
     }
 
+    /** How long starts and moves take. Empty if the folder has no such file. */
+    static String times(Path folder) {
+        StringBuilder text = new StringBuilder("| what | time |\n|---|--:|\n");
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("times.csv"), List.of("what"));
+        for (Map<String, String> row : rows) {
+            text.append("| ")
+                    .append(row.get("what"))
+                    .append(" | ")
+                    .append(row.get("time"))
+                    .append(" |\n");
+        }
+        return rows.isEmpty() ? "" : text.toString();
+    }
+
     /** Draws the times of frames, if the folder has some. */
     static void draw(Path folder) throws IOException {
         XYChart chart = Charts.chart("A crowd that grows to 200,000 circles and shrinks again", "frame", "ms a frame");

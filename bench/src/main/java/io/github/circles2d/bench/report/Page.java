@@ -69,6 +69,7 @@ public final class Page {
         part("sleep cost", () -> beside("sleep", SleepTables::cost));
         part("bodies cost", () -> beside("bodies", BodyTables::cost));
         part("moves", () -> beside("moves", Moves::totals));
+        part("moves times", () -> beside("moves", Moves::times));
         parts.put("moves chart", () -> picture("ms a frame by frame", "moves/" + Moves.FILE));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
         parts.put("series outside", () -> SeriesTables.outside(folders));
