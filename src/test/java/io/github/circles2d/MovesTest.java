@@ -259,7 +259,7 @@ class MovesTest {
         return bytes.flip();
     }
 
-    private static String text(Events events) {
+    static String text(Events events) {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < events.size(); i++) {
             text.append(events.type(i))

@@ -251,8 +251,8 @@ class RunningChoiceTest {
                 stays.step(SCENE.timeStep());
                 assertThat(bytes(world)).isEqualTo(bytes(stays));
                 assertThat(world.hash()).isEqualTo(stays.hash());
-                String told = text(world.events());
-                assertThat(told).isEqualTo(text(stays.events()));
+                String told = MovesTest.text(world.events());
+                assertThat(told).isEqualTo(MovesTest.text(stays.events()));
                 events += told.length();
                 if (world.stats().moves() == 0) {
                     assertThat(figures(world)).isEqualTo(figures(stays));
@@ -265,7 +265,7 @@ class RunningChoiceTest {
                 world.step(SCENE.timeStep());
                 stays.step(SCENE.timeStep());
                 assertThat(bytes(world)).isEqualTo(bytes(stays));
-                assertThat(text(world.events())).isEqualTo(text(stays.events()));
+                assertThat(MovesTest.text(world.events())).isEqualTo(MovesTest.text(stays.events()));
                 assertThat(figures(world)).isEqualTo(figures(stays));
             }
         }
@@ -275,19 +275,6 @@ class RunningChoiceTest {
         ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
         world.snapshot(bytes);
         return bytes.array();
-    }
-
-    private static String text(Events events) {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < events.size(); i++) {
-            text.append(events.type(i))
-                    .append(' ')
-                    .append(events.a(i))
-                    .append(' ')
-                    .append(events.b(i))
-                    .append(' ');
-        }
-        return text.toString();
     }
 
     private static List<Object> figures(World world) {

@@ -162,10 +162,7 @@ public final class GridLevels {
         boolean roomy = false;
         for (int l = 0; l < usedCount; l++) {
             int level = used[l];
-            float edge = edge(top[level], bounds);
-            float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
-            float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
-            roomy |= across * down > ROOMY * (1 << (columnsLog[level] + rowsLog[level]));
+            roomy |= across(level) * down(level) > ROOMY * (1 << (columnsLog[level] + rowsLog[level]));
         }
         return roomy;
     }
@@ -191,11 +188,10 @@ public final class GridLevels {
     }
 
     private void fitLevel(int level, float width, float height) {
-        float edge = edge(top[level], bounds);
         float boxAcross = cellsOfBox(width, level, bounds.edgeX());
         float boxDown = cellsOfBox(height, level, bounds.edgeY());
-        float across = Math.min(cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX()), boxAcross);
-        float down = Math.min(cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY()), boxDown);
+        float across = Math.min(across(level), boxAcross);
+        float down = Math.min(down(level), boxDown);
         int columnsBefore = columnCount[level];
         int rowsBefore = rowCount[level];
         setSides(level, across, down);
@@ -241,10 +237,9 @@ public final class GridLevels {
     }
 
     private void layOutLevel(int level, Bounds bounds) {
-        float edge = edge(top[level], bounds);
-        inverseEdge[level] = 1f / edge;
-        float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
-        float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
+        inverseEdge[level] = 1f / edge(top[level], bounds);
+        float across = across(level);
+        float down = down(level);
         setSides(level, across, down);
         sheetsX[level] = ENDLESS;
         sheetsY[level] = ENDLESS;
@@ -277,6 +272,15 @@ public final class GridLevels {
         folded[level] = isFolded(
                         bounds.edgeX(), bounds.minX(), bounds.maxX(), across, level, columnCount[level], sheetsX[level])
                 || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), down, level, rowCount[level], sheetsY[level]);
+    }
+
+    /** Cells of the arena. */
+    private float across(int level) {
+        return cells(bounds.maxX() - bounds.minX(), edge(top[level], bounds), bounds.edgeX());
+    }
+
+    private float down(int level) {
+        return cells(bounds.maxY() - bounds.minY(), edge(top[level], bounds), bounds.edgeY());
     }
 
     /** Even if the axis wraps, so that colours fit at the seam. */
