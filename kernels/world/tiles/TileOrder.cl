@@ -30,6 +30,7 @@ typedef struct {
     int overfull; // too many rounds
     int crowded;  // a circle has too many contacts
     int idle;     // the step had been refused
+    int moves;    // a circle of its own may move
 } Arrangement;
 
 // The first round in which a circle is free, its contacts so far (at most MOST_MET), whether one carries.
@@ -58,6 +59,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         a->met = 0;
         a->overfull = 0;
         a->crowded = 0;
+        a->moves = 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item <= r->rows) {
@@ -309,12 +311,13 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
 
 #ifdef TERRAIN
 // Starts the tile's own circles near pieces of terrain. Apart: in the loop of the others they would hold registers.
-void startAtPieces(const World *w, local const Arrangement *a, global int *entries, int circles) {
+void startAtPieces(const World *w, local Arrangement *a, global int *entries, int circles) {
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = entries[i];
         if (slot < 0 || !hasPieces(w, slot)) continue;
         entries[i] = slot | AT_WALL;
+        a->moves = 1;
 #ifdef RECORDING
         clearWallTouch(w, slot);
 #endif
@@ -323,6 +326,13 @@ void startAtPieces(const World *w, local const Arrangement *a, global int *entri
     }
 }
 #endif
+
+bool mayMove(const World *w, int slot, float4 m, float4 t) {
+#ifdef TURNING
+    if (w->surfaceSpeed[slot] != 0.0f) return true;
+#endif
+    return t.INVERSE_MASS != 0.0f || m.VX != 0.0f || m.VY != 0.0f;
+}
 
 // Starts the tile's own, if nobody shares passes with like contacts, and keeps what contacts need of all.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
@@ -358,6 +368,7 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 #ifdef RECORDING
                 clearWallTouch(w, slot);
 #endif
+                if (mayMove(w, slot, m[n], t[n])) a->moves = 1;
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 bool atWall = startCircle(w, slot, c[n], m[n], t[n], a->load[i],
                                           carried AND_TURNING(w->surfaceSpeed[slot]) AND_TURNING(a->spin[i]) AND_TERRAIN(false));
@@ -462,6 +473,7 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     takeCircles(w, a, record, circles, together);
     copyContacts(w, a, circles > 0 ? contacts : 0);
     if (get_local_id(0) != 0 || idle || found == 0) return;
+    record[TILE_AT_STILL] = fits && contacts == 0 && a->moves == 0 && !sharesPasses(w);
     int peak = max(100 * min(found, MOST_COUNTED) / TILE_CIRCLES, 100 * min(contacts, MOST_COUNTED) / TILE_CONTACTS);
     if (fits) {
         atomic_max(&w->status[TILE_PEAK], peak);

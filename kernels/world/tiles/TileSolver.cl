@@ -299,6 +299,9 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) storeHeldImpulse(&w, c);
 }
 
+// Whether nothing that a tile owns moves, so that all sub-steps are alike: its first solving pass and its last relaxing pass do.
+bool isStillTile(const World *w, int tile) { return recordOf(w, tile)[TILE_AT_STILL] != 0; }
+
 // Index space of both: a work-group a tile. Cost: the circles of its region, and its parts of rounds.
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
@@ -308,7 +311,7 @@ TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
     SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w);
     local Tile t;
     int tile = (int) get_group_id(0);
-    takeTile(&w, &t, tile, refused(&w));
+    takeTile(&w, &t, tile, refused(&w) || (subStep > 0 && isStillTile(&w, tile)));
     solveTile(&w, &t, tile, subStep, 4, false);
 }
 
@@ -325,6 +328,6 @@ TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
 #ifdef TURNING
     w.relaxed = subStep;
 #endif
-    takeTile(&w, &t, tile, idle);
+    takeTile(&w, &t, tile, idle || (!last && isStillTile(&w, tile)));
     relaxTile(&w, &t, tile, last, 2, false);
 }

@@ -47,7 +47,7 @@ final class Rehearsal implements Mover {
 
     private Rehearsal(Pipeline device, Readiness wanted, int circles) {
         this.device = device;
-        home = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, circles, false);
+        home = new JvmPipeline(savers(), JvmPipeline.LEAST_SHARE, circles, false);
         next = home;
         int columns = Math.max(LEAST_COLUMNS, (int) Math.sqrt(circles));
         int rows = circles / columns + 1;
@@ -77,6 +77,11 @@ final class Rehearsal implements Mover {
         } finally {
             rehearsal.world.close();
         }
+    }
+
+    /** As few threads as make the code run that many threads save a world by. */
+    private static int savers() {
+        return World.Builder.defaultThreads() < JvmPipeline.LEAST_SAVERS ? 1 : JvmPipeline.LEAST_SAVERS;
     }
 
     /** The world beside keeps at least half of the heap that is free. */

@@ -11,12 +11,13 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Set;
 
 /**
  * Measures worlds that move, on the best OpenCL device. A frame is a step and a read of all circles.
  *
  * <pre>
- * MovingFigures start 50000 30       the first frames of a world by AUTO, for so many seconds, and those of a world on the JVM beside it
+ * MovingFigures start 50000 30 AUTO  the first frames of a world by AUTO, for so many seconds; in another JVM the same with JVM
  * MovingFigures moves 10000 100000 1000000   what a move to the device and back takes, behind a rehearsal as a world by AUTO has it
  * MovingFigures unrehearsed 10000            the same without one
  * </pre>
@@ -24,11 +25,15 @@ import java.util.Locale;
 public final class MovingFigures {
     private static final int THREADS = World.Builder.defaultThreads();
 
+    /** Frames behind which a start says what they took. */
+    private static final Set<Integer> MEANS = Set.of(1, 10, 50, 100, 200, 400);
+
     private MovingFigures() {}
 
     public static void main(String[] arguments) throws InterruptedException {
         switch (arguments[0]) {
-            case "start" -> start(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]));
+            case "start" ->
+                start(Integer.parseInt(arguments[1]), Integer.parseInt(arguments[2]), Backend.valueOf(arguments[3]));
             case "moves", "unrehearsed" ->
                 Arrays.stream(arguments)
                         .skip(1)
@@ -45,50 +50,42 @@ public final class MovingFigures {
     // ---- the first frames
     // --------------------------------------------------------------------------------------------
 
-    private static void start(int circles, int seconds) {
+    private static void start(int circles, int seconds, Backend backend) {
         Scene scene = Scenes.packed(circles, Scenes.SEED);
         float[] read = new float[4 * circles];
         long begin = System.nanoTime();
-        World auto = WorldScenes.world(scene, WorldScenes.builder(scene).backend(Backend.AUTO));
-        frame(auto, scene, read);
-        say("%,d circles by AUTO: first frame %.3f s after the builder", circles, (System.nanoTime() - begin) * 1e-9);
+        World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
+        frame(world, scene, read);
+        say("%,d circles by %s: first frame %.3f s after the builder", circles, backend, (System.nanoTime() - begin) * 1e-9);
         long end = begin + seconds * 1_000_000_000L;
         double worst = 0;
         double sum = 0;
         int frames = 0;
         int moves = 0;
         while (System.nanoTime() < end) {
-            double millis = frame(auto, scene, read);
+            double millis = frame(world, scene, read);
             worst = Math.max(worst, millis);
             sum += millis;
             frames++;
-            WorldStats stats = frames % 10 == 0 ? auto.stats() : null;
-            if (stats != null && stats.moves() > moves) {
-                moves = stats.moves();
+            WorldStats stats = frames % 10 == 0 ? world.stats() : null;
+            boolean moved = stats != null && stats.moves() > moves;
+            if (moved || MEANS.contains(frames)) {
                 say(
-                        "%.1f s: %s since the start %,d frames, mean %.2f ms, worst %.2f ms; moves took %.2f ms; %s",
+                        "%.1f s: %s since the start %,d frames, mean %.2f ms, worst since the last line %.2f ms",
                         (System.nanoTime() - begin) * 1e-9,
-                        stats.backend(),
+                        world.stats().backend(),
                         frames,
                         sum / frames,
-                        worst,
-                        stats.moveMillis(),
-                        stats.reason());
+                        worst);
                 worst = 0;
             }
+            if (moved) {
+                moves = stats.moves();
+                say("moves took %.2f ms; %s", stats.moveMillis(), stats.reason());
+            }
         }
-        say("at the end %s: worst since the last move %.2f ms", auto.stats(), worst);
-        auto.close();
-        World jvm = WorldScenes.world(scene, WorldScenes.builder(scene).threads(THREADS));
-        worst = 0;
-        sum = 0;
-        for (int frame = 0; frame < 300; frame++) {
-            double millis = frame(jvm, scene, read);
-            worst = frame < 50 ? 0 : Math.max(worst, millis);
-            sum += millis;
-        }
-        say("the JVM alone: mean %.2f ms, worst after 50 frames %.2f ms", sum / 300, worst);
-        jvm.close();
+        say("at the end %s: worst since the last line %.2f ms", world.stats(), worst);
+        world.close();
     }
 
     /** Makes a frame, and returns its milliseconds. */

@@ -36,6 +36,12 @@ public final class JvmPipeline implements Pipeline {
     /** Shares of circles that a thread saves at least: to save a circle takes about a fifth of its step. */
     private static final int SAVED_SHARE = 8;
 
+    /**
+     * Many circles are saved by at least so many threads, if there are as many, else by one: several must count impulses first, which takes
+     * half as long again.
+     */
+    public static final int LEAST_SAVERS = 4;
+
     private static final int GRID = 0;
     private static final int SWEEP = 1;
     private static final int CONTACTS = 2;

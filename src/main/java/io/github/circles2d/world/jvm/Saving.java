@@ -6,9 +6,6 @@ import io.github.circles2d.world.snapshots.SavedState;
 
 /** Saves circles and the impulses that the next step starts from; many circles by several threads. */
 final class Saving {
-    /** To count impulses first takes half as long again, so fewer threads gain little. */
-    private static final int LEAST_THREADS = 4;
-
     private final State state;
     private final ImpulseCache impulses;
     private final Team team;
@@ -34,7 +31,7 @@ final class Saving {
     /** Saves the circles whose ids are given, by at most so many threads. */
     void save(SavedState to, int workers) {
         into = to;
-        if (workers < LEAST_THREADS || state.sleepers != null) {
+        if (workers < JvmPipeline.LEAST_SAVERS || state.sleepers != null) {
             saveAlone();
         } else {
             team.run(workers, counts);
@@ -107,7 +104,7 @@ final class Saving {
 
     /** Saves all at once if other programs keep the processors busy. */
     private void countAll() {
-        counted = team.size() >= LEAST_THREADS;
+        counted = team.size() >= JvmPipeline.LEAST_SAVERS;
         if (counted) {
             team.all(count);
         } else {

@@ -26,15 +26,16 @@ public final class TileRecord {
     /** A peak that says that no tile would do. */
     public static final int NONE = Integer.MAX_VALUE;
 
-    // A record begins with the numbers of its circles, of its parts and of its first copy, and where it is if tiles are
-    // listed.
+    // A record begins with the numbers of its circles, of its parts and of its first copy, where it is if tiles are listed, and whether
+    // nothing moves in it.
     public static final int AT_CIRCLES = 0;
     public static final int AT_PARTS = 1;
     public static final int AT_COPIES = 2;
     public static final int AT_CUT = 3;
+    public static final int AT_STILL = 4;
 
     /** By part its first contact, and the end. */
-    public static final int AT_STARTS = 4;
+    public static final int AT_STARTS = 5;
 
     public static final int AT_SLOTS = AT_STARTS + PARTS + 2;
 
