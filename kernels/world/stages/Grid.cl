@@ -20,6 +20,7 @@ void startStep(const World *w) {
 #ifdef SLEEPING
     w->status[SLEEPERS] = 0;
     w->status[RESTLESS] = 0;
+    w->status[AWAKE] = 0;
     w->status[WOKEN_COUNT] = 0;
     w->status[KEPT_COUNT] = 0;
 #endif

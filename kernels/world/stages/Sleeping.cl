@@ -736,9 +736,20 @@ void restCircle(const World *w, int slot) {
 // Behind the step and what it reports. Index space: any; work-items take impulses and slots in turn.
 kernel void sleeping_end(WORLD_PARAMETERS) {
     World w = WORLD;
-    if (refused(&w)) return;
-    int kept = status[KEPT_COUNT];
+    bool idle = refused(&w);
+    int kept = idle ? 0 : status[KEPT_COUNT];
+    int slotsToRest = idle ? 0 : circles;
     for (int k = (int) get_global_id(0); k < kept; k += (int) get_global_size(0)) restoreImpulse(&w, k);
-    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) restCircle(&w, slot);
+    local int awake;
+    if (get_local_id(0) == 0) awake = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int own = 0;
+    for (int slot = (int) get_global_id(0); slot < slotsToRest; slot += (int) get_global_size(0)) {
+        restCircle(&w, slot);
+        own += w.homeTraits[slot].INVERSE_MASS != 0.0f;
+    }
+    if (own > 0) atomic_add(&awake, own);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0 && awake > 0) atomic_add(&status[AWAKE], awake);
 }
 #endif

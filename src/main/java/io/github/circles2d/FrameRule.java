@@ -15,6 +15,9 @@ class FrameRule {
     /** Frames that take less are not worth a move. */
     private static final double LEAST_NANOS = 0.5e6;
 
+    /** Less is expected of no frame, however few circles are awake. */
+    private static final double LEAST_EXPECTED = 0.1e6;
+
     /** How much longer frames must take here than there before a world goes; and, once there, before it returns. */
     private static final double GOES = 1.25;
 
@@ -47,8 +50,14 @@ class FrameRule {
     private double here = Double.NaN;
 
     private double there = Double.NaN;
-    private int circlesHere;
-    private int circlesThere;
+
+    /** How many circles were awake then. */
+    private int awakeHere;
+
+    private int awakeThere;
+
+    /** How many there are, awake or not. */
+    private int circles;
 
     /** Whether the world came here to see whether that pays, and whether it goes because that did not. */
     private boolean tries;
@@ -70,8 +79,12 @@ class FrameRule {
         return skip == 0 && frames == GROUP_FRAMES - 1;
     }
 
-    /** Takes a frame; returns whether the world should go to the other side, which is asked again with each window if it cannot. */
-    boolean frame(double frameNanos, int circles) {
+    /**
+     * Takes a frame; returns whether the world should go to the other side, which is asked again with each window if it cannot.
+     *
+     * @param awake how many of the circles are awake: a frame takes as long as they make it
+     */
+    boolean frame(double frameNanos, int count, int awake) {
         if (skip > 0) {
             skip--;
             return false;
@@ -90,12 +103,13 @@ class FrameRule {
         groups = 0;
         windows++;
         here = least;
-        circlesHere = circles;
+        awakeHere = awake;
+        circles = count;
         return judge();
     }
 
     private boolean judge() {
-        if (onDevice && circlesHere < LEAST_CIRCLES) {
+        if (onDevice && circles < LEAST_CIRCLES) {
             return true;
         }
         if (windows == 1 && tries) {
@@ -103,40 +117,40 @@ class FrameRule {
             stay = returns ? Math.min(2 * stay, MOST_STAY) : LEAST_STAY;
             return returns;
         }
-        if (windows < stay && isAlike(circlesThere)) {
+        if (windows < stay && isAlike(awakeThere)) {
             return false;
         }
         return onDevice ? here > RETURNS * expectedThere() : pays();
     }
 
     private boolean pays() {
-        boolean known = !Double.isNaN(there) && isAlike(circlesThere);
-        return circlesHere >= LEAST_CIRCLES
+        boolean known = !Double.isNaN(there) && isAlike(awakeThere);
+        return awakeHere >= LEAST_CIRCLES
                 && here >= LEAST_NANOS
                 && (!known || windows >= MOST_STAY || here > GOES * there);
     }
 
-    private boolean isAlike(int circles) {
-        return circlesHere <= ALIKE * circles && circles <= ALIKE * circlesHere;
+    private boolean isAlike(int awake) {
+        return awakeHere <= ALIKE * awake && awake <= ALIKE * awakeHere;
     }
 
-    /** What a frame would take on the other side. On the JVM that is in proportion to the circles; not known, it never pays to leave. */
+    /** What a frame would take on the other side. On the JVM that is in proportion to those awake; not known, it never pays to leave. */
     private double expectedThere() {
         if (Double.isNaN(there)) {
             return Double.POSITIVE_INFINITY;
         }
-        return onDevice ? there * circlesHere / Math.max(1, circlesThere) : there;
+        return onDevice ? Math.max(LEAST_EXPECTED, there * awakeHere / Math.max(1, awakeThere)) : there;
     }
 
     /** The world has moved. chosen: because this rule said so. */
     void moved(boolean toDevice, boolean chosen) {
         onDevice = toDevice;
         double left = here;
-        int circlesLeft = circlesHere;
+        int awakeLeft = awakeHere;
         here = there;
-        circlesHere = circlesThere;
+        awakeHere = awakeThere;
         there = left;
-        circlesThere = circlesLeft;
+        awakeThere = awakeLeft;
         tries = chosen && !returns;
         returns = false;
         windows = 0;

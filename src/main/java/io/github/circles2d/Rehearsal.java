@@ -164,7 +164,7 @@ final class Rehearsal implements Mover {
     }
 
     @Override
-    public Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos) {
+    public Pipeline choose(Pipeline now, Readiness wanted, int circles, int awake, double nanos) {
         return next == home || device.isReady(wanted) ? next : home;
     }
 

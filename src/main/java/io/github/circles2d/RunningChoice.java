@@ -72,10 +72,10 @@ final class RunningChoice implements Mover {
     }
 
     @Override
-    public Pipeline choose(Pipeline now, Readiness wanted, int circlesNow, double nanos) {
+    public Pipeline choose(Pipeline now, Readiness wanted, int circlesNow, int awake, double nanos) {
         frames++;
         circles = circlesNow;
-        boolean goes = nanos > 0 && rule.frame(nanos, circles);
+        boolean goes = nanos > 0 && rule.frame(nanos, circles, awake);
         chosen = away ? fromDevice(now, goes) : fromHome(now, wanted, goes);
         return chosen;
     }

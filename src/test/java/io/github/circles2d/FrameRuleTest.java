@@ -25,10 +25,16 @@ class FrameRuleTest {
 
         /** Makes frames; one in fifty is disturbed, and all scatter by a tenth. */
         Times run(int frames, int circles) {
+            return run(frames, circles, circles);
+        }
+
+        /** The JVM makes frames of circles that are awake, the device of all. */
+        Times run(int frames, int circles, int awake) {
             for (int frame = 0; frame < frames; frame++) {
-                double here = (away ? device : jvm).applyAsDouble(circles) * (1 + 0.1 * noise.nextDouble());
+                double exact = away ? device.applyAsDouble(circles) : jvm.applyAsDouble(awake);
+                double here = exact * (1 + 0.1 * noise.nextDouble());
                 millis += here;
-                if (rule.frame(1e6 * (noise.nextInt(50) == 0 ? 10 * here : here), circles)) {
+                if (rule.frame(1e6 * (noise.nextInt(50) == 0 ? 10 * here : here), circles, awake)) {
                     away = !away;
                     moves++;
                     rule.moved(away, true);
@@ -70,6 +76,25 @@ class FrameRuleTest {
         }
         assertThat(times.away).isFalse();
         assertThat(times.moves).isEqualTo(2);
+    }
+
+    @Test
+    void aHeapThatComesToRestGoesHomeAndOneThatWakesGoesAway() {
+        Times times = usual().run(200, 200_000);
+        assertThat(times.away).isTrue();
+        times.run(100, 200_000, 200);
+        assertThat(times.away).isFalse();
+        times.run(20_000, 200_000, 200);
+        assertThat(times.moves).isEqualTo(2);
+        times.run(60, 200_000);
+        assertThat(times.away).isTrue();
+        assertThat(times.moves).isEqualTo(3);
+    }
+
+    @Test
+    void aHeapOnADeviceThatHasNothingToDoStaysThere() {
+        Times times = new Times(n -> n * 80e-6, n -> 0.02).run(200, 200_000);
+        assertThat(times.run(2_000, 200_000, 0).moves).isOne();
     }
 
     @Test

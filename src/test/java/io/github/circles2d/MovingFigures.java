@@ -56,7 +56,9 @@ public final class MovingFigures {
         long begin = System.nanoTime();
         World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
         frame(world, scene, read);
-        say("%,d circles by %s: first frame %.3f s after the builder", circles, backend, (System.nanoTime() - begin) * 1e-9);
+        say(
+                "%,d circles by %s: first frame %.3f s after the builder",
+                circles, backend, (System.nanoTime() - begin) * 1e-9);
         long end = begin + seconds * 1_000_000_000L;
         double worst = 0;
         double sum = 0;
@@ -72,11 +74,7 @@ public final class MovingFigures {
             if (moved || MEANS.contains(frames)) {
                 say(
                         "%.1f s: %s since the start %,d frames, mean %.2f ms, worst since the last line %.2f ms",
-                        (System.nanoTime() - begin) * 1e-9,
-                        world.stats().backend(),
-                        frames,
-                        sum / frames,
-                        worst);
+                        (System.nanoTime() - begin) * 1e-9, world.stats().backend(), frames, sum / frames, worst);
                 worst = 0;
             }
             if (moved) {
@@ -122,7 +120,7 @@ public final class MovingFigures {
         }
 
         @Override
-        public Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos) {
+        public Pipeline choose(Pipeline now, Readiness wanted, int circles, int awake, double nanos) {
             device.compile(wanted);
             return calls++ / 4 % 2 == 0 ? home : device;
         }

@@ -112,7 +112,7 @@ public final class RandomMoves implements Mover {
     }
 
     @Override
-    public Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos) {
+    public Pipeline choose(Pipeline now, Readiness wanted, int circles, int awake, double nanos) {
         chosen = random.nextInt(SELDOM) > 0 ? now : other(now, wanted);
         return chosen;
     }

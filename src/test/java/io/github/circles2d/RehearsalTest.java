@@ -113,7 +113,7 @@ class RehearsalTest {
     /** Goes to a device before the first step. */
     private record Goes(Pipeline home, Pipeline device) implements Mover {
         @Override
-        public Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos) {
+        public Pipeline choose(Pipeline now, Readiness wanted, int circles, int awake, double nanos) {
             return device;
         }
 

@@ -43,7 +43,7 @@ class RunningChoiceTest {
         private int frames;
 
         @Override
-        boolean frame(double nanos, int circles) {
+        boolean frame(double nanos, int circles, int awake) {
             return ++frames % 5 == 0;
         }
     }
@@ -53,7 +53,7 @@ class RunningChoiceTest {
         private boolean away;
 
         @Override
-        boolean frame(double nanos, int circles) {
+        boolean frame(double nanos, int circles, int awake) {
             return !away;
         }
 
@@ -336,7 +336,7 @@ class RunningChoiceTest {
         devices.before = call -> rehearsals.addAndGet(call.equals("forget") ? 1 : 0);
         FrameRule late = new FrameRule() {
             @Override
-            boolean frame(double nanos, int circles) {
+            boolean frame(double nanos, int circles, int awake) {
                 return circles == 2000;
             }
 

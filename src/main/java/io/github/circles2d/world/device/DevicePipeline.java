@@ -508,6 +508,11 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
+    public int awake(int circles) {
+        return queue.awake(circles);
+    }
+
+    @Override
     public boolean isAsleep(int id) {
         settle();
         return arrays.sleeping() && readback.isAsleep(id);
@@ -658,7 +663,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void load(SavedState from) {
         settle();
-        queue.stir();
+        queue.load();
         StateTransfer.load(from, arrays, links);
         links = null;
         joints.load(from.jointStates, queue.status(), queue.seen());

@@ -70,6 +70,9 @@ final class StepQueue {
     /** Whether a further step would change nothing, if nothing else is new. */
     private boolean quiet;
 
+    /** How many circles were awake behind the last step that the host has seen; negative if all are, or nobody knows. */
+    private int awake = -1;
+
     StepQueue(
             DeviceArrays arrays,
             Home home,
@@ -118,6 +121,17 @@ final class StepQueue {
     /** Something is new. */
     void stir() {
         quiet = false;
+    }
+
+    /** Circles of another world come. */
+    void load() {
+        quiet = false;
+        awake = -1;
+    }
+
+    /** About how many of so many circles are awake. */
+    int awake(int circles) {
+        return awake < 0 ? circles : Math.min(awake, circles);
     }
 
     /** Steps that have been enqueued since the world was made. */
@@ -213,6 +227,7 @@ final class StepQueue {
                 stats.stepped(plan, home.circles, status.get(StatusWord.CONTACTS));
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
+                awake = sleeping ? status.get(StatusWord.AWAKE) : -1;
                 quiet = sleeping && waking > 0 && !status.has(StatusWord.RESTLESS);
                 waking = status.has(StatusWord.SLEEPERS) ? CALM : Math.max(0, waking - 1);
             } else {

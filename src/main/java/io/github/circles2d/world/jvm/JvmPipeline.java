@@ -452,6 +452,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public int awake(int circles) {
+        return state.sleepers == null ? circles : Math.min(state.awake, circles);
+    }
+
+    @Override
     public boolean isAsleep(int id) {
         return state.sleepers != null && state.sleepers.isAsleep(id);
     }

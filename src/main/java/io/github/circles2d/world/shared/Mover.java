@@ -11,9 +11,10 @@ public interface Mover extends AutoCloseable {
      * @param now who made the last ones
      * @param wanted what the next steps need
      * @param circles how many there are
+     * @param awake about how many of them are awake
      * @param nanos what the last step and the reads behind it have taken; 0 if not known
      */
-    Pipeline choose(Pipeline now, Readiness wanted, int circles, double nanos);
+    Pipeline choose(Pipeline now, Readiness wanted, int circles, int awake, double nanos);
 
     /** Whether steps that have been asked for are waited for before the next call of {@link #choose}: a device has made them then, and its time counts. */
     default boolean settles() {

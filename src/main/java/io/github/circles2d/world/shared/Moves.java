@@ -60,7 +60,7 @@ public final class Moves {
             world.pending.finish();
         }
         double nanos = world.clock.endFrame(steps);
-        Pipeline next = mover.choose(world.pipeline, now, world.handles.size(), nanos);
+        Pipeline next = choose(now, world.handles.size(), nanos);
         Pipeline before = world.pipeline;
         if (next != before) {
             try {
@@ -76,6 +76,10 @@ public final class Moves {
         if (next != before) {
             world.clock.endFrame(steps); // a move is no part of a frame
         }
+    }
+
+    private Pipeline choose(Readiness now, int circles, double nanos) {
+        return mover.choose(world.pipeline, now, circles, world.pipeline.awake(circles), nanos);
     }
 
     /** Before the pipeline is made ready for features: if it would compile kernels, the world goes home. */

@@ -120,6 +120,11 @@ public interface Pipeline extends AutoCloseable {
     /** In the order of ids; of circles that turn. */
     void readAngularVelocities(HandleTable handles, float[] to);
 
+    /** About how many of so many circles are awake: as of the last step of which that is known, without waiting for others. */
+    default int awake(int circles) {
+        return circles;
+    }
+
     /** Whether the circle of an id sleeps. All steps have been finished. */
     default boolean isAsleep(int id) {
         return false;

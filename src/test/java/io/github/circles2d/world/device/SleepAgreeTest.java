@@ -53,6 +53,7 @@ class SleepAgreeTest {
             twins.assertEqual(when);
             twins.assertSameEvents(when);
             most = Math.max(most, twins.assertSameSleepers(when));
+            twins.assertDevicesKnowWhoIsAwake(when);
         }
         return most;
     }

@@ -192,6 +192,17 @@ final class Twins implements AutoCloseable {
                         .sum();
     }
 
+    /** Behind a step, devices have counted how many are awake. */
+    void assertDevicesKnowWhoIsAwake(String when) {
+        for (Pipeline pipeline : pipelines) {
+            if (pipeline instanceof DevicePipeline) {
+                assertThat(pipeline.awake(size()))
+                        .as(when + " on " + pipeline.device())
+                        .isEqualTo(simulations[0].figures().awake());
+            }
+        }
+    }
+
     /** Adds a segment of the ground, or of a body that may move. Returns the body. */
     long addPlate(float x, float y, float length, boolean moves) {
         long body = 0;

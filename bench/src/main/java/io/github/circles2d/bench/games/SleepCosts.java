@@ -19,10 +19,11 @@ import java.util.Random;
 public final class SleepCosts {
     /**
      * The scenes. In all but {@code level} the second world is the first one without sleep: a settled heap ({@code pile}), on which a ball
-     * rolls ({@code ball}), or onto which one falls every 20 steps ({@code pour}); and a gas that never rests ({@code moving}). {@code level}
-     * has static circles and 100 that move; the second world has these alone.
+     * rolls ({@code ball}), or onto which one falls every 20 steps ({@code pour}); a wide heap of ten rows, on which a ball rolls
+     * ({@code layer}); and a gas that never rests ({@code moving}). {@code level} has static circles and 100 that move; the second world has
+     * these alone.
      */
-    public static final List<String> CASES = List.of("pile", "ball", "pour", "level", "moving");
+    public static final List<String> CASES = List.of("pile", "ball", "pour", "layer", "level", "moving");
 
     static final String HEADER = "machine,scene,n,awake,without_us,with_us";
 
@@ -30,6 +31,7 @@ public final class SleepCosts {
     private static final int SETTLING = 1200;
     private static final int MOVERS = 100;
     private static final int BETWEEN_BALLS = 20;
+    private static final int LAYER_ROWS = 10;
 
     private SleepCosts() {}
 
@@ -83,11 +85,13 @@ public final class SleepCosts {
     private static Game game(String scene, World world, int n) {
         switch (scene) {
             case "ball":
-                return new Game(world, n, 300, false);
+                return new Game(world, width(n), heapTop(n), 300, false);
             case "pour":
-                return new Game(world, n, BETWEEN_BALLS, true);
+                return new Game(world, width(n), heapTop(n), BETWEEN_BALLS, true);
+            case "layer":
+                return new Game(world, world.maxX(), LAYER_ROWS + 1, 300, false);
             default:
-                return new Game(world, n, Integer.MAX_VALUE, false);
+                return new Game(world, 0, 0, Integer.MAX_VALUE, false);
         }
     }
 
@@ -102,6 +106,8 @@ public final class SleepCosts {
                 return level(builder, n, first);
             case "moving":
                 return gas(builder.sleep(first), n);
+            case "layer":
+                return layer(builder.sleep(first), n);
             default:
                 return pile(builder.sleep(first), n);
         }
@@ -110,11 +116,7 @@ public final class SleepCosts {
     /** Rows of circles that fall on each other from where they almost touch, in a box of so many to a row that there are half as many rows. */
     private static World pile(World.Builder builder, int n) {
         int columns = columns(n);
-        World world = builder.bounds(0, 0, 1.05f * columns, 1.05f * columns)
-                .gravity(0, -10)
-                .friction(FRICTION)
-                .rollingResistance(0.02f)
-                .build();
+        World world = rough(builder.bounds(0, 0, width(n), width(n)));
         Random random = new Random(Scenes.SEED);
         for (int k = 0; k < n; k++) {
             float x = 1.05f * (k % columns + 0.5f) + 0.1f * (random.nextFloat() - 0.5f);
@@ -124,8 +126,40 @@ public final class SleepCosts {
         return world;
     }
 
+    private static World rough(World.Builder builder) {
+        return builder.gravity(0, -10)
+                .friction(FRICTION)
+                .rollingResistance(0.02f)
+                .build();
+    }
+
     private static int columns(int n) {
         return (int) Math.ceil(Math.sqrt(2.0 * n));
+    }
+
+    private static float width(int n) {
+        return 1.05f * columns(n);
+    }
+
+    /** Above the heap, which is about 0.43 as high as wide. */
+    private static float heapTop(int n) {
+        return 0.43f * width(n) + 2;
+    }
+
+    /** Ten rows, each in the gaps of the one below, as wide as n circles need. */
+    private static World layer(World.Builder builder, int n) {
+        int columns = Math.max(2, n / LAYER_ROWS);
+        World world = rough(builder.bounds(0, 0, columns + 0.02f, 4 * LAYER_ROWS).capacity(n + 1));
+        Random random = new Random(Scenes.SEED);
+        for (int k = 0; k < LAYER_ROWS * columns; k++) {
+            int row = k / columns;
+            float x = 0.51f + k % columns + (row % 2 == 0 ? 0 : 0.5f);
+            if (x < columns) {
+                float radius = 0.5f - 0.002f * random.nextFloat();
+                world.add(x, 0.5f + 0.8665f * row, radius, radius * radius);
+            }
+        }
+        return world;
     }
 
     /** Balls without gravity fly among posts, which the second world lacks. */
@@ -160,6 +194,7 @@ public final class SleepCosts {
     private static final class Game implements Runnable {
         private final World world;
         private final float width;
+        private final float top;
         private final int period;
         private final boolean pours;
         private final Random random = new Random(Scenes.SEED);
@@ -167,9 +202,11 @@ public final class SleepCosts {
         private int steps;
         private double awake;
 
-        Game(World world, int n, int period, boolean pours) {
+        /** width: of the heap; top: where a ball begins. */
+        Game(World world, float width, float top, int period, boolean pours) {
             this.world = world;
-            this.width = 1.05f * columns(n);
+            this.width = width;
+            this.top = top;
             this.period = period;
             this.pours = pours;
         }
@@ -186,7 +223,6 @@ public final class SleepCosts {
         }
 
         private void start() {
-            float top = 0.43f * width + 2; // the heap is about 0.43 as high as wide
             if (pours) {
                 world.add(width * (0.45f + 0.1f * random.nextFloat()), top, 0.45f, 0.2f);
             } else if (ball < 0) {

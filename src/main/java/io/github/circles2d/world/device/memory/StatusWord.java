@@ -17,6 +17,7 @@ public enum StatusWord {
     SLEEPERS(13, "1 where some circle sleeps as the step begins"),
     REACHES(14, "a bit for each class of reaches that has fast circles that reach far"),
     RESTLESS(15, "0 if circles sleep, and the next step leaves all as it is unless something else is new"),
+    AWAKE(16, "circles that are awake behind the last step, where some may sleep"),
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),

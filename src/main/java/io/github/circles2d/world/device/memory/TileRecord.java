@@ -26,7 +26,8 @@ public final class TileRecord {
     /** A peak that says that no tile would do. */
     public static final int NONE = Integer.MAX_VALUE;
 
-    // A record begins with the numbers of its circles, of its parts and of its first copy, where it is if tiles are listed, and whether
+    // A record begins with the numbers of its circles, of its parts and of its first copy, where it is if tiles are
+    // listed, and whether
     // nothing moves in it.
     public static final int AT_CIRCLES = 0;
     public static final int AT_PARTS = 1;
