@@ -149,7 +149,8 @@ public final class SleepCosts {
     /** Ten rows, each in the gaps of the one below, as wide as n circles need. */
     private static World layer(World.Builder builder, int n) {
         int columns = Math.max(2, n / LAYER_ROWS);
-        World world = rough(builder.bounds(0, 0, columns + 0.02f, 4 * LAYER_ROWS).capacity(n + 1));
+        World world =
+                rough(builder.bounds(0, 0, columns + 0.02f, 4 * LAYER_ROWS).capacity(n + 1));
         Random random = new Random(Scenes.SEED);
         for (int k = 0; k < LAYER_ROWS * columns; k++) {
             int row = k / columns;
