@@ -625,6 +625,49 @@ class WorldSleepTest {
         }
     }
 
+    /** What held it goes while it is about to fall asleep, and it has hardly moved when it does. */
+    @Test
+    void whoLosesWhatHeldItOnASlopeJustBeforeItSleepsSlides() {
+        for (int slope = 1; slope <= 5; slope++) {
+            for (int k = 50; k < 64; k++) {
+                try (World world = box().gravity(0.4f * slope, -10).sleep(true).build()) {
+                    float[] circles = {5, 0.5f, 0.5f, 1, 6, 0.5f, 0.5f, Float.POSITIVE_INFINITY};
+                    long[] handles = new long[2];
+                    world.addAll(circles, handles);
+                    world.step(DT, k);
+                    world.remove(handles[1]);
+                    world.step(DT, 180);
+                    assertThat(world.x(handles[0])).as("slope %d, step %d", slope, k).isGreaterThan(6f);
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatSpringsStretchWithoutGravitySleeps() {
+        try (World world = WorldScenes.jvm().bounds(0, 0, 5, 5).sleep(true).build()) {
+            world.kind(0).setDamping(1).setAngularDamping(1);
+            long last = 0;
+            for (int k = 0; k < 10; k++) {
+                long bead = world.add(0.5f + 0.4f * k, 2.5f, 0.1f, 1);
+                if (k == 0) {
+                    world.joints().add(bead, 0.2f, 2.5f, Joint.distance(0.3f));
+                } else {
+                    world.joints()
+                            .add(last, bead, Joint.spring(3, 0.7f).withLength(0.3f));
+                }
+                last = bead;
+            }
+            world.joints().add(last, 4.8f, 2.5f, Joint.distance(0.7f));
+            sleepAll(world);
+            world.step(DT, 300);
+            assertThat(world.stats().awake()).isZero();
+            world.remove(last);
+            world.step(DT, 3);
+            assertThat(world.stats().awake()).as("who loses what stretches it").isPositive();
+        }
+    }
+
     /** It has slept at another side of the segment, which has turned since then. */
     @Test
     void whoSleepsAtTheEndOfASegmentMayBeSaved() {
