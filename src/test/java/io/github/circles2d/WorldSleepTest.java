@@ -601,7 +601,9 @@ class WorldSleepTest {
             assertThat(world.y(hangs)).isCloseTo(top - 5.6f, within(0.02f));
             sleepAll(world);
             world.setBounds(0, 0, world.maxX(), top);
-            assertThat(world.isAwake(hangs)).as("walls that go out take nobody along").isFalse();
+            assertThat(world.isAwake(hangs))
+                    .as("walls that go out take nobody along")
+                    .isFalse();
         }
     }
 
@@ -637,7 +639,9 @@ class WorldSleepTest {
                     world.step(DT, k);
                     world.remove(handles[1]);
                     world.step(DT, 180);
-                    assertThat(world.x(handles[0])).as("slope %d, step %d", slope, k).isGreaterThan(6f);
+                    assertThat(world.x(handles[0]))
+                            .as("slope %d, step %d", slope, k)
+                            .isGreaterThan(6f);
                 }
             }
         }
@@ -653,8 +657,7 @@ class WorldSleepTest {
                 if (k == 0) {
                     world.joints().add(bead, 0.2f, 2.5f, Joint.distance(0.3f));
                 } else {
-                    world.joints()
-                            .add(last, bead, Joint.spring(3, 0.7f).withLength(0.3f));
+                    world.joints().add(last, bead, Joint.spring(3, 0.7f).withLength(0.3f));
                 }
                 last = bead;
             }

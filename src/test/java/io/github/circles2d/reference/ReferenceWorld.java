@@ -1129,7 +1129,8 @@ public final class ReferenceWorld implements WorldCalls {
         boolean movesIn = false;
         for (int a = 0; a < 2 && !still.isEmpty(); a++) {
             movesIn |= min[a] > oldMin[a] || max[a] < oldMax[a];
-            float far = WAKING_NEIGHBOURS * (float) still.stream().mapToDouble(c -> c.radius).max().orElse(0);
+            float far = WAKING_NEIGHBOURS
+                    * (float) still.stream().mapToDouble(c -> c.radius).max().orElse(0);
             for (Circle c : circles()) {
                 float reach = WAKING_NEIGHBOURS * c.radius;
                 boolean near = min[a] > oldMin[a] && c.base[a] - reach < min[a] + far
