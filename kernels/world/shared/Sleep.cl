@@ -44,8 +44,8 @@ float hit(float approach, float separation, float inverseMass_, float otherInver
 
 float tolerance(bool strict, float gain_, float load, float radius, float dt) {
     float byLoad = SLEEP_SHARE_OF_LOAD * maxf(load - SLEEP_FREE_WEIGHTS * gain_, 0.0f);
-    float most = strict ? SLEEP_STRICT * gain_ : SLEEP_FLOOR * gain_ + minf(byLoad, SLEEP_MOST_BY_LOAD * gain_);
-    return most + SLEEP_ROUNDING * radius / dt;
+    float most = gain_ > 0.0f ? minf(byLoad, SLEEP_MOST_BY_LOAD * gain_) : byLoad;
+    return (strict ? SLEEP_STRICT * gain_ : SLEEP_FLOOR * gain_ + most) + SLEEP_ROUNDING * radius / dt;
 }
 
 bool losesPatience(bool strict, float gain_, float imbalance, int steps) {

@@ -45,7 +45,7 @@ float4 changedBehind(global const int *record, float4 c) {
     int operation = record[COMMAND_OPCODE];
     int field = record[COMMAND_FIRST];
     bool wakes = operation == COMMAND_POSITION || operation == COMMAND_RADIUS || operation == COMMAND_GROW ||
-                 operation == COMMAND_MASS || operation == COMMAND_ANGULAR_VELOCITY ||
+                 operation == COMMAND_MASS || operation == COMMAND_ANGULAR_VELOCITY || operation == COMMAND_ARRIVE ||
                  (operation == COMMAND_ADD && inverseMass(c.MASS) == 0.0f) ||
                  (operation == COMMAND_FIELD && isOfSurfaceOrKind(field));
     return wakes ? c : (float4)(0.0f);
@@ -192,7 +192,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
 }
 
 #ifdef SLEEPING
-#define HOME_SLEEP_PARAMETER , global int4 *homeSleep
+#define HOME_SLEEP_PARAMETERS , global int4 *homeSleep, float calmMinX, float calmMinY, float calmMaxX, float calmMaxY
 
 int sideOf(float wallImpulse) { return wallImpulse == 0.0f ? 0 : wallImpulse > 0.0f ? 1 : 2; }
 
@@ -221,13 +221,14 @@ kernel void commands_wake(global const int *homeId, global const float4 *homeCir
     homeSleep[slot] = restarted(c, homeMotion[slot]);
 }
 #else
-#define HOME_SLEEP_PARAMETER
+#define HOME_SLEEP_PARAMETERS
 #endif
 
-// Brings circles outside of new bounds to the nearest place inside, unless the next step pushes them there. Index space: slots at home.
+// Brings circles outside of new bounds to the nearest place inside, unless the next step pushes them there. Wakes those that sleep and
+// reach out of the calm bounds. Index space: slots at home.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
                              global float4 *homeTraits, int slots, float minX, float minY, float maxX,
-                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY HOME_SLEEP_PARAMETER) {
+                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY HOME_SLEEP_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
@@ -247,7 +248,10 @@ kernel void commands_confine(global const int *homeId, global float4 *homeCircle
         homeMotion[slot].DY = 0.0f;
     }
 #ifdef SLEEPING
-    if (x != c.x || y != c.y) {
+    float far = SLEEP_NEIGHBOURS * c.RADIUS;
+    bool calm = !isAsleep(homeSleep[slot].REST) ||
+                (c.x - far >= calmMinX && c.x + far <= calmMaxX && c.y - far >= calmMinY && c.y + far <= calmMaxY);
+    if (x != c.x || y != c.y || !calm) {
         homeTraits[slot].INVERSE_MASS = inverseMass(c.MASS);
         homeSleep[slot] = restarted(c, homeMotion[slot]);
     }

@@ -577,6 +577,122 @@ class WorldSleepTest {
         }
     }
 
+    /** A post in a wall goes along with it, under who lies on it, and with who hangs from it. */
+    @Test
+    void whatAWallTakesAlongWakesWhoLiesOnItAndWhoHangsFromIt() {
+        try (World world = box().sleep(true).build()) {
+            world.add(5, 0, 3, Float.POSITIVE_INFINITY);
+            long lies = world.add(5, 3.5f, 0.5f, 1);
+            long hook = world.add(9, world.maxY(), 0.2f, Float.POSITIVE_INFINITY);
+            long hangs = world.add(9, world.maxY() - 5, 0.2f, 1);
+            world.joints().add(hook, hangs, Joint.rope(5));
+            long far = world.add(1, world.maxY() / 2 + 0.5f, 0.5f, 1);
+            world.add(1, world.maxY() / 2 - 0.5f, 0.5f, Float.POSITIVE_INFINITY);
+            sleepAll(world);
+            float top = world.maxY();
+            for (int k = 1; k <= 60; k++) {
+                world.setBounds(0, 0.01f * k, world.maxX(), top - 0.01f * k);
+                assertThat(world.isAwake(lies)).isTrue();
+                assertThat(world.isAwake(hangs)).isTrue();
+                assertThat(world.isAwake(far)).as("who is far from walls").isFalse();
+                world.step(DT);
+            }
+            assertThat(world.y(lies)).isCloseTo(4.1f, within(0.1f));
+            assertThat(world.y(hangs)).isCloseTo(top - 5.6f, within(0.02f));
+            sleepAll(world);
+            world.setBounds(0, 0, world.maxX(), top);
+            assertThat(world.isAwake(hangs))
+                    .as("walls that go out take nobody along")
+                    .isFalse();
+        }
+    }
+
+    /** The path of a static circle is at most a share of the period, but it arrives. */
+    @Test
+    void whereAStaticCircleArrivesNobodySleeps() {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 10, 10)
+                .edges(Edge.WRAP, Edge.WALL)
+                .sleep(true)
+                .build()) {
+            world.kind(0).setDamping(1);
+            long post = world.add(1, 5, 0.3f, Float.POSITIVE_INFINITY);
+            long ball = world.add(4.9f, 5.1f, 0.3f, 1);
+            sleepAll(world);
+            world.setPosition(post, 5, 5);
+            world.step(DT);
+            assertThat(world.isAwake(ball)).isTrue();
+            world.step(DT, 300);
+            assertThat(Math.hypot(world.x(ball) - 5, world.y(ball) - 5)).isGreaterThan(0.59);
+        }
+    }
+
+    /** What held it goes while it is about to fall asleep, and it has hardly moved when it does. */
+    @Test
+    void whoLosesWhatHeldItOnASlopeJustBeforeItSleepsSlides() {
+        for (int slope = 1; slope <= 5; slope++) {
+            for (int k = 50; k < 64; k++) {
+                try (World world = box().gravity(0.4f * slope, -10).sleep(true).build()) {
+                    float[] circles = {5, 0.5f, 0.5f, 1, 6, 0.5f, 0.5f, Float.POSITIVE_INFINITY};
+                    long[] handles = new long[2];
+                    world.addAll(circles, handles);
+                    world.step(DT, k);
+                    world.remove(handles[1]);
+                    world.step(DT, 180);
+                    assertThat(world.x(handles[0]))
+                            .as("slope %d, step %d", slope, k)
+                            .isGreaterThan(6f);
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatSpringsStretchWithoutGravitySleeps() {
+        try (World world = WorldScenes.jvm().bounds(0, 0, 5, 5).sleep(true).build()) {
+            world.kind(0).setDamping(1).setAngularDamping(1);
+            long last = 0;
+            for (int k = 0; k < 10; k++) {
+                long bead = world.add(0.5f + 0.4f * k, 2.5f, 0.1f, 1);
+                if (k == 0) {
+                    world.joints().add(bead, 0.2f, 2.5f, Joint.distance(0.3f));
+                } else {
+                    world.joints().add(last, bead, Joint.spring(3, 0.7f).withLength(0.3f));
+                }
+                last = bead;
+            }
+            world.joints().add(last, 4.8f, 2.5f, Joint.distance(0.7f));
+            sleepAll(world);
+            world.step(DT, 300);
+            assertThat(world.stats().awake()).isZero();
+            world.remove(last);
+            world.step(DT, 3);
+            assertThat(world.stats().awake()).as("who loses what stretches it").isPositive();
+        }
+    }
+
+    /** It has slept at another side of the segment, which has turned since then. */
+    @Test
+    void whoSleepsAtTheEndOfASegmentMayBeSaved() {
+        try (World world = box().gravity(0, 0).sleep(true).build();
+                World other = box().gravity(0, 0).sleep(true).build()) {
+            world.kind(0).setDamping(1);
+            TerrainBody body = world.terrain().addBody(5, 5, 0);
+            body.addSegment(-1, 0, 1, 0);
+            long ball = world.add(6.69f, 4.98f, 0.5f, 1);
+            sleepAll(world);
+            body.moveTo(5, 5, -0.06f);
+            world.step(DT, 2);
+            assertThat(world.isAwake(ball)).as("it is too far from what moves").isFalse();
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            other.restore(snapshot.flip());
+            other.step(DT);
+            world.step(DT);
+            assertThat(other.hash()).isEqualTo(world.hash());
+        }
+    }
+
     @Test
     void aJointThatBreaksWakesBothEnds() {
         try (World world = wide().build()) {

@@ -206,7 +206,7 @@ final class Circle {
 
     /** Is at the target after the step. */
     void arrive(float[] own) {
-        for (int a = 0; a < 2 && target != null; a++) {
+        for (int a = 0; a < 2; a++) {
             place(a, target[a]);
             velocity[a] = own[a];
         }

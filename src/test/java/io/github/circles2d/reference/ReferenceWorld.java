@@ -170,7 +170,11 @@ public final class ReferenceWorld implements WorldCalls {
             events.step(contacts, circles, terrain, kinds, parameters(dt));
             step.fallAsleep();
             for (int i = 0; i < velocities.length; i++) {
-                circles.get(i).arrive(velocities[i]);
+                Circle c = circles.get(i);
+                if (c.target != null) {
+                    c.arrive(velocities[i]);
+                    wakeNear(c);
+                }
             }
             terrain.end(arena);
             previousDt = dt;
@@ -1084,9 +1088,12 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setBounds(float minX, float minY, float maxX, float maxY) {
+        float[] oldMin = min;
+        float[] oldMax = max;
         arena = arena.at(new float[] {minX, minY}, new float[] {maxX, maxY});
         min = arena.lowerWalls();
         max = arena.upperWalls();
+        wakeAtStatics(oldMin, oldMax);
         float[] fromMin = startMin;
         float[] fromMax = startMax;
         startMin = starts(fromMin, min);
@@ -1114,6 +1121,35 @@ public final class ReferenceWorld implements WorldCalls {
                 }
             }
         }
+    }
+
+    /** Walls that are set farther in may take along circles of infinite mass: those wake that may lie at them, or hang from them. */
+    private void wakeAtStatics(float[] oldMin, float[] oldMax) {
+        List<Circle> still = circles().stream().filter(Circle::hasInfiniteMass).toList();
+        boolean movesIn = false;
+        for (int a = 0; a < 2 && !still.isEmpty(); a++) {
+            movesIn |= min[a] > oldMin[a] || max[a] < oldMax[a];
+            float far = WAKING_NEIGHBOURS
+                    * (float) still.stream().mapToDouble(c -> c.radius).max().orElse(0);
+            for (Circle c : circles()) {
+                float reach = WAKING_NEIGHBOURS * c.radius;
+                boolean near = min[a] > oldMin[a] && c.base[a] - reach < min[a] + far
+                        || max[a] < oldMax[a] && c.base[a] + reach > max[a] - far;
+                if (near && c.isAsleep()) {
+                    c.wake();
+                }
+            }
+        }
+        if (movesIn) {
+            still.forEach(this::wakeHeldBy);
+        }
+    }
+
+    private void wakeHeldBy(Circle still) {
+        joints.of(still).stream()
+                .map(joint -> joint.otherThan(still))
+                .filter(o -> o != null && !o.hasInfiniteMass())
+                .forEach(Circle::wake);
     }
 
     /** A wall jumps if it moves farther than every radius. */

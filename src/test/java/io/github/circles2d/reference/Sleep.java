@@ -35,7 +35,7 @@ final class Sleep {
     // what a circle was out of balance as it fell asleep, in parts of its gain, along x in the lower half of a number
     // and y in the upper
     private static final float PARTS = 16384f;
-    private static final float MOST_PARTS = 8192f;
+    private static final float MOST_PARTS = 328f;
     private static final int NO_OFFSET = Integer.MIN_VALUE;
 
     /** In radians. */
@@ -291,7 +291,8 @@ final class Sleep {
             b = max(b, SHARE_OF_SPIN * Math.abs(c.turn.ownInverseInertia * pressed.spin()));
         }
         float byLoad = SHARE_OF_LOAD * max(w * pressed.load() - FREE_WEIGHTS * gain, 0f);
-        float most = strict ? STRICT * gain : FLOOR * gain + min(byLoad, MOST_BY_LOAD * gain);
+        float more = gain > 0f ? min(byLoad, MOST_BY_LOAD * gain) : byLoad; // weightless, all is by load
+        float most = strict ? STRICT * gain : FLOOR * gain + more;
         if (!(b > most + ROUNDING * c.radius / k.dt())) {
             c.rest = -1;
             return 0f;

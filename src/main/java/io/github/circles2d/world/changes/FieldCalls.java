@@ -50,7 +50,7 @@ public final class FieldCalls implements Calls.Effects {
         if (field.isOfTurning() && value != field.initial()) {
             world.needs.askToTurn();
         }
-        fields.set(field, id, value);
+        world.handles.setField(field, id, value);
         if (field.isOfSteps()) {
             world.commands.setField(field, id, (int) value);
         }

@@ -117,16 +117,7 @@ public final class Kinds implements Calls.Effects {
 
     /** Whether a static circle or a piece of terrain has a kind. */
     private boolean isOfWhatStays(int kind) {
-        return hasStatics(kind) || world.terrain.pieces.has(kind);
-    }
-
-    private boolean hasStatics(int kind) {
-        for (int id = 0; world.handles.hasStatics() && id < world.handles.end(); id++) {
-            if (world.handles.lives(id) && world.handles.isStatic(id) && fields.getInt(CircleField.KIND, id) == kind) {
-                return true;
-            }
-        }
-        return false;
+        return world.handles.hasStatics(kind) || world.terrain.pieces.has(kind);
     }
 
     public float restitution(int kind, float otherwise) {

@@ -187,7 +187,7 @@ public final class NewCircles implements Calls.Effects {
 
     /** Takes down the kind of a circle, for which there is room. */
     private void setKind(int id, int kind) {
-        handles.fields().set(CircleField.KIND, id, kind);
+        handles.setField(CircleField.KIND, id, kind);
         commands.setField(CircleField.KIND, id, kind);
     }
 }

@@ -256,7 +256,7 @@ public final class PreparedChanges {
                 handles.remove(id);
             }
             case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
-            case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
+            case Commands.FIELD -> handles.setField(commands.preparedField(k), id, commands.preparedValue(k));
             default ->
                 throw new IllegalStateException(
                         "no change of the host's is operation " + commands.preparedOperation(k));

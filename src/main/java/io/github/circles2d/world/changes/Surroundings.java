@@ -2,8 +2,12 @@ package io.github.circles2d.world.changes;
 
 import static io.github.circles2d.world.shared.Call.real;
 
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.shared.Call;
@@ -72,6 +76,13 @@ public final class Surroundings implements Calls.Effects {
             nextStep.requireRoom(next);
         }
         world.rigids.requireRoom(next);
+        boolean pushesStatics = world.settings.sleeps()
+                && world.handles.hasStatics()
+                && WallMotion.movesIn(world.settings.bounds(), next);
+        if (pushesStatics) {
+            world.pending.settleJoints();
+            world.pending.expect(world.joints.table.ids.size());
+        }
         world.pending.apply();
         world.copies.forget();
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
@@ -80,9 +91,38 @@ public final class Surroundings implements Calls.Effects {
         if (world.settings.sleeps() && WallMotion.jumps(world.settings.wallStart(), start)) {
             world.commands.wakeAll();
         }
-        world.pipeline.confine(start.walls(), next.walls());
+        Bounds calm = Bounds.EVERYWHERE;
+        if (pushesStatics) {
+            wakeHeldByStatics();
+            float far = Sleep.NEIGHBOURS * greatestStaticRadius();
+            calm = WallMotion.calm(world.settings.bounds(), next, far);
+        }
+        world.pipeline.confine(start.walls(), next.walls(), calm);
         nextStep.confine(next.walls());
         world.rigids.confine(next);
         world.settings.setBounds(start, next);
+    }
+
+    /** A wall may take along static circles: those that joints hold to them wake. There is room. */
+    private void wakeHeldByStatics() {
+        JointTable table = world.joints.table;
+        for (int joint = 0; joint < table.ids.end(); joint++) {
+            if (table.ids.lives(joint) && table.a(joint) != JointRow.NONE && table.b(joint) != JointRow.NONE) {
+                boolean ofStaticA = world.handles.isStatic(table.a(joint));
+                if (ofStaticA != world.handles.isStatic(table.b(joint))) {
+                    world.commands.set(Commands.WAKE, ofStaticA ? table.b(joint) : table.a(joint), 0, 0);
+                }
+            }
+        }
+    }
+
+    private float greatestStaticRadius() {
+        float greatest = 0f;
+        for (int id = 0; id < world.handles.end(); id++) {
+            if (world.handles.lives(id) && world.handles.isStatic(id)) {
+                greatest = Math.max(greatest, world.handles.radius(id));
+            }
+        }
+        return greatest;
     }
 }

@@ -3,6 +3,7 @@ package io.github.circles2d.world.circles;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
 
 /**
@@ -28,6 +29,7 @@ public final class HandleTable {
     private long[] isStatic = new long[1];
 
     private int statics;
+    private final int[] staticsOfKind = new int[PairTable.KINDS];
 
     private int[] generation = new int[64];
     private float[] radius = new float[64];
@@ -175,7 +177,7 @@ public final class HandleTable {
         generation[id] = Handle.next(generation[id]);
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
-        statics -= isStatic(id) ? 1 : 0;
+        countStatic(id, isStatic(id) ? -1 : 0);
         leave(radius[id]);
         fields.clear(id);
     }
@@ -203,7 +205,7 @@ public final class HandleTable {
     /** Keeps only whether it is infinite. */
     public void setMass(int id, float mass) {
         boolean infinite = mass == Float.POSITIVE_INFINITY;
-        statics += (infinite ? 1 : 0) - (isStatic(id) ? 1 : 0);
+        countStatic(id, (infinite ? 1 : 0) - (isStatic(id) ? 1 : 0));
         isStatic[word(id)] = isStatic[word(id)] & ~bit(id) | (infinite ? bit(id) : 0);
     }
 
@@ -218,6 +220,28 @@ public final class HandleTable {
 
     public boolean hasStatics() {
         return statics > 0;
+    }
+
+    /** Whether a static circle has a kind. */
+    public boolean hasStatics(int kind) {
+        return staticsOfKind[kind] > 0;
+    }
+
+    private void countStatic(int id, int more) {
+        statics += more;
+        staticsOfKind[fields.getInt(CircleField.KIND, id)] += more;
+    }
+
+    /** Sets a field of a circle, for which there is room. */
+    public void setField(CircleField field, int id, long value) {
+        boolean counts = field == CircleField.KIND && isStatic(id);
+        if (counts) {
+            countStatic(id, -1);
+        }
+        fields.set(field, id, value);
+        if (counts) {
+            countStatic(id, 1);
+        }
     }
 
     public void setRestitution(int id, float e) {
@@ -308,6 +332,7 @@ public final class HandleTable {
         Arrays.fill(live, 0);
         Arrays.fill(isStatic, 0);
         statics = 0;
+        Arrays.fill(staticsOfKind, 0);
         Arrays.fill(generation, 0);
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
         fields.copy(from.fields);

@@ -172,6 +172,7 @@ final class CommandsStage {
                         Commands.GROW,
                         Commands.MASS,
                         Commands.ANGULAR_VELOCITY,
+                        Commands.ARRIVE,
                         Commands.FIELD -> {
                     return true;
                 }
@@ -190,7 +191,7 @@ final class CommandsStage {
     }
 
     /** Brings circles that are outside of new bounds inside, unless the next step does. */
-    void confine(Bounds from, Bounds bounds, int slots) {
+    void confine(Bounds from, Bounds bounds, Bounds calm, int slots) {
         confine.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, arrays.get(DeviceArray.HOME_MOTION))
@@ -205,7 +206,11 @@ final class CommandsStage {
                 .arg(11, from.maxX())
                 .arg(12, from.maxY());
         if (wake != null) {
-            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP));
+            confine.arg(13, arrays.get(DeviceArray.HOME_SLEEP))
+                    .arg(14, calm.minX())
+                    .arg(15, calm.minY())
+                    .arg(16, calm.maxX())
+                    .arg(17, calm.maxY());
         }
         confine.run(slots);
     }

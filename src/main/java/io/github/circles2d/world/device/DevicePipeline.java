@@ -571,10 +571,10 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds from, Bounds to) {
+    public void confine(Bounds from, Bounds to, Bounds calm) {
         settle();
         queue.stir();
-        commands.confine(from, to, home.slots);
+        commands.confine(from, to, calm, home.slots);
         arena = to;
     }
 

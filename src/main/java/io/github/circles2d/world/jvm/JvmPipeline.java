@@ -364,8 +364,8 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds from, Bounds to) {
-        state.confine(from, to);
+    public void confine(Bounds from, Bounds to, Bounds calm) {
+        state.confine(from, to, calm);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
@@ -7,6 +8,7 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
@@ -178,13 +180,9 @@ final class NearResting {
         state.resting.find(near, levels.bounds, x - far, x + far, y - far, y + far);
         for (int n = 0; n < near.count; n++) {
             int other = near.slots[n];
-            grid.describeResting(other);
-            if (PairRule.isNear(
-                            state.differenceX(slot, other),
-                            state.differenceY(slot, other),
-                            far,
-                            grid.speculativeDistance[other])
-                    != 0) {
+            float otherFar = Paths.speculativeDistance(state.circle[CircleRow.of(other) + RADIUS], 0f);
+            if (PairRule.isNear(state.differenceX(slot, other), state.differenceY(slot, other), far, otherFar) != 0) {
+                grid.describeResting(other);
                 add(worker, other << WAY_LOG | way(slot, other));
             }
         }
@@ -227,6 +225,9 @@ final class NearResting {
 
     /** Gathers the pairs of some slots with those that rest some way from them, in cells of one level. */
     void gather(FoundPairs f, int from, int to, int way) {
+        if (first[from] == first[to]) {
+            return;
+        }
         for (int slot = from; slot < to; slot++) {
             int end = first[slot + 1];
             for (int entry = first[slot]; entry < end; entry++) {

@@ -222,10 +222,17 @@ final class PieceMeasure {
             float now = found.height > 0f ? 1f : -1f;
             if (now != side) {
                 rows[k + SIDE] = now;
-                contacts.measured[CircleRow.vector(slot)] = Float.NaN; // the next measure may differ
+                forgetMeasured(slot);
             }
         }
         return vertex;
+    }
+
+    /** The next measure may differ. Nobody asks of contacts of a circle that sleeps: they have no slot. */
+    private void forgetMeasured(int slot) {
+        if (contacts.measured.length > 0) {
+            contacts.measured[CircleRow.vector(slot)] = Float.NaN;
+        }
     }
 
     private boolean isTwoSided(int c, int shape) {

@@ -34,6 +34,11 @@ final class Resting {
     private static final int CLASS = 2;
     private static final int NEXT = 3;
 
+    /** log2 of the buckets that lie together, in the memory that a processor loads at once. */
+    private static final int LINE_LOG = 4;
+
+    private static final int IN_LINE = (1 << LINE_LOG) - 1;
+
     /** Numbers of classes begin here, at the least exponent of a float. */
     private static final int LEAST_CLASS = Float.MIN_EXPONENT - 1;
 
@@ -363,7 +368,15 @@ final class Resting {
 
     private int bucket(int id) {
         int row = CELL * id;
-        return Reach.reachBucket(cell[row + COLUMN], cell[row + ROW], cell[row + CLASS], last.length);
+        return line(cell[row + COLUMN], cell[row + ROW], cell[row + CLASS]) | cell[row + COLUMN] & IN_LINE;
+    }
+
+    /**
+     * The first bucket of a line of cells. Cells side by side have buckets side by side: a search that looks into several, most of them empty,
+     * waits for memory once a row.
+     */
+    private int line(int column, int row, int ofClass) {
+        return Reach.reachBucket(column >> LINE_LOG, row, ofClass, last.length >> LINE_LOG) << LINE_LOG;
     }
 
     // ---- searches
@@ -451,8 +464,11 @@ final class Resting {
             return;
         }
         for (int row = r0; row <= r1; row++) {
+            int line = 0;
             for (int column = c0; column <= c1; column++) {
-                int id = last[Reach.reachBucket(column, row, ofClass, last.length)];
+                int inLine = column & IN_LINE;
+                line = column == c0 || inLine == 0 ? line(column, row, ofClass) : line;
+                int id = last[line | inLine];
                 while (id != NONE) {
                     int c = CELL * id;
                     if (cell[c + COLUMN] == column && cell[c + ROW] == row && cell[c + CLASS] == ofClass) {

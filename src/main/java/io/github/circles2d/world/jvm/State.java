@@ -365,7 +365,11 @@ public final class State implements ContactEvents.Sleepers {
                 case Commands.ANGULAR_VELOCITY -> turning.angularVelocity[slot] = a;
                 case Commands.ANGULAR_IMPULSE -> turning.applyImpulse(slot, a, b);
                 case Commands.DEPART -> depart(s, a, b, records, k);
-                case Commands.ARRIVE -> arrive(s, a, b);
+                case Commands.ARRIVE -> {
+                    arrive(s, a, b);
+                    wakeNear(slot); // a path is shorter than the way if that is a large share of a period
+                    slot = slotOf[circleId];
+                }
                 case Commands.WAKE -> {
                     // it is awake
                 }
@@ -814,8 +818,11 @@ public final class State implements ContactEvents.Sleepers {
         return traits[row + INVERSE_MASS] == 0f ? 0f : circle[row + RADIUS];
     }
 
-    /** Brings circles that the walls have left outside to the nearest place inside, if the step does not push them there. */
-    void confine(Bounds from, Bounds to) {
+    /**
+     * Brings circles that the walls have left outside to the nearest place inside, if the step does not push them there. Wakes those that sleep
+     * and reach out of the calm bounds.
+     */
+    void confine(Bounds from, Bounds to, Bounds calm) {
         for (int slot = 0; slot < n; slot++) {
             int s = CircleRow.of(slot);
             float margin = ownInverseMass(slot) == 0f ? 0f : circle[s + RADIUS];
@@ -823,6 +830,7 @@ public final class State implements ContactEvents.Sleepers {
             float y = confined(circle[s + Y], from.minY(), to.minY(), from.maxY(), to.maxY(), margin);
             boolean movesX = x != circle[s + X];
             boolean movesY = y != circle[s + Y];
+            boolean wakes = movesX || movesY || isAsleep(slot) && !isWithin(calm, s);
             if (movesX) {
                 circle[s + X] = x;
                 motion[s + DX] = 0f;
@@ -831,15 +839,21 @@ public final class State implements ContactEvents.Sleepers {
                 circle[s + Y] = y;
                 motion[s + DY] = 0f;
             }
-            if (slot >= awake && (movesX || movesY)) {
-                int woken = wake(slot); // in its place comes one that has been looked at
+            if (wakes && (slot >= awake || sleepers != null)) {
+                int woken = wake(slot); // in the place of one that rests comes one that has been looked at
                 if (sleepers != null) {
                     sleepers.restart(woken);
                 }
-            } else if (sleepers != null && (movesX || movesY)) {
-                sleepers.restart(wake(slot));
             }
         }
+    }
+
+    private boolean isWithin(Bounds calm, int row) {
+        float far = Sleep.NEIGHBOURS * circle[row + RADIUS];
+        return circle[row + X] - far >= calm.minX()
+                && circle[row + X] + far <= calm.maxX()
+                && circle[row + Y] - far >= calm.minY()
+                && circle[row + Y] + far <= calm.maxY();
     }
 
     private static float confined(float x, float fromMin, float min, float fromMax, float max, float margin) {

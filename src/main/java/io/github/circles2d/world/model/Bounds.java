@@ -5,6 +5,10 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
     /** Beyond all that circles reach, near enough for exact formulas. */
     private static final float NOWHERE = 4e9f;
 
+    /** All that is. */
+    public static final Bounds EVERYWHERE = new Bounds(
+            Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
+
     public Bounds(float minX, float minY, float maxX, float maxY) {
         this(minX, minY, maxX, maxY, AxisEdge.WALL, AxisEdge.WALL);
     }

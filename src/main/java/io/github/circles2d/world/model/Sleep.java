@@ -36,8 +36,8 @@ public final class Sleep {
     /** Parts of the gain in an offset. */
     public static final float PARTS = 16384f;
 
-    /** Parts of the greatest offset. A circle that nothing carries has twice as many. */
-    public static final float MOST_PARTS = 8192f;
+    /** Parts of the greatest offset: who has just lost what held it on a slope must not take that for rest. */
+    public static final float MOST_PARTS = 328f;
 
     /** The offset of a circle that has just fallen asleep: it is not known yet. */
     public static final int NO_OFFSET = Integer.MIN_VALUE;
@@ -168,8 +168,8 @@ public final class Sleep {
     /** By how much a circle may be out of balance; load: the normal impulses on it, as a speed. */
     public static float tolerance(boolean strict, float gain, float load, float radius, float dt) {
         float byLoad = SHARE_OF_LOAD * CircleMath.max(load - FREE_WEIGHTS * gain, 0f);
-        float most = strict ? STRICT * gain : FLOOR * gain + CircleMath.min(byLoad, MOST_BY_LOAD * gain);
-        return most + ROUNDING * radius / dt;
+        float most = gain > 0f ? CircleMath.min(byLoad, MOST_BY_LOAD * gain) : byLoad;
+        return (strict ? STRICT * gain : FLOOR * gain + most) + ROUNDING * radius / dt;
     }
 
     /** Whether a circle wakes that has been out of balance for some steps in a row, and is now by a speed. */

@@ -42,6 +42,22 @@ public final class WallMotion {
                 .with(to.edgeX(), to.edgeY());
     }
 
+    /** Whether a wall is set farther in. */
+    public static boolean movesIn(Bounds from, Bounds to) {
+        return calm(from, to, 0f).differs(Bounds.EVERYWHERE);
+    }
+
+    /** Where nothing is as near to a wall that is set farther in. */
+    public static Bounds calm(Bounds from, Bounds to, float far) {
+        boolean walledX = to.edgeX() == AxisEdge.WALL;
+        boolean walledY = to.edgeY() == AxisEdge.WALL;
+        return new Bounds(
+                walledX && from.minX() < to.minX() ? to.minX() + far : Float.NEGATIVE_INFINITY,
+                walledY && from.minY() < to.minY() ? to.minY() + far : Float.NEGATIVE_INFINITY,
+                walledX && from.maxX() > to.maxX() ? to.maxX() - far : Float.POSITIVE_INFINITY,
+                walledY && from.maxY() > to.maxY() ? to.maxY() - far : Float.POSITIVE_INFINITY);
+    }
+
     /** Whether a wall jumps that is to start somewhere. */
     public static boolean jumps(Bounds from, Bounds start) {
         return start.edgeX() == AxisEdge.WALL && (from.minX() != start.minX() || from.maxX() != start.maxX())

@@ -81,8 +81,11 @@ public interface Pipeline extends AutoCloseable {
     /** Waits until all steps asked for have been made. */
     void finish();
 
-    /** Brings circles inside that the next step does not push there. Walls that jumped are where they are now. */
-    void confine(Bounds from, Bounds to);
+    /**
+     * Brings circles inside that the next step does not push there. Walls that jumped are where they are now. Circles that sleep wake if they
+     * reach out of the calm bounds.
+     */
+    void confine(Bounds from, Bounds to, Bounds calm);
 
     /** {@link StateHash}. */
     long hash();
