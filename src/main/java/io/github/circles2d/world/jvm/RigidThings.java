@@ -242,6 +242,11 @@ final class RigidThings {
         lines[count - 1]++;
     }
 
+    /** Whether contacts move a thing. */
+    boolean moves(int t) {
+        return w[t] > 0f || i[t] > 0f;
+    }
+
     boolean isBent(int c) {
         return corner[corner(c) + OutlineShape.BEND] > 0f;
     }
