@@ -11,6 +11,7 @@ import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
 import static io.github.circles2d.world.bodies.RigidStep.FORM_SHIFT;
 import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
 
+import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.model.CircleMath;
 import java.util.Arrays;
@@ -233,11 +234,19 @@ final class RigidFeatures {
         }
     }
 
-    /** Whether a corner, which is (x, y) away from a thing, is surely farther from it than a distance; this spares looking closer. */
+    /** Whether a corner, which is (x, y) away from a thing, is surely farther from all that may touch it than a distance; this spares looking closer. */
     private boolean isFar(int c, int thing, float x, float y, float distance) {
         int at = RigidThings.corner(c);
-        float own = things.turnedCorner[at + RADIUS] + things.turnedCorner[at + BEND];
-        return CircleMath.isLonger(x, y, SLACK * (things.reach[thing] + own + distance));
+        float near = things.turnedCorner[at + RADIUS] + things.turnedCorner[at + BEND] + distance;
+        if (CircleMath.isLonger(x, y, SLACK * (things.reach[thing] + near))) {
+            return true;
+        }
+        OutlineShape shape = things.shape[thing];
+        return shape != null
+                && shape.isFar(
+                        things.cos[thing] * x + things.sin[thing] * y,
+                        things.cos[thing] * y - things.sin[thing] * x,
+                        near);
     }
 
     /** Whether a corner of a body had a contact with a line before. */

@@ -133,6 +133,11 @@ final class RigidOrder {
         otherNumbers = keptNumbers;
     }
 
+    /** Whether a thing has pairs in the order. */
+    boolean isOrdered(int t) {
+        return degree[t] > 0;
+    }
+
     /** Where the pairs of a colour begin in the order. */
     int begin(int itsColour) {
         return itsColour == 0 ? 0 : ofColour[itsColour - 1];

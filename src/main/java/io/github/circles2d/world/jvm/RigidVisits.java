@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.CrossRule;
@@ -53,7 +54,7 @@ final class RigidVisits {
 
     private StepConstants k;
 
-    /** Whether impulses leave what does not move as it is: then several workers may push it at once. */
+    /** See {@link #areFixed}: then several workers may push at once what does not move. */
     private boolean fixed;
 
     // of a pass: whether it is without bias, and the places in the order that workers have now
@@ -140,8 +141,10 @@ final class RigidVisits {
 
     private void setMasses(int c) {
         int row = RigidRow.of(c);
-        contacts.rows[row + RigidRow.NORMAL_MASS] = massOf(massOfA(c) + massOfB(c));
-        contacts.rows[row + RigidRow.TANGENT_MASS] = gripMass(c, 1f, 1f);
+        float normalMass = massOf(massOfA(c) + massOfB(c));
+        float tangentMass = gripMass(c, 1f, 1f);
+        contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
+        contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
     }
 
     /** One over the effective mass of A alone along the normal. */
@@ -217,14 +220,15 @@ final class RigidVisits {
 
     /** Visits the pairs in order. Those of a colour share nothing that moves, so workers divide the large ones; what lies between these is one worker's. */
     private void passByColours() {
-        fixed = staysAsItIs();
-        if (team.size() == 1 || !fixed) {
-            visit(0, order.count);
-            return;
-        }
+        fixed = areFixed();
         int done = 0;
-        for (int colour = 0; colour < order.colours; colour++) {
-            if (order.end(colour) - order.begin(colour) >= leastShare * team.size()) {
+        for (int colour = 0; colour < order.colours && team.size() > 1; colour++) {
+            if (!fixed) {
+                visit(done, order.begin(colour));
+                done = order.begin(colour);
+                fixed = areFixed();
+            }
+            if (fixed && order.end(colour) - order.begin(colour) >= leastShare * team.size()) {
                 from = order.begin(colour);
                 to = order.end(colour);
                 visit(done, from);
@@ -250,18 +254,31 @@ final class RigidVisits {
         }
     }
 
-    /** Whether impulses change no bit of what does not move: then several workers may push it at once. The first impulse makes a speed of -0 to 0. */
-    private boolean staysAsItIs() {
+    /**
+     * Whether an impulse of 0 changes no bit, nor any one a bit of what does not move: no speed is -0, which 0 makes to 0, or has to be limited. Sums never
+     * become -0.
+     */
+    private boolean areFixed() {
         for (int t = 0; t < things.count; t++) {
-            if (!things.moves(t) && !(stays(things.vx[t]) && stays(things.vy[t]) && stays(things.omega[t]))) {
+            if (order.isOrdered(t)
+                    && (isMinusZero(things.vx[t])
+                            || isMinusZero(things.vy[t])
+                            || isMinusZero(things.omega[t])
+                            || !things.moves(t) && !isLimited(t))) {
                 return false;
             }
         }
         return true;
     }
 
-    private static boolean stays(float speed) {
-        return Float.floatToRawIntBits(Velocity.limitSpeed(speed + 0f)) == Float.floatToRawIntBits(speed);
+    private static boolean isMinusZero(float speed) {
+        return Float.floatToRawIntBits(speed) == Integer.MIN_VALUE;
+    }
+
+    private boolean isLimited(int t) {
+        return Velocity.limitSpeed(things.vx[t]) == things.vx[t]
+                && Velocity.limitSpeed(things.vy[t]) == things.vy[t]
+                && Velocity.limitSpeed(things.omega[t]) == things.omega[t];
     }
 
     /** Visits the contacts of a pair, and again those that must agree. */
@@ -274,9 +291,9 @@ final class RigidVisits {
                 int row = RigidRow.of(c);
                 float before = rows[row + RigidRow.IMPULSE];
                 solveNormal(c);
-                float impulse = rows[row + RigidRow.IMPULSE];
-                if (Math.abs(impulse - before) > AGREED * impulse) {
-                    agree = false;
+                if (time > 0) {
+                    float impulse = rows[row + RigidRow.IMPULSE];
+                    agree &= !(Math.abs(impulse - before) > AGREED * impulse);
                 }
                 times = rows[row + RigidRow.BOUNCE] > 0f ? Math.max(times, OF_BOUNCES) : times;
                 times = isHit(row) ? OF_HITS : times;
@@ -305,19 +322,25 @@ final class RigidVisits {
     /** Whether a contact stops what would come far into the other within a sub-step. */
     private boolean isHit(int row) {
         float[] rows = contacts.rows;
-        return rows[row + RigidRow.IMPULSE] > 0f
-                && rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH];
+        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH]
+                && rows[row + RigidRow.IMPULSE] > 0f;
     }
 
     private void solveNormal(int c) {
-        apply(c, solvedNormal(c, contacts.rows[RigidRow.of(c) + RigidRow.NORMAL_MASS], normalSpeed(c)));
+        float mass = contacts.rows[RigidRow.of(c) + RigidRow.NORMAL_MASS];
+        float vn = normalSpeed(c);
+        apply(c, solvedNormal(c, mass, vn, speedBefore(c)));
     }
 
     private void relaxNormal(int c) {
         int row = RigidRow.of(c);
+        if (isIdle(row)) {
+            return;
+        }
+        float mass = contacts.rows[row + RigidRow.NORMAL_MASS];
         float vn = normalSpeed(c);
-        if (!isIdle(row) && !bouncesLater(c, vn)) {
-            apply(c, relaxedNormal(row, contacts.rows[row + RigidRow.NORMAL_MASS], vn));
+        if (!bouncesLater(c, vn)) {
+            apply(c, relaxedNormal(row, mass, vn));
         }
     }
 
@@ -325,10 +348,10 @@ final class RigidVisits {
     private boolean bouncesLater(int c, float vn) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        if (rows[row + RigidRow.IMPULSE] != 0f || rows[row + RigidRow.GAP] > 0f) {
-            return false;
-        }
-        return bounceSpeed(c, PUSH * k.pushRate * rows[row + RigidRow.LENGTH], vn) > 0f;
+        return rows[row + RigidRow.RESTITUTION] > 0f
+                && rows[row + RigidRow.IMPULSE] == 0f
+                && !(rows[row + RigidRow.GAP] > 0f)
+                && bounceSpeed(c, PUSH * k.pushRate * rows[row + RigidRow.LENGTH], vn) > 0f;
     }
 
     private boolean isIdle(int row) {
@@ -339,54 +362,54 @@ final class RigidVisits {
     }
 
     private void apply(int c, float gain) {
+        if (!fixed || gain != 0f) {
+            float[] rows = contacts.rows;
+            int row = RigidRow.of(c);
+            pushBoth(c, rows[row + RigidRow.NX] * gain, rows[row + RigidRow.NY] * gain);
+        }
+    }
+
+    /** Pushes A, and B the other way. */
+    private void pushBoth(int c, float x, float y) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        float x = rows[row + RigidRow.NX] * gain;
-        float y = rows[row + RigidRow.NY] * gain;
-        push(contacts.a[c], x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
-        push(contacts.b[c], -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
+        float ax = rows[row + RigidRow.AX];
+        float ay = rows[row + RigidRow.AY];
+        float bx = rows[row + RigidRow.BX];
+        float by = rows[row + RigidRow.BY];
+        push(contacts.a[c], x, y, ax, ay);
+        push(contacts.b[c], -x, -y, bx, by);
     }
 
     private float normalSpeed(int c) {
-        int row = RigidRow.of(c);
-        return speedX(c) * contacts.rows[row + RigidRow.NX] + speedY(c) * contacts.rows[row + RigidRow.NY];
-    }
-
-    private float speedX(int c) {
         int a = contacts.a[c];
         int b = contacts.b[c];
-        int row = RigidRow.of(c);
-        return (things.vx[a] - things.omega[a] * contacts.rows[row + RigidRow.AY])
-                - (things.vx[b] - things.omega[b] * contacts.rows[row + RigidRow.BY]);
-    }
-
-    private float speedY(int c) {
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        int row = RigidRow.of(c);
-        return (things.vy[a] + things.omega[a] * contacts.rows[row + RigidRow.AX])
-                - (things.vy[b] + things.omega[b] * contacts.rows[row + RigidRow.BX]);
-    }
-
-    /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
-    private float solvedNormal(int c, float mass, float vn) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
+        return speedX(rows, row, things.vx, things.omega, a, b) * rows[row + RigidRow.NX]
+                + speedY(rows, row, things.vy, things.omega, a, b) * rows[row + RigidRow.NY];
+    }
+
+    private static float speedX(float[] rows, int row, float[] vx, float[] omega, int a, int b) {
+        return (vx[a] - omega[a] * rows[row + RigidRow.AY]) - (vx[b] - omega[b] * rows[row + RigidRow.BY]);
+    }
+
+    private static float speedY(float[] rows, int row, float[] vy, float[] omega, int a, int b) {
+        return (vy[a] + omega[a] * rows[row + RigidRow.AX]) - (vy[b] + omega[b] * rows[row + RigidRow.BX]);
+    }
+
+    /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
+    private float solvedNormal(int c, float mass, float vn, float before) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float gap = rows[row + RigidRow.GAP];
+        float impulse = rows[row + RigidRow.IMPULSE];
+        float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
         float pushSpeed = PUSH * k.pushRate * rows[row + RigidRow.LENGTH];
-        float before = speedBefore(c);
-        rows[row + RigidRow.APPROACH] = CircleMath.max(rows[row + RigidRow.APPROACH], -before);
-        float bounce = bounceSpeed(c, pushSpeed, before);
+        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, pushSpeed, before) : 0f;
+        rows[row + RigidRow.APPROACH] = approach;
         rows[row + RigidRow.BOUNCE] = bounce;
-        float next = Constraints.solve(
-                rows[row + RigidRow.IMPULSE],
-                mass,
-                vn,
-                rows[row + RigidRow.GAP],
-                bounce,
-                pushSpeed,
-                k.contactSoftness,
-                k);
-        return take(row, next);
+        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed, k.contactSoftness, k));
     }
 
     private float relaxedNormal(int row, float mass, float vn) {
@@ -400,8 +423,9 @@ final class RigidVisits {
         float[] rows = contacts.rows;
         float next = CircleMath.min(wanted, GREATEST_IMPULSE);
         float gain = next - rows[row + RigidRow.IMPULSE];
+        float most = Branchless.greater(rows[row + RigidRow.MOST], next);
         rows[row + RigidRow.IMPULSE] = next;
-        rows[row + RigidRow.MOST] = CircleMath.max(rows[row + RigidRow.MOST], next);
+        rows[row + RigidRow.MOST] = most;
         return gain;
     }
 
@@ -411,20 +435,15 @@ final class RigidVisits {
         int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
-        float ux = (things.beforeX[a] - things.beforeOmega[a] * rows[row + RigidRow.AY])
-                - (things.beforeX[b] - things.beforeOmega[b] * rows[row + RigidRow.BY]);
-        float uy = (things.beforeY[a] + things.beforeOmega[a] * rows[row + RigidRow.AX])
-                - (things.beforeY[b] + things.beforeOmega[b] * rows[row + RigidRow.BX]);
-        return ux * rows[row + RigidRow.NX] + uy * rows[row + RigidRow.NY];
+        return speedX(rows, row, things.beforeX, things.beforeOmega, a, b) * rows[row + RigidRow.NX]
+                + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
     }
 
+    /** Of a contact with a restitution. */
     private float bounceSpeed(int c, float pushSpeed, float before) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float e = rows[row + RigidRow.RESTITUTION];
-        if (!(e > 0f)) {
-            return 0f;
-        }
         float threshold =
                 Bounce.bounceThreshold(rows[row + RigidRow.LENGTH], e, k.thresholdRate, k.restRate, k.fixedThreshold);
         if (!(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed) > 0f)) {
@@ -444,16 +463,20 @@ final class RigidVisits {
         int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
+        if (fixed && isFree(row)) {
+            return;
+        }
         float friction = rows[row + RigidRow.FRICTION];
         if (friction > 0f) {
             float before = rows[row + RigidRow.GRIP];
-            float next =
-                    Surface.grip(before, mass, slip(c, speedX(c), speedY(c)), friction * rows[row + RigidRow.IMPULSE]);
+            float nx = rows[row + RigidRow.NX];
+            float ny = rows[row + RigidRow.NY];
+            float ux = speedX(rows, row, things.vx, things.omega, a, b);
+            float uy = speedY(rows, row, things.vy, things.omega, a, b);
+            float slip = (uy * nx - ux * ny) - rows[row + RigidRow.BELTS];
+            float next = Surface.grip(before, mass, slip, friction * rows[row + RigidRow.IMPULSE]);
             rows[row + RigidRow.GRIP] = next;
-            float x = -rows[row + RigidRow.NY] * (next - before);
-            float y = rows[row + RigidRow.NX] * (next - before);
-            push(a, x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
-            push(b, -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
+            pushBoth(c, -ny * (next - before), nx * (next - before));
         }
         float resistance = rows[row + RigidRow.ROLLING];
         float turns = resistance > 0f ? things.i[a] + things.i[b] : 0f;
@@ -468,6 +491,12 @@ final class RigidVisits {
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
         }
+    }
+
+    /** Whether nothing presses or grips, so that the next friction changes nothing. */
+    private boolean isFree(int row) {
+        float[] rows = contacts.rows;
+        return rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f && rows[row + RigidRow.ROLL] == 0f;
     }
 
     /** Shares: 1, or of what counts as lighter. */
@@ -487,13 +516,6 @@ final class RigidVisits {
     /** An effective mass, from one over it. No impulse moves what has none. */
     private static float massOf(float inverse) {
         return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
-    }
-
-    private float slip(int c, float ux, float uy) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float along = uy * rows[row + RigidRow.NX] - ux * rows[row + RigidRow.NY];
-        return along - rows[row + RigidRow.BELTS];
     }
 
     /** Impulses of bounces are not kept: they have acted once for all. */
@@ -545,7 +567,7 @@ final class RigidVisits {
         }
         float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
         float vn = normalSpeed(c);
-        apply(c, withoutBias ? relaxedNormal(row, mass, vn) : solvedNormal(c, mass, vn));
+        apply(c, withoutBias ? relaxedNormal(row, mass, vn) : solvedNormal(c, mass, vn, speedBefore(c)));
         if (withoutBias || contacts.rows[row + RigidRow.BOUNCE] > 0f) {
             solveGrip(c, gripMass(c, shareA, shareB));
         }
