@@ -27,7 +27,7 @@ final class RigidPairs {
     private final State state;
     final RigidThings things = new RigidThings();
     final RigidPieces pieces = new RigidPieces(things);
-    private final RigidTree tree = new RigidTree();
+    private final RigidCandidates candidates;
 
     /** Pairs that do not collide, since a joint holds both. */
     final RigidPartners partners = new RigidPartners();
@@ -78,9 +78,10 @@ final class RigidPairs {
     RigidPairs(State state, Team team) {
         this.state = state;
         this.team = team;
+        candidates = new RigidCandidates(state, things, team);
         searches = new RigidSearch[team.most()];
         for (int worker = 0; worker < searches.length; worker++) {
-            searches[worker] = new RigidSearch(state, things, tree, partners);
+            searches[worker] = new RigidSearch(state, things, candidates, partners);
         }
     }
 
@@ -90,7 +91,7 @@ final class RigidPairs {
         terrain = constants.terrain ? ground : null;
         things.clear();
         addBodies();
-        tree.build(things.bodies);
+        candidates.update(near);
         for (int type = 0; type < found.length; type++) {
             if (found[type] == null || found[type].length < 2 * team.pieces()) {
                 found[type] = new int[2 * team.pieces()];
@@ -116,7 +117,7 @@ final class RigidPairs {
         }
         things.bodies = things.count;
         ensureNear();
-        tree.ensure(things.bodies);
+        candidates.ensure(things.bodies);
         team.together(fill);
     }
 
@@ -246,10 +247,11 @@ final class RigidPairs {
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
-        tree.box[4 * t] = things.x[t] + minX - m;
-        tree.box[4 * t + 1] = things.y[t] + minY - m;
-        tree.box[4 * t + 2] = things.x[t] + maxX + m;
-        tree.box[4 * t + 3] = things.y[t] + maxY + m;
+        float[] box = candidates.box;
+        box[4 * t] = things.x[t] + minX - m;
+        box[4 * t + 1] = things.y[t] + minY - m;
+        box[4 * t + 2] = things.x[t] + maxX + m;
+        box[4 * t + 3] = things.y[t] + maxY + m;
     }
 
     // ---- pairs
@@ -434,7 +436,7 @@ final class RigidPairs {
     }
 
     long bytes() {
-        long sum = things.bytes() + tree.bytes() + partners.bytes();
+        long sum = things.bytes() + candidates.bytes() + partners.bytes();
         for (RigidSearch each : searches) {
             sum += each.bytes();
         }

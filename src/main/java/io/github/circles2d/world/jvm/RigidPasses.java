@@ -168,7 +168,7 @@ final class RigidPasses {
         things.dx[t] += things.vx[t] * k.h;
         things.dy[t] += things.vy[t] * k.h;
         things.turned[t] += things.omega[t] * k.h;
-        things.turn(t);
+        things.turnOn(t);
     }
 
     /** The relaxing pass over joints, bodies, pieces and walls. */

@@ -20,7 +20,7 @@ import io.github.circles2d.world.model.Tuning;
 final class RigidSearch {
     private final State state;
     private final RigidThings things;
-    private final RigidTree tree;
+    private final RigidCandidates candidates;
     private final RigidPartners partners;
     private final RigidTree.Found found = new RigidTree.Found();
 
@@ -32,10 +32,10 @@ final class RigidSearch {
     private StepConstants k;
     private TerrainStep terrain;
 
-    RigidSearch(State state, RigidThings things, RigidTree tree, RigidPartners partners) {
+    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidPartners partners) {
         this.state = state;
         this.things = things;
-        this.tree = tree;
+        this.candidates = candidates;
         this.partners = partners;
         for (int type = 0; type < keys.length; type++) {
             keys[type] = new RigidKeys();
@@ -60,17 +60,15 @@ final class RigidSearch {
 
     /** Finds what is near to a body, of two bodies by that of the lower id. */
     void findNear(int t) {
-        int box = 4 * t;
-        int bodies = keys[BODY_BODY].count;
-        findBodies(t, tree.box[box], tree.box[box + 1], tree.box[box + 2], tree.box[box + 3]);
-        keys[BODY_BODY].sortFrom(bodies);
+        findBodies(t);
         if (things.moves(t)) {
             // what does not move has no thickness of its own
             float m = 2f * Tuning.MARGIN * things.thin[t];
-            float minX = tree.box[box] - m;
-            float minY = tree.box[box + 1] - m;
-            float maxX = tree.box[box + 2] + m;
-            float maxY = tree.box[box + 3] + m;
+            int at = 4 * t;
+            float minX = candidates.box[at] - m;
+            float minY = candidates.box[at + 1] - m;
+            float maxX = candidates.box[at + 2] + m;
+            float maxY = candidates.box[at + 3] + m;
             findWalls(t, minX, minY, maxX, maxY);
             if (terrain != null) {
                 int pieces = keys[BODY_PIECE].count;
@@ -80,29 +78,12 @@ final class RigidSearch {
         }
     }
 
-    /** Finds in the tree what meets a box or one of its images. */
-    private void look(float minX, float minY, float maxX, float maxY) {
-        found.count = 0;
-        if (!state.wraps) {
-            tree.find(minX, minY, maxX, maxY, found);
-            return;
-        }
-        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                tree.find(minX + ax, minY + ay, maxX + ax, maxY + ay, found);
-            }
-        }
-    }
-
-    private void findBodies(int t, float minX, float minY, float maxX, float maxY) {
-        look(minX, minY, maxX, maxY);
-        for (int f = 0; f < found.count; f++) {
-            int other = found.box[f];
-            if (other > t
+    private void findBodies(int t) {
+        int[] of = candidates.of(t);
+        int last = candidates.last(t);
+        for (int k = candidates.first(t); k < last; k++) {
+            int other = of[k];
+            if (candidates.meet(t, other)
                     && (things.moves(t) || things.moves(other))
                     && meets(things.kind[t], things.kind[other])
                     && !areOfOneGroup(t, other)) {
@@ -181,7 +162,7 @@ final class RigidSearch {
         float x = state.circle[s + CircleRow.X];
         float y = state.circle[s + CircleRow.Y];
         float m = r + 2.25f * nearOf(slot);
-        look(x - m, y - m, x + m, y + m);
+        candidates.findNear(x - m, y - m, x + m, y + m, found);
         if (found.count == 0) {
             return;
         }

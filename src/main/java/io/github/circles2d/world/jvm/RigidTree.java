@@ -165,15 +165,15 @@ final class RigidTree {
         }
     }
 
-    /** Finds the boxes that meet a box; adds them to those found. */
-    void find(float minX, float minY, float maxX, float maxY, Found found) {
+    /** Finds those that meet a box, by boxes inside those of the tree or by these; adds them to those found. */
+    void find(float[] boxes, float minX, float minY, float maxX, float maxY, Found found) {
         int node = 0;
         while (node < nodes) {
             int n = 4 * node;
             if (nodeBox[n] <= maxX && nodeBox[n + 1] <= maxY && nodeBox[n + 2] >= minX && nodeBox[n + 3] >= minY) {
                 for (int k = from[node]; k < to[node]; k++) {
                     int b = 4 * order[k];
-                    if (box[b] <= maxX && box[b + 1] <= maxY && box[b + 2] >= minX && box[b + 3] >= minY) {
+                    if (boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY) {
                         found.add(order[k]);
                     }
                 }
