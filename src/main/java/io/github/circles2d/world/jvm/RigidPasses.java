@@ -17,7 +17,10 @@ import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Velocity;
 
-/** What rigid bodies do in a step. It is done between the passes of the circles. */
+/**
+ * What rigid bodies do in a step, between the passes of the circles. Workers share what is by body, pair or contact, and visits of one colour
+ * ({@link RigidVisits}); one worker does the rest, and what is too short to share.
+ */
 final class RigidPasses {
     /** By how much a body turns at most in a sub-step, in radians, so that contacts see where it gets. */
     private static final float MOST_TURN = 0.785f;
