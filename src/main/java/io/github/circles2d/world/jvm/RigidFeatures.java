@@ -280,16 +280,7 @@ final class RigidFeatures {
 
     /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
     private void cornerInHollow(
-            int t,
-            int other,
-            int c,
-            int l,
-            float atX,
-            float atY,
-            float r,
-            float m,
-            float tolerance,
-            boolean swapped) {
+            int t, int other, int c, int l, float atX, float atY, float r, float m, float tolerance, boolean swapped) {
         int line = RigidThings.line(l);
         float x = atX;
         float y = atY;

@@ -72,11 +72,20 @@ final class RigidMeasures {
         if (contacts.isLine[c]) {
             int line = RigidThings.line(contacts.feature[c]);
             return things.isHollow(contacts.feature[c])
-                    ? things.endOf(contacts.a[c], contacts.corner[c], rx - things.turnedLine[line], ry - things.turnedLine[line + 1])
-                    : things.endOf(contacts.a[c], contacts.corner[c], -things.turnedLine[line + NX], -things.turnedLine[line + NY]);
+                    ? things.endOf(
+                            contacts.a[c],
+                            contacts.corner[c],
+                            rx - things.turnedLine[line],
+                            ry - things.turnedLine[line + 1])
+                    : things.endOf(
+                            contacts.a[c],
+                            contacts.corner[c],
+                            -things.turnedLine[line + NX],
+                            -things.turnedLine[line + NY]);
         }
         int to = RigidThings.corner(contacts.feature[c]);
-        return things.endOf(contacts.a[c], contacts.corner[c], things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
+        return things.endOf(
+                contacts.a[c], contacts.corner[c], things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
     }
 
     /** (x, y): of A's corner, against the place of B. */

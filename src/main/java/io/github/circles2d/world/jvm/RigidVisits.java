@@ -152,7 +152,8 @@ final class RigidVisits {
         int t = contacts.a[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        float arm = rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
+        float arm =
+                rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
         return things.w[t] + things.i[t] * arm * arm;
     }
 
@@ -160,7 +161,8 @@ final class RigidVisits {
         int t = contacts.b[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        float arm = rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
+        float arm =
+                rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
         return things.w[t] + things.i[t] * arm * arm;
     }
 
@@ -356,9 +358,7 @@ final class RigidVisits {
 
     private boolean isIdle(int row) {
         float[] rows = contacts.rows;
-        return rows[row + RigidRow.GAP] > 0f
-                && rows[row + RigidRow.IMPULSE] == 0f
-                && rows[row + RigidRow.GRIP] == 0f;
+        return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
     }
 
     private void apply(int c, float gain) {
@@ -414,8 +414,8 @@ final class RigidVisits {
 
     private float relaxedNormal(int row, float mass, float vn) {
         float[] rows = contacts.rows;
-        float next = Constraints.relax(
-                rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
+        float next =
+                Constraints.relax(rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
         return take(row, next);
     }
 
