@@ -45,6 +45,9 @@ public final class OutlineShape {
     /** More than what rounding takes. */
     private static final float SLACK = 1.0001f;
 
+    /** The same of coordinates that have turned: an outline is at most a thousand times as long as wide. */
+    private static final float FAR = 1.01f;
+
     /** Of the least width. */
     private static final double ROUNDING = 0.05;
 
@@ -79,6 +82,12 @@ public final class OutlineShape {
     private final float halfX;
     private final float halfY;
 
+    // likewise of all corners and lines with what is around them
+    private final float featuresX;
+    private final float featuresY;
+    private final float halfFeaturesX;
+    private final float halfFeaturesY;
+
     private final float reach;
     private final float halfThickness;
 
@@ -106,6 +115,14 @@ public final class OutlineShape {
         middleY = (float) (0.5 * (minY + maxY));
         halfX = (float) Math.max(maxX - middleX, middleX - minX);
         halfY = (float) Math.max(maxY - middleY, middleY - minY);
+        float lowX = features(0, -1f);
+        float lowY = features(1, -1f);
+        float highX = features(0, 1f);
+        float highY = features(1, 1f);
+        featuresX = 0.5f * (lowX + highX);
+        featuresY = 0.5f * (lowY + highY);
+        halfFeaturesX = 0.5f * (highX - lowX);
+        halfFeaturesY = 0.5f * (highY - lowY);
         halfThickness = (float) Math.min(Math.sqrt(mass.area) / 2, mass.area / (2 * (double) reach));
     }
 
@@ -119,6 +136,26 @@ public final class OutlineShape {
             most = Math.max(most, Math.max(sign * edges[e + axis], edges[e + EDGE_RADIUS] + centre));
         }
         return sign * Math.min(most, farthest);
+    }
+
+    /** How far corners and lines go along an axis, up or down. */
+    private float features(int axis, float sign) {
+        float most = Float.NEGATIVE_INFINITY;
+        for (int c = 0; c < corners.length; c += CORNER_STRIDE) {
+            most = Math.max(most, sign * corners[c + axis] + (corners[c + RADIUS] + corners[c + BEND]));
+        }
+        for (int l = 0; l < lines.length; l += LINE_STRIDE) {
+            float along = axis == 0 ? -lines[l + NY] : lines[l + NX];
+            float end = lines[l + axis] + along * lines[l + LENGTH];
+            most = Math.max(most, Math.max(sign * lines[l + axis], sign * end) + lines[l + THICKNESS]);
+        }
+        return sign * most;
+    }
+
+    /** Whether a point is surely farther than a distance from all corners and lines with what is around them. */
+    public boolean isFar(float x, float y, float distance) {
+        return Math.abs(x - featuresX) > FAR * (halfFeaturesX + distance)
+                || Math.abs(y - featuresY) > FAR * (halfFeaturesY + distance);
     }
 
     /** Of a path that is closed; rounding: NaN for the usual one. */

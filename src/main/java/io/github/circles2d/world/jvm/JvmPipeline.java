@@ -162,7 +162,7 @@ public final class JvmPipeline implements Pipeline {
     public void prepare(RigidStep bodies) {
         rigids = bodies;
         if (rigidPasses == null) {
-            rigidPasses = new RigidPasses(state);
+            rigidPasses = new RigidPasses(state, team, leastShare);
         }
     }
 
@@ -220,7 +220,10 @@ public final class JvmPipeline implements Pipeline {
         }
         for (int step = 0; step < count; step++) {
             constants.warmScale = step > 0 ? 1f : constants.warmScale;
-            int workers = Math.max(1, Math.min(team.most(), state.awake / leastShare));
+            int ofCircles = Math.max(1, state.awake / leastShare);
+            int wanted = constants.rigid ? Math.max(ofCircles, rigidPasses.workers(rigids)) : ofCircles;
+            int workers = Math.min(team.most(), wanted);
+            team.setFew(ofCircles == 1);
             long begun = System.nanoTime();
             team.run(ColdStart.workers(workers), work);
             ColdStart.made(System.nanoTime() - begun);

@@ -7,6 +7,7 @@ import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
 import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
 
 import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
@@ -23,19 +24,28 @@ final class RigidCover {
 
     private final RigidContacts contacts;
     private final RigidThings things;
+    private final Team team;
 
-    /** By thing, and by contact and side: the next contact of a thing and its side, as twice a number and the side. */
+    /** By thing: a contact on whose plane it may rest and its side, as twice a number and the side; -1 if there is none. Likewise the next one, by contact and side. */
     private int[] head = new int[0];
 
     private int[] next = new int[0];
-    private boolean[] gone = new boolean[0];
 
-    /** By contact and side: {@link #ABOVE} or {@link #BELOW}, as that thing is wholly above the plane of the contact or not; 0 if not known yet. */
+    /** By contact and side: {@link #ABOVE} or {@link #BELOW}, as that thing is wholly above the plane of the contact or not; 0 if not known yet. Workers find the same. */
     private byte[] lies = new byte[0];
 
-    RigidCover(RigidContacts contacts, RigidThings things) {
+    private boolean[] gone = new boolean[0];
+
+    /** By worker: whether it has marked some. */
+    private final boolean[] some;
+
+    private final Team.Work mark = this::mark;
+
+    RigidCover(RigidContacts contacts, RigidThings things, Team team) {
         this.contacts = contacts;
         this.things = things;
+        this.team = team;
+        some = new boolean[team.most()];
     }
 
     /** Removes the contacts that do not begin. */
@@ -49,39 +59,58 @@ final class RigidCover {
             next = new int[4 * n];
             lies = new byte[4 * n];
         }
-        Arrays.fill(lies, 0, 2 * n, (byte) 0);
         Arrays.fill(head, 0, things.count, -1);
+        boolean idle = false;
         for (int c = 0; c < n; c++) {
-            gone[c] = false;
-            next[2 * c] = head[contacts.a[c]];
-            head[contacts.a[c]] = 2 * c;
-            next[2 * c + 1] = head[contacts.b[c]];
-            head[contacts.b[c]] = 2 * c + 1;
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+                add(2 * c, contacts.a[c], contacts.b[c]);
+                add(2 * c + 1, contacts.b[c], contacts.a[c]);
+            } else {
+                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
+            }
         }
-        boolean some = false;
-        for (int c = 0; c < n; c++) {
-            gone[c] = contacts.impulse[c] == 0f && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
-            some |= gone[c];
+        if (!idle) {
+            return;
         }
-        if (some) {
-            contacts.removeMarked(gone);
+        team.together(mark);
+        for (int worker = 0; worker < team.size(); worker++) {
+            if (some[worker]) {
+                contacts.removeMarked(gone);
+                return;
+            }
         }
     }
 
-    private boolean isCovered(int c, int t) {
-        if (things.shape[t] == null || things.w[t] == 0f) {
-            return false;
+    /** Adds a pressed contact on a line to those on which a thing may rest. */
+    private void add(int side, int t, int other) {
+        if (things.shape[t] != null
+                && things.w[t] > 0f
+                && contacts.rows[RigidRow.of(side >> 1) + RigidRow.GAP] <= 0.5f * slack(t)
+                && things.type[other] != RigidStep.BODY_CIRCLE) {
+            lies[side] = 0;
+            next[side] = head[t];
+            head[t] = side;
         }
-        float slack = Tuning.COVER * things.thin[t];
-        for (int at = head[t]; at >= 0; at = next[at]) {
-            int p = at >> 1;
-            int other = (at & 1) == 0 ? contacts.b[p] : contacts.a[p];
-            if (p != c
-                    && contacts.isLine[p]
-                    && contacts.impulse[p] > 0f
-                    && contacts.gap[p] <= 0.5f * slack
-                    && things.type[other] != RigidStep.BODY_CIRCLE
-                    && covers(p, c, t, slack)) {
+    }
+
+    private float slack(int t) {
+        return Tuning.COVER * things.thin[t];
+    }
+
+    private void mark(int worker) {
+        boolean found = false;
+        int end = team.part(contacts.count, worker + 1);
+        for (int c = team.part(contacts.count, worker); c < end; c++) {
+            gone[c] = contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f
+                    && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
+            found |= gone[c];
+        }
+        some[worker] = found;
+    }
+
+    private boolean isCovered(int c, int t) {
+        for (int side = head[t]; side >= 0; side = next[side]) {
+            if (covers(side >> 1, c, t, slack(t))) {
                 return true;
             }
         }
@@ -90,13 +119,15 @@ final class RigidCover {
 
     /** Whether a pressed contact p of a thing is a plane over which what it meets by c is no higher. */
     private boolean covers(int p, int c, int t, float slack) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(p);
         boolean isA = contacts.a[p] == t;
-        float nx = isA ? contacts.nx[p] : -contacts.nx[p];
-        float ny = isA ? contacts.ny[p] : -contacts.ny[p];
-        float px = isA ? contacts.ax[p] : contacts.bx[p];
-        float py = isA ? contacts.ay[p] : contacts.by[p];
+        float nx = isA ? rows[row + RigidRow.NX] : -rows[row + RigidRow.NX];
+        float ny = isA ? rows[row + RigidRow.NY] : -rows[row + RigidRow.NY];
+        float px = rows[row + (isA ? RigidRow.AX : RigidRow.BX)];
+        float py = rows[row + (isA ? RigidRow.AY : RigidRow.BY)];
         boolean ownCorner = contacts.a[c] == t;
-        float dot = contacts.nx[c] * nx + contacts.ny[c] * ny;
+        float dot = rows[RigidRow.of(c) + RigidRow.NX] * nx + rows[RigidRow.of(c) + RigidRow.NY] * ny;
         if ((ownCorner ? dot : -dot) > SAME) {
             return false;
         }

@@ -10,6 +10,9 @@ import java.util.Arrays;
 final class RigidOrder {
     private static final int BITS_LOG = 6;
 
+    /** Bits of a digit by which hashes are sorted. */
+    private static final int DIGIT_BITS = 8;
+
     private final RigidContacts contacts;
     private final RigidPairs pairs;
 
@@ -24,7 +27,14 @@ final class RigidOrder {
     /** Of the last step. */
     int colours;
 
-    private long[] keys = new long[0];
+    // while pairs are sorted: their hashes, so that signed numbers ascend, and their numbers; and room for the same
+    private int[] hashes = new int[0];
+
+    private int[] numbers = new int[0];
+    private int[] otherHashes = new int[0];
+    private int[] otherNumbers = new int[0];
+    private final int[] starts = new int[1 << DIGIT_BITS];
+
     private int[] colour = new int[0];
 
     /** By colour: the number of pairs with less, then where the next one goes. */
@@ -54,7 +64,10 @@ final class RigidOrder {
         int n = contacts.pairCount;
         if (order.length < n) {
             order = new int[2 * n];
-            keys = new long[2 * n];
+            hashes = new int[2 * n];
+            numbers = new int[2 * n];
+            otherHashes = new int[2 * n];
+            otherNumbers = new int[2 * n];
             colour = new int[2 * n];
         }
         if (degree.length < things.count) {
@@ -70,12 +83,14 @@ final class RigidOrder {
             degree[b]++;
             most = Math.max(most, Math.max(degree[a], things.w[b] > 0f ? degree[b] : 0));
             // ids, with the type: those of pieces and bodies are numbers of their own
-            int hash = hash(things.id[a], things.id[b] + (things.type[b] << 28));
-            keys[count] = (long) hash << 32 | count;
+            hashes[count] = hash(things.id[a], things.id[b] + (things.type[b] << 28)) ^ Integer.MIN_VALUE;
+            numbers[count] = count;
             count++;
         }
         firstWithCircle = count;
-        HeapSort.ascending(keys, count);
+        for (int shift = 0; shift < Integer.SIZE; shift += DIGIT_BITS) {
+            sort(shift);
+        }
         int words = (2 * most >> BITS_LOG) + 1;
         if (taken.length < words * things.count) {
             taken = new long[2 * words * things.count];
@@ -83,13 +98,54 @@ final class RigidOrder {
         Arrays.fill(taken, 0, words * things.count, 0L);
         colours = 0;
         for (int k = 0; k < count; k++) {
-            int p = (int) keys[k];
+            int p = numbers[k];
             int a = first(p);
             int b = second(p);
-            colour[p] = least(words, moves(a), a, moves(b), b);
+            colour[p] = least(words, things.moves(a), a, things.moves(b), b);
             colours = Math.max(colours, colour[p] + 1);
         }
         byColours();
+    }
+
+    /** Sorts the hashes by a digit; those that have the same stay as they lie. */
+    private void sort(int shift) {
+        int mask = starts.length - 1;
+        Arrays.fill(starts, 0);
+        for (int k = 0; k < count; k++) {
+            starts[hashes[k] >>> shift & mask]++;
+        }
+        int sum = 0;
+        for (int digit = 0; digit < starts.length; digit++) {
+            int its = starts[digit];
+            starts[digit] = sum;
+            sum += its;
+        }
+        for (int k = 0; k < count; k++) {
+            int to = starts[hashes[k] >>> shift & mask]++;
+            otherHashes[to] = hashes[k];
+            otherNumbers[to] = numbers[k];
+        }
+        int[] keptHashes = hashes;
+        int[] keptNumbers = numbers;
+        hashes = otherHashes;
+        numbers = otherNumbers;
+        otherHashes = keptHashes;
+        otherNumbers = keptNumbers;
+    }
+
+    /** Whether a thing has pairs in the order. */
+    boolean isOrdered(int t) {
+        return degree[t] > 0;
+    }
+
+    /** Where the pairs of a colour begin in the order. */
+    int begin(int itsColour) {
+        return itsColour == 0 ? 0 : ofColour[itsColour - 1];
+    }
+
+    /** Where they end. */
+    int end(int itsColour) {
+        return ofColour[itsColour];
     }
 
     /** Sorts the pairs by colours, and those of one by their numbers. */
@@ -117,10 +173,6 @@ final class RigidOrder {
         return pairs.b[contacts.pair[p]];
     }
 
-    private boolean moves(int t) {
-        return pairs.things.w[t] > 0f || pairs.things.i[t] > 0f;
-    }
-
     private int least(int words, boolean movesA, int a, boolean movesB, int b) {
         int word = 0;
         long free = free(words, word, movesA, a, movesB, b);
@@ -143,6 +195,6 @@ final class RigidOrder {
     }
 
     long bytes() {
-        return 16L * order.length + 4L * (degree.length + ofColour.length) + 8L * taken.length;
+        return 24L * order.length + 4L * starts.length + 4L * (degree.length + ofColour.length) + 8L * taken.length;
     }
 }

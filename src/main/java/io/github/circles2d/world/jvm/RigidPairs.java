@@ -6,15 +6,14 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 
 import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.KindTerrain;
-import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
@@ -25,20 +24,24 @@ import java.util.Arrays;
 
 /** Finds the pairs of a rigid body and something near to it, in the order of their keys, and makes things of all that they have. */
 final class RigidPairs {
-    private static final int TYPE_SHIFT = 60;
-    private static final int A_SHIFT = 40;
-    private static final long LOW = (1L << A_SHIFT) - 1;
-
     private final State state;
     final RigidThings things = new RigidThings();
     final RigidPieces pieces = new RigidPieces(things);
-    private final RigidTree tree = new RigidTree();
+    private final RigidCandidates candidates;
 
     /** Pairs that do not collide, since a joint holds both. */
     final RigidPartners partners = new RigidPartners();
 
-    private long[] keys = new long[64];
-    private int keyCount;
+    private final Team team;
+
+    /** By worker. */
+    private final RigidSearch[] searches;
+
+    /** By type, piece of the work as {@link Team#pieces} has them, and end: where its keys begin and end among those of its worker. */
+    private final int[][] found = new int[BODY_CIRCLE + 1][];
+
+    /** Those of circles, sorted. */
+    private long[] keysOfCircles = new long[0];
 
     int count;
 
@@ -68,8 +71,18 @@ final class RigidPairs {
     private StepConstants k;
     private TerrainStep terrain;
 
-    RigidPairs(State state) {
+    private final Team.Work fill = this::fill;
+    private final Team.Work findNear = this::findNear;
+    private final Team.Work measure = this::measure;
+
+    RigidPairs(State state, Team team) {
         this.state = state;
+        this.team = team;
+        candidates = new RigidCandidates(state, things, team);
+        searches = new RigidSearch[team.most()];
+        for (int worker = 0; worker < searches.length; worker++) {
+            searches[worker] = new RigidSearch(state, things, candidates, partners);
+        }
     }
 
     void find(RigidStep bodies, StepConstants constants, TerrainStep ground) {
@@ -78,10 +91,15 @@ final class RigidPairs {
         terrain = constants.terrain ? ground : null;
         things.clear();
         addBodies();
-        keyCount = 0;
-        findNear();
-        HeapSort.ascending(keys, keyCount);
+        candidates.update(near);
+        for (int type = 0; type < found.length; type++) {
+            if (found[type] == null || found[type].length < 2 * team.pieces()) {
+                found[type] = new int[2 * team.pieces()];
+            }
+        }
+        team.together(findNear);
         makePairs();
+        team.together(measure);
     }
 
     // ---- bodies
@@ -93,16 +111,27 @@ final class RigidPairs {
         }
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null) {
-                thingOfBody[id] = addBody(id);
+                thingOfBody[id] = things.add(BODY_BODY, id, step.x[id], step.y[id]);
+                things.setShape(step.outline[id]);
             }
         }
         things.bodies = things.count;
         ensureNear();
+        candidates.ensure(things.bodies);
+        team.together(fill);
     }
 
-    private int addBody(int id) {
-        int t = things.add(BODY_BODY, id, step.x[id], step.y[id]);
-        things.setShape(step.outline[id]);
+    private void fill(int worker) {
+        int end = team.part(things.bodies, worker + 1);
+        for (int t = team.part(things.bodies, worker); t < end; t++) {
+            fillBody(t);
+            near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
+            findBox(t);
+        }
+    }
+
+    private void fillBody(int t) {
+        int id = things.id[t];
         things.dx[t] = step.restX[id];
         things.dy[t] = step.restY[id];
         things.angle[t] = step.angle[id];
@@ -127,7 +156,6 @@ final class RigidPairs {
         }
         things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.i[t], k.h);
         things.turn(t);
-        return t;
     }
 
     /** What surfaces of bodies, pieces and walls are; there are none in a world in which nothing turns. */
@@ -169,42 +197,27 @@ final class RigidPairs {
     // ---- what is near
     // ------------------------------------------------------------------------------------------------------
 
-    private void add(int type, int body, int other) {
-        if (partners.has(type, body, other)) {
-            return;
+    private void findNear(int worker) {
+        RigidSearch search = searches[worker];
+        search.begin(step, k, terrain);
+        for (int round = 0; round < team.rounds(); round++) {
+            int piece = team.piece(worker, round);
+            mark(search, piece, 0);
+            int end = team.to(things.bodies, worker, round);
+            for (int t = team.from(things.bodies, worker, round); t < end; t++) {
+                search.findNear(t);
+            }
+            int endSlot = team.to(state.n, worker, round);
+            for (int slot = team.from(state.n, worker, round); slot < endSlot; slot++) {
+                search.findBodiesNear(slot);
+            }
+            mark(search, piece, 1);
         }
-        if (keyCount == keys.length) {
-            keys = Arrays.copyOf(keys, 2 * keyCount);
-        }
-        keys[keyCount++] = (long) type << TYPE_SHIFT | (long) body << A_SHIFT | other;
     }
 
-    private void findNear() {
-        int n = things.bodies;
-        tree.ensure(n);
-        for (int t = 0; t < n; t++) {
-            near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
-            findBox(t);
-        }
-        tree.build(n);
-        for (int t = 0; t < n; t++) {
-            int box = 4 * t;
-            findBodies(t, tree.box[box], tree.box[box + 1], tree.box[box + 2], tree.box[box + 3]);
-            if (things.w[t] > 0f || things.i[t] > 0f) {
-                // what does not move has no thickness of its own
-                float m = 2f * Tuning.MARGIN * things.thin[t];
-                float minX = tree.box[box] - m;
-                float minY = tree.box[box + 1] - m;
-                float maxX = tree.box[box + 2] + m;
-                float maxY = tree.box[box + 3] + m;
-                findWalls(t, minX, minY, maxX, maxY);
-                if (terrain != null) {
-                    findPieces(t, minX, minY, maxX, maxY);
-                }
-            }
-        }
-        for (int slot = 0; slot < state.n; slot++) {
-            findBodiesNear(slot);
+    private void mark(RigidSearch search, int piece, int end) {
+        for (int type = 0; type < found.length; type++) {
+            found[type][2 * piece + end] = search.keys[type].count;
         }
     }
 
@@ -234,130 +247,11 @@ final class RigidPairs {
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
-        tree.box[4 * t] = things.x[t] + minX - m;
-        tree.box[4 * t + 1] = things.y[t] + minY - m;
-        tree.box[4 * t + 2] = things.x[t] + maxX + m;
-        tree.box[4 * t + 3] = things.y[t] + maxY + m;
-    }
-
-    /** Finds in the tree what meets a box or one of its images. */
-    private void look(float minX, float minY, float maxX, float maxY) {
-        tree.foundCount = 0;
-        if (!state.wraps) {
-            tree.find(minX, minY, maxX, maxY);
-            return;
-        }
-        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                tree.find(minX + ax, minY + ay, maxX + ax, maxY + ay);
-            }
-        }
-    }
-
-    private void findBodies(int t, float minX, float minY, float maxX, float maxY) {
-        look(minX, minY, maxX, maxY);
-        for (int f = 0; f < tree.foundCount; f++) {
-            int other = tree.found[f];
-            boolean moves = things.w[t] > 0f || things.i[t] > 0f || things.w[other] > 0f || things.i[other] > 0f;
-            if (other > t && moves && meets(things.kind[t], things.kind[other]) && !areOfOneGroup(t, other)) {
-                add(BODY_BODY, things.id[t], things.id[other]);
-            }
-        }
-    }
-
-    private boolean meets(int kind, int other) {
-        return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
-    }
-
-    private boolean areOfOneGroup(int t, int other) {
-        return step.extras.areThere()
-                && step.isOfGroup(things.id[t], step.extras.get(things.id[other], RigidExtras.GROUP));
-    }
-
-    private void findWalls(int t, float minX, float minY, float maxX, float maxY) {
-        int body = things.id[t];
-        if (minX - behind(0) < k.bounds.minX()) {
-            add(BODY_WALL, body, 0);
-        }
-        if (maxX + behind(1) > k.bounds.maxX()) {
-            add(BODY_WALL, body, 1);
-        }
-        if (minY - behind(2) < k.bounds.minY()) {
-            add(BODY_WALL, body, 2);
-        }
-        if (maxY + behind(3) > k.bounds.maxY()) {
-            add(BODY_WALL, body, 3);
-        }
-    }
-
-    private float behind(int wall) {
-        return CircleMath.max(k.walls.travel[wall], 0f);
-    }
-
-    private void findPieces(int t, float minX, float minY, float maxX, float maxY) {
-        if (!state.wraps) {
-            walk(t, minX, minY, maxX, maxY);
-            return;
-        }
-        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                walk(t, minX + ax, minY + ay, maxX + ax, maxY + ay);
-            }
-        }
-    }
-
-    private void walk(int t, float minX, float minY, float maxX, float maxY) {
-        float[] boxes = terrain.boxes;
-        int node = 0;
-        while (node < terrain.nodes) {
-            int n = 4 * node;
-            if (boxes[n] <= maxX && boxes[n + 1] <= maxY && boxes[n + 2] >= minX && boxes[n + 3] >= minY) {
-                int piece = terrain.links[2 * node + 1];
-                if (piece >= 0 && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                    add(BODY_PIECE, things.id[t], piece);
-                }
-                node++;
-            } else {
-                node = terrain.links[2 * node];
-            }
-        }
-    }
-
-    private void findBodiesNear(int slot) {
-        int s = CircleRow.of(slot);
-        float r = state.circle[s + CircleRow.RADIUS];
-        float x = state.circle[s + CircleRow.X];
-        float y = state.circle[s + CircleRow.Y];
-        float m = r + 2.25f * nearOf(slot);
-        look(x - m, y - m, x + m, y + m);
-        int kind = state.filtering && tree.foundCount > 0 ? kindOf(slot) : 0;
-        int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
-        for (int f = 0; f < tree.foundCount; f++) {
-            int t = tree.found[f];
-            boolean moves = things.w[t] > 0f || things.i[t] > 0f || !state.isStatic(slot);
-            if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
-                add(BODY_CIRCLE, things.id[t], state.id[slot]);
-            }
-        }
-    }
-
-    private int kindOf(int slot) {
-        return state.fields.getInt(CircleField.KIND, state.id[slot]);
-    }
-
-    private float nearOf(int slot) {
-        int s = CircleRow.of(slot);
-        float speed = CircleMath.length(state.motion[s + CircleRow.VX], state.motion[s + CircleRow.VY]);
-        float gain = state.isStatic(slot) ? 0f : CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
-        return Tuning.MARGIN * state.circle[s + CircleRow.RADIUS] + 0.5f * k.dt * (speed + gain * k.subSteps);
+        float[] box = candidates.box;
+        box[4 * t] = things.x[t] + minX - m;
+        box[4 * t + 1] = things.y[t] + minY - m;
+        box[4 * t + 2] = things.x[t] + maxX + m;
+        box[4 * t + 3] = things.y[t] + maxY + m;
     }
 
     // ---- pairs
@@ -366,63 +260,106 @@ final class RigidPairs {
     private void makePairs() {
         count = 0;
         Arrays.fill(thingOfWall, -1);
-        long before = -1;
-        for (int at = 0; at < keyCount; at++) {
-            long key = keys[at];
-            if (key == before) {
-                continue; // an image
+        for (int type = 0; type < BODY_CIRCLE; type++) {
+            for (int piece = 0; piece < team.pieces(); piece++) {
+                RigidKeys from = searches[team.worker(piece)].keys[type];
+                makePairs(type, from.keys, found[type][2 * piece], found[type][2 * piece + 1]);
             }
-            before = key;
-            int type = (int) (key >>> TYPE_SHIFT);
-            int t = thingOfBody[(int) ((key & ~(-1L << TYPE_SHIFT)) >>> A_SHIFT)];
-            int id = (int) (key & LOW);
-            switch (type) {
-                case BODY_BODY -> pair(t, thingOfBody[id], 0f, 0f);
-                case BODY_PIECE -> pairWithPiece(t, pieceThing(id));
-                case BODY_WALL -> pair(t, wallThing(id), 0f, 0f);
-                default -> pair(t, circleThing(id), 0f, 0f);
+        }
+        int ofCircles = sortCircles();
+        makePairs(BODY_CIRCLE, keysOfCircles, 0, ofCircles);
+    }
+
+    /** Circles have been looked at as they lie in memory; returns the number of their keys. */
+    private int sortCircles() {
+        int many = 0;
+        for (int worker = 0; worker < team.size(); worker++) {
+            many += searches[worker].keys[BODY_CIRCLE].count;
+        }
+        if (keysOfCircles.length < many) {
+            keysOfCircles = new long[many + (many >> 1)];
+        }
+        int to = 0;
+        for (int worker = 0; worker < team.size(); worker++) {
+            RigidKeys from = searches[worker].keys[BODY_CIRCLE];
+            System.arraycopy(from.keys, 0, keysOfCircles, to, from.count);
+            to += from.count;
+        }
+        HeapSort.ascending(keysOfCircles, many);
+        return many;
+    }
+
+    private void makePairs(int type, long[] keys, int from, int end) {
+        ensurePairs(count + (end - from));
+        long before = -1;
+        for (int at = from; at < end; at++) {
+            long key = keys[at];
+            if (key != before) { // else an image
+                before = key;
+                int id = RigidKeys.other(key);
+                a[count] = thingOfBody[RigidKeys.body(key)];
+                b[count++] = switch (type) {
+                    case BODY_BODY -> thingOfBody[id];
+                    case BODY_PIECE -> pieceThing(id);
+                    case BODY_WALL -> wallThing(id);
+                    default -> circleThing(id);
+                };
             }
         }
     }
 
-    private void pair(int t, int other, float addX, float addY) {
-        if (count == a.length) {
-            int n = Math.max(64, 2 * count);
+    private void ensurePairs(int needed) {
+        if (a.length < needed) {
+            int n = Math.max(64, needed + (needed >> 1));
             a = Arrays.copyOf(a, n);
             b = Arrays.copyOf(b, n);
-            ox = Arrays.copyOf(ox, n);
-            oy = Arrays.copyOf(oy, n);
-            margin = Arrays.copyOf(margin, n);
+            ox = new float[n];
+            oy = new float[n];
+            margin = new float[n];
         }
-        float x = things.x[t] - things.x[other];
-        float y = things.y[t] - things.y[other];
-        boolean near = state.wraps && things.type[other] != BODY_WALL && things.type[other] != BODY_PIECE;
-        a[count] = t;
-        b[count] = other;
-        ox[count] = near ? CircleMath.shortWay(x, state.periodX) : x + addX;
-        oy[count] = near ? CircleMath.shortWay(y, state.periodY) : y + addY;
-        margin[count] = 2f * (this.near[t] + this.near[other]);
-        if (things.w[other] == 0f && things.shape[other] == null) {
-            margin[count] += 2f * Tuning.MARGIN * things.thin[t];
-        }
-        count++;
     }
 
-    private void pairWithPiece(int t, int other) {
+    private void measure(int worker) {
+        int end = team.part(count, worker + 1);
+        for (int p = team.part(count, worker); p < end; p++) {
+            measurePair(p);
+        }
+    }
+
+    private void measurePair(int p) {
+        int t = a[p];
+        int other = b[p];
+        if (things.type[other] == BODY_PIECE) {
+            placePiece(p, t, other);
+        } else {
+            boolean near = state.wraps && things.type[other] != BODY_WALL;
+            float x = things.x[t] - things.x[other];
+            float y = things.y[t] - things.y[other];
+            ox[p] = near ? CircleMath.shortWay(x, state.periodX) : x + 0f;
+            oy[p] = near ? CircleMath.shortWay(y, state.periodY) : y + 0f;
+        }
+        margin[p] = 2f * (near[t] + near[other]);
+        if (things.w[other] == 0f && things.shape[other] == null) {
+            margin[p] += 2f * Tuning.MARGIN * things.thin[t];
+        }
+    }
+
+    private void placePiece(int p, int t, int other) {
         int row = PieceRow.of(things.id[other]);
         float[] rows = terrain.rows;
         boolean moves = terrain.traits[PieceRow.traits(things.id[other]) + PieceRow.MOTION] != 0;
         float addX = moves ? -rows[row + PieceRow.PIVOT_X] : 0f;
         float addY = moves ? -rows[row + PieceRow.PIVOT_Y] : 0f;
-        pair(t, other, addX, addY);
+        float x = things.x[t] - things.x[other];
+        float y = things.y[t] - things.y[other];
         if (state.wraps) {
             float midX = rows[row + PieceRow.MID_X];
             float midY = rows[row + PieceRow.MID_Y];
-            float x = CircleMath.shortWay(things.x[t] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
-            float y = CircleMath.shortWay(things.y[t] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
-            ox[count - 1] = x + addX;
-            oy[count - 1] = y + addY;
+            x = CircleMath.shortWay(things.x[t] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
+            y = CircleMath.shortWay(things.y[t] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
         }
+        ox[p] = x + addX;
+        oy[p] = y + addY;
     }
 
     /** The thing of a body. */
@@ -458,7 +395,7 @@ final class RigidPairs {
             // along the tangent of the normal into the arena, and not towards greater coordinates
             things.belt[t] = wall == 1 || wall == 2 ? -things.belt[t] : things.belt[t];
             ensureNear();
-            near[t] = 0.5f * behind(wall);
+            near[t] = 0.5f * searches[0].behind(wall);
             thingOfWall[wall] = t;
         }
         return thingOfWall[wall];
@@ -480,7 +417,7 @@ final class RigidPairs {
         things.reach[t] = r;
         things.w[t] = state.traits[s + CircleRow.INVERSE_MASS];
         things.restitution[t] = state.traits[s + CircleRow.RESTITUTION];
-        things.kind[t] = kindOf(slot);
+        things.kind[t] = searches[0].kindOf(slot);
         if (things.w[t] > 0f) {
             things.gainX[t] = state.gainX(slot, k);
             things.gainY[t] = state.gainY(slot, k);
@@ -493,16 +430,21 @@ final class RigidPairs {
         }
         things.place(t);
         ensureNear();
-        near[t] = nearOf(slot);
+        near[t] = searches[0].nearOf(slot);
         thingOfCircle[id] = t;
         return t;
     }
 
     long bytes() {
-        return things.bytes()
-                + tree.bytes()
-                + partners.bytes()
-                + 8L * keys.length
+        long sum = things.bytes() + candidates.bytes() + partners.bytes();
+        for (RigidSearch each : searches) {
+            sum += each.bytes();
+        }
+        for (int[] each : found) {
+            sum += each == null ? 0 : 4L * each.length;
+        }
+        return sum
+                + 8L * keysOfCircles.length
                 + 20L * a.length
                 + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
     }

@@ -5,6 +5,7 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 
 import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -16,12 +17,23 @@ import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Velocity;
 
-/** What rigid bodies do in a step. One worker does it, between the passes of the circles. */
+/**
+ * What rigid bodies do in a step, between the passes of the circles. Workers share what is by body, pair or contact, and visits of one colour
+ * ({@link RigidVisits}); one worker does the rest, and what is too short to share.
+ */
 final class RigidPasses {
     /** By how much a body turns at most in a sub-step, in radians, so that contacts see where it gets. */
     private static final float MOST_TURN = 0.785f;
 
+    /** As many circles take as long as a body. */
+    private static final int CIRCLES = 8;
+
+    /** As many circles take as long as to visit a pair. */
+    private static final int PAIRS = 16;
+
     private final State state;
+    private final Team team;
+    private final int leastBodies;
     private final RigidPairs pairs;
     private final RigidThings things;
     private final RigidContacts contacts;
@@ -34,16 +46,28 @@ final class RigidPasses {
     private RigidStep step;
     private StepConstants k;
     private TerrainStep terrain;
+    private int subStep;
 
-    RigidPasses(State state) {
+    private final Team.Work gain = this::gain;
+    private final Team.Work move = this::move;
+
+    /** No worker gets less than a least share of what is by circle, but for what is left over. */
+    RigidPasses(State state, Team team, int leastShare) {
         this.state = state;
-        pairs = new RigidPairs(state);
+        this.team = team;
+        leastBodies = Math.max(1, leastShare / CIRCLES);
+        pairs = new RigidPairs(state, team);
         things = pairs.things;
-        contacts = new RigidContacts(pairs);
-        cover = new RigidCover(contacts, things);
+        contacts = new RigidContacts(pairs, team);
+        cover = new RigidCover(contacts, things, team);
         order = new RigidOrder(contacts, pairs);
-        visits = new RigidVisits(contacts, pairs, order);
+        visits = new RigidVisits(contacts, pairs, order, team, leastShare / PAIRS);
         joints = new RigidJoints(state, pairs);
+    }
+
+    /** How many workers are worth their while. */
+    int workers(RigidStep bodies) {
+        return bodies.count / leastBodies;
     }
 
     /** Begins a step, in which circles have begun theirs. Without joints of bodies, theirs are null. */
@@ -67,9 +91,24 @@ final class RigidPasses {
 
     /** What drives bodies, and the impulses of the sub-step before. */
     void integrateVelocities() {
+        team.together(gain);
+        takeCircles(true);
+        for (int t = 0; t < things.count; t++) {
+            if (things.type[t] != BODY_CIRCLE) {
+                things.beforeX[t] = things.vx[t];
+                things.beforeY[t] = things.vy[t];
+                things.beforeOmega[t] = things.omega[t];
+            }
+        }
+        joints.warmStart();
+        visits.warmStart();
+    }
+
+    private void gain(int worker) {
         float[] motion = state.kindMotion;
         float[] surfaces = k.turning ? state.turning.surfaces : null;
-        for (int t = 0; t < things.bodies; t++) {
+        int end = team.part(things.bodies, worker + 1);
+        for (int t = team.part(things.bodies, worker); t < end; t++) {
             things.vx[t] += things.gainX[t];
             things.vy[t] += things.gainY[t];
             things.omega[t] += things.gainOmega[t];
@@ -85,16 +124,6 @@ final class RigidPasses {
                 things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
             }
         }
-        takeCircles(true);
-        for (int t = 0; t < things.count; t++) {
-            if (things.type[t] != BODY_CIRCLE) {
-                things.beforeX[t] = things.vx[t];
-                things.beforeY[t] = things.vy[t];
-                things.beforeOmega[t] = things.omega[t];
-            }
-        }
-        joints.warmStart();
-        visits.warmStart();
     }
 
     /** The biased pass over joints, bodies, pieces and walls. */
@@ -114,30 +143,35 @@ final class RigidPasses {
 
     /** Moves bodies, and what moves along with time; circles have moved. Measures contacts. */
     void integratePositions(int sub) {
-        for (int t = 0; t < things.count; t++) {
+        subStep = sub;
+        team.together(move);
+        visits.measure();
+    }
+
+    private void move(int worker) {
+        int end = team.part(things.count, worker + 1);
+        for (int t = team.part(things.count, worker); t < end; t++) {
             switch (things.type[t]) {
-                case BODY_PIECE -> pairs.pieces.pose(t, terrain, sub + 1, k);
-                case BODY_WALL -> pairs.pieces.poseWall(t, sub + 1, k);
+                case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
+                case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);
                 case BODY_CIRCLE -> {
                     int m = CircleRow.of(state.slotOf[things.id[t]]);
                     things.dx[t] = state.motion[m + CircleRow.DX];
                     things.dy[t] = state.motion[m + CircleRow.DY];
                 }
-                default -> move(t);
+                default -> moveBody(t);
             }
         }
-        contacts.measureAll();
-        visits.measured();
     }
 
-    private void move(int t) {
+    private void moveBody(int t) {
         things.vx[t] = Velocity.limitSpeed(things.vx[t]);
         things.vy[t] = Velocity.limitSpeed(things.vy[t]);
         things.omega[t] = CircleMath.clamp(things.omega[t], -MOST_TURN * k.inverseH, MOST_TURN * k.inverseH);
         things.dx[t] += things.vx[t] * k.h;
         things.dy[t] += things.vy[t] * k.h;
         things.turned[t] += things.omega[t] * k.h;
-        things.turn(t);
+        things.turnOn(t);
     }
 
     /** The relaxing pass over joints, bodies, pieces and walls. */
@@ -197,7 +231,8 @@ final class RigidPasses {
         for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
                 int s = CircleRow.of(state.slotOf[things.id[pairs.b[contacts.pair[p]]]]);
-                if (contacts.impulse[c] > 0f && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
+                if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f
+                        && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
                     state.motionClamp[s + CircleRow.ALLOWANCE] = Float.POSITIVE_INFINITY;
                 }
             }
@@ -206,16 +241,20 @@ final class RigidPasses {
 
     /** Adds what circles have accumulated to the impulses that act in their next sub-step. */
     private void pushCircles() {
+        float[] rows = contacts.rows;
         for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
             int circle = pairs.b[contacts.pair[p]];
             int s = CircleRow.of(state.slotOf[things.id[circle]]);
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                float impulse = contacts.impulse[c];
-                float grip = contacts.grip[c];
+                int row = RigidRow.of(c);
+                float nx = rows[row + RigidRow.NX];
+                float ny = rows[row + RigidRow.NY];
+                float impulse = rows[row + RigidRow.IMPULSE];
+                float grip = rows[row + RigidRow.GRIP];
                 if (impulse > 0f && things.w[circle] > 0f) {
                     float side = contacts.a[c] == circle ? 1f : -1f;
-                    state.load[s + CircleRow.IMPULSE_X] += side * (contacts.nx[c] * impulse - contacts.ny[c] * grip);
-                    state.load[s + CircleRow.IMPULSE_Y] += side * (contacts.ny[c] * impulse + contacts.nx[c] * grip);
+                    state.load[s + CircleRow.IMPULSE_X] += side * (nx * impulse - ny * grip);
+                    state.load[s + CircleRow.IMPULSE_Y] += side * (ny * impulse + nx * grip);
                     state.load[s + CircleRow.LOADED_NEXT] = 1f;
                     if (k.turning) {
                         state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= grip;
@@ -245,7 +284,7 @@ final class RigidPasses {
             step.vy[id] = Velocity.limitSpeed(things.vy[t]);
             step.omega[id] = Velocity.limitSpeed(things.omega[t]);
         }
-        contacts.keep(step);
+        contacts.keep();
         joints.end();
         tell();
     }
@@ -278,10 +317,14 @@ final class RigidPasses {
         if (step.listener == null) {
             return;
         }
+        float[] rows = contacts.rows;
         for (int p = 0; p < contacts.pairCount; p++) {
             int hardest = -1;
+            float most = 0f;
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                if (contacts.most[c] > 0f && (hardest < 0 || contacts.most[c] > contacts.most[hardest])) {
+                float its = rows[RigidRow.of(c) + RigidRow.MOST];
+                if (its > most) {
+                    most = its;
                     hardest = c;
                 }
             }
@@ -298,15 +341,17 @@ final class RigidPasses {
         step.touchKeys[at + RigidStep.TYPE] = things.type[other];
         step.touchKeys[at + RigidStep.A] = things.id[body];
         step.touchKeys[at + RigidStep.B] = things.id[other];
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
         boolean isA = contacts.a[c] == body;
         float side = isA ? -1f : 1f;
         int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to] = things.x[body] + (things.dx[body] + (isA ? contacts.ax[c] : contacts.bx[c]));
-        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + (isA ? contacts.ay[c] : contacts.by[c]));
-        step.touchValues[to + 2] = side * contacts.nx[c];
-        step.touchValues[to + 3] = side * contacts.ny[c];
-        step.touchValues[to + 4] = contacts.most[c];
-        step.touchValues[to + 5] = contacts.approach[c] + 0f; // never -0
+        step.touchValues[to] = things.x[body] + (things.dx[body] + rows[row + (isA ? RigidRow.AX : RigidRow.BX)]);
+        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + rows[row + (isA ? RigidRow.AY : RigidRow.BY)]);
+        step.touchValues[to + 2] = side * rows[row + RigidRow.NX];
+        step.touchValues[to + 3] = side * rows[row + RigidRow.NY];
+        step.touchValues[to + 4] = rows[row + RigidRow.MOST];
+        step.touchValues[to + 5] = rows[row + RigidRow.APPROACH] + 0f; // never -0
         step.touches++;
     }
 

@@ -242,6 +242,11 @@ final class RigidThings {
         lines[count - 1]++;
     }
 
+    /** Whether contacts move a thing. */
+    boolean moves(int t) {
+        return w[t] > 0f || i[t] > 0f;
+    }
+
     boolean isBent(int c) {
         return corner[corner(c) + OutlineShape.BEND] > 0f;
     }
@@ -304,10 +309,31 @@ final class RigidThings {
 
     /** Sets the angle of a body from what it has turned, and turns its outline. */
     void turn(int t) {
+        setAngle(t);
+        place(t);
+    }
+
+    /** The same within a step, for what measures look at: not the cones of corners that are not bent. */
+    void turnOn(int t) {
+        setAngle(t);
+        float c = cos[t];
+        float s = sin[t];
+        int end = firstCorner[t] + corners[t];
+        for (int k = firstCorner[t]; k < end; k++) {
+            int at = corner(k);
+            rotate(corner, at, turnedCorner, c, s);
+            if (corner[at + OutlineShape.BEND] > 0f) {
+                rotate(corner, at + OutlineShape.FROM_X, turnedCorner, c, s);
+                rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
+            }
+        }
+        turnLines(t, c, s);
+    }
+
+    private void setAngle(int t) {
         int units = Surface.turn(angle[t], turned[t], 1f, 1f);
         cos[t] = (float) Rotation.cos(units);
         sin[t] = (float) Rotation.sin(units);
-        place(t);
     }
 
     /** Turns the outline of a thing as its cosine and sine are. */
@@ -316,25 +342,34 @@ final class RigidThings {
         float s = sin[t];
         for (int k = firstCorner[t]; k < firstCorner[t] + corners[t]; k++) {
             int at = corner(k);
-            turnedCorner[at] = c * corner[at] - s * corner[at + 1];
-            turnedCorner[at + 1] = s * corner[at] + c * corner[at + 1];
+            rotate(corner, at, turnedCorner, c, s);
             turnedCorner[at + OutlineShape.RADIUS] = corner[at + OutlineShape.RADIUS];
             turnedCorner[at + OutlineShape.BEND] = corner[at + OutlineShape.BEND];
             rotate(corner, at + OutlineShape.FROM_X, turnedCorner, c, s);
             rotate(corner, at + OutlineShape.TO_X, turnedCorner, c, s);
         }
+        turnLines(t, c, s);
         for (int k = firstLine[t]; k < firstLine[t] + lines[t]; k++) {
             int at = line(k);
-            rotate(line, at, turnedLine, c, s);
-            rotate(line, at + OutlineShape.NX, turnedLine, c, s);
             turnedLine[at + OutlineShape.LENGTH] = line[at + OutlineShape.LENGTH];
             turnedLine[at + OutlineShape.THICKNESS] = line[at + OutlineShape.THICKNESS];
         }
     }
 
+    private void turnLines(int t, float c, float s) {
+        int end = firstLine[t] + lines[t];
+        for (int k = firstLine[t]; k < end; k++) {
+            int at = line(k);
+            rotate(line, at, turnedLine, c, s);
+            rotate(line, at + OutlineShape.NX, turnedLine, c, s);
+        }
+    }
+
     private static void rotate(float[] from, int at, float[] to, float c, float s) {
-        to[at] = c * from[at] - s * from[at + 1];
-        to[at + 1] = s * from[at] + c * from[at + 1];
+        float x = from[at];
+        float y = from[at + 1];
+        to[at] = c * x - s * y;
+        to[at + 1] = s * x + c * y;
     }
 
     /** Whether a direction is in the cone of a corner, within a tolerance. */

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.CrossRule;
@@ -36,6 +38,10 @@ final class RigidVisits {
     private final RigidPairs pairs;
     private final RigidThings things;
     private final RigidOrder order;
+    private final Team team;
+
+    /** Contacts that are measured, and pairs of a colour that are visited, by so many workers that each has as many at least. */
+    private final int leastShare;
 
     /** By body: as how many it counts where circles push it at once. */
     private float[] share = new float[0];
@@ -43,20 +49,30 @@ final class RigidVisits {
     /** By body: what circles give in a pass, in units. */
     private long[] sums = new long[0];
 
-    /** By contact without a circle: effective masses along the normal and the tangent, since contacts were measured. */
-    private float[] normalMass = new float[0];
-
-    private float[] tangentMass = new float[0];
-
     /** Whether bodies take nothing but sums. */
     private boolean summing;
 
     private StepConstants k;
 
-    RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order) {
+    /** See {@link #areFixed}: then several workers may push at once what does not move. */
+    private boolean fixed;
+
+    // of a pass: whether it is without bias, and the places in the order that workers have now
+    private boolean relaxes;
+
+    private int from;
+    private int to;
+
+    private final Team.Work measure = this::measure;
+    private final Team.Work visit = this::visit;
+    private final Team.Work begin = this::begin;
+
+    RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
         this.pairs = pairs;
         this.order = order;
+        this.team = team;
+        this.leastShare = leastShare;
         things = pairs.things;
     }
 
@@ -81,52 +97,100 @@ final class RigidVisits {
         for (int t = 0; t < things.bodies; t++) {
             share[t] = CircleMath.max(share[t], 1f);
         }
-        measured();
+        team.together(begin);
     }
 
-    /** To be told when contacts have been measured. */
-    void measured() {
-        if (normalMass.length < contacts.count) {
-            normalMass = new float[2 * contacts.count];
-            tangentMass = new float[2 * contacts.count];
+    /** What both things of a contact have together. */
+    private void begin(int worker) {
+        float[] rows = contacts.rows;
+        int end = team.part(contacts.count, worker + 1);
+        for (int c = team.part(contacts.count, worker); c < end; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            int row = RigidRow.of(c);
+            rows[row + RigidRow.FRICTION] = Surface.friction(things.friction[a], things.friction[b]);
+            rows[row + RigidRow.ROLLING] = CircleMath.max(things.rolling[a], things.rolling[b]);
+            rows[row + RigidRow.BELTS] = things.belt[a] + things.belt[b];
+            rows[row + RigidRow.RESTITUTION] = CircleMath.max(things.restitution[a], things.restitution[b]);
+            rows[row + RigidRow.LENGTH] = things.w[a] == 0f
+                    ? 2f * things.thin[b]
+                    : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+            setMasses(c);
         }
-        int end = contacts.firstOf[order.firstWithCircle];
-        for (int c = 0; c < end; c++) {
-            normalMass[c] = massOf(massOfA(c) + massOfB(c));
-            tangentMass[c] = gripMass(c, 1f, 1f);
+    }
+
+    /** Measures contacts as their things have moved. */
+    void measure() {
+        if (contacts.count < leastShare * team.size()) {
+            measure(0, contacts.count);
+        } else {
+            team.together(measure);
         }
+    }
+
+    private void measure(int worker) {
+        measure(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
+    }
+
+    private void measure(int begin, int end) {
+        for (int c = begin; c < end; c++) {
+            contacts.measures.measure(c);
+            setMasses(c);
+        }
+    }
+
+    private void setMasses(int c) {
+        int row = RigidRow.of(c);
+        float normalMass = massOf(massOfA(c) + massOfB(c));
+        float tangentMass = gripMass(c, 1f, 1f);
+        contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
+        contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
     }
 
     /** One over the effective mass of A alone along the normal. */
     private float massOfA(int c) {
         int t = contacts.a[c];
-        float arm = contacts.ax[c] * contacts.ny[c] - contacts.ay[c] * contacts.nx[c];
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float arm =
+                rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
         return things.w[t] + things.i[t] * arm * arm;
     }
 
     private float massOfB(int c) {
         int t = contacts.b[c];
-        float arm = contacts.bx[c] * contacts.ny[c] - contacts.by[c] * contacts.nx[c];
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float arm =
+                rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
         return things.w[t] + things.i[t] * arm * arm;
     }
 
     /** What is accumulated acts again; on circles it has acted before. */
     void warmStart() {
+        fixed = false;
+        float[] rows = contacts.rows;
         for (int c = 0; c < contacts.count; c++) {
-            if (contacts.impulse[c] != 0f || contacts.grip[c] != 0f) {
-                float x = contacts.nx[c] * contacts.impulse[c] - contacts.ny[c] * contacts.grip[c];
-                float y = contacts.ny[c] * contacts.impulse[c] + contacts.nx[c] * contacts.grip[c];
+            int row = RigidRow.of(c);
+            float impulse = rows[row + RigidRow.IMPULSE];
+            float grip = rows[row + RigidRow.GRIP];
+            if (impulse != 0f || grip != 0f) {
+                float x = rows[row + RigidRow.NX] * impulse - rows[row + RigidRow.NY] * grip;
+                float y = rows[row + RigidRow.NY] * impulse + rows[row + RigidRow.NX] * grip;
                 if (things.shape[contacts.a[c]] != null) {
-                    push(contacts.a[c], x, y, contacts.ax[c], contacts.ay[c]);
+                    push(contacts.a[c], x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
                 }
                 if (things.shape[contacts.b[c]] != null) {
-                    push(contacts.b[c], -x, -y, contacts.bx[c], contacts.by[c]);
+                    push(contacts.b[c], -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
                 }
             }
         }
     }
 
     private void push(int t, float x, float y, float armX, float armY) {
+        if (fixed && !things.moves(t)) {
+            return;
+        }
         gain(t, things.w[t] * x, things.w[t] * y, things.i[t] * (armX * y - armY * x));
     }
 
@@ -147,194 +211,304 @@ final class RigidVisits {
     // -----------------------------------------------------------------------------
 
     void solve() {
-        for (int at = 0; at < order.count; at++) {
-            int from = contacts.firstOf[order.order[at]];
-            int to = contacts.firstOf[order.order[at] + 1];
-            int times = 1;
-            for (int time = 0; time < times; time++) {
-                boolean agree = true;
-                for (int c = from; c < to; c++) {
-                    float before = contacts.impulse[c];
-                    solveNormal(c);
-                    if (Math.abs(contacts.impulse[c] - before) > AGREED * contacts.impulse[c]) {
-                        agree = false;
-                    }
-                    times = contacts.bounce[c] > 0f ? Math.max(times, OF_BOUNCES) : times;
-                    times = isHit(c) ? OF_HITS : times;
-                    for (int other = from; other < to && times > 1; other++) {
-                        if (contacts.bounce[other] > 0f) {
-                            solveGrip(other, tangentMass[other]);
-                        }
+        relaxes = false;
+        passByColours();
+    }
+
+    void relax() {
+        relaxes = true;
+        passByColours();
+    }
+
+    /** Visits the pairs in order. Those of a colour share nothing that moves, so workers divide the large ones; what lies between these is one worker's. */
+    private void passByColours() {
+        fixed = areFixed();
+        int done = 0;
+        for (int colour = 0; colour < order.colours && team.size() > 1; colour++) {
+            if (!fixed) {
+                visit(done, order.begin(colour));
+                done = order.begin(colour);
+                fixed = areFixed();
+            }
+            if (fixed && order.end(colour) - order.begin(colour) >= leastShare * team.size()) {
+                from = order.begin(colour);
+                to = order.end(colour);
+                visit(done, from);
+                team.together(visit);
+                done = to;
+            }
+        }
+        visit(done, order.count);
+    }
+
+    private void visit(int worker) {
+        visit(from + team.part(to - from, worker), from + team.part(to - from, worker + 1));
+    }
+
+    private void visit(int begin, int end) {
+        for (int at = begin; at < end; at++) {
+            int p = order.order[at];
+            if (relaxes) {
+                relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
+            } else {
+                solve(contacts.firstOf[p], contacts.firstOf[p + 1]);
+            }
+        }
+    }
+
+    /**
+     * Whether an impulse of 0 changes no bit, nor any one a bit of what does not move: no speed is -0, which 0 makes to 0, or has to be limited. Sums never
+     * become -0.
+     */
+    private boolean areFixed() {
+        for (int t = 0; t < things.count; t++) {
+            if (order.isOrdered(t)
+                    && (isMinusZero(things.vx[t])
+                            || isMinusZero(things.vy[t])
+                            || isMinusZero(things.omega[t])
+                            || !things.moves(t) && !isLimited(t))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isMinusZero(float speed) {
+        return Float.floatToRawIntBits(speed) == Integer.MIN_VALUE;
+    }
+
+    private boolean isLimited(int t) {
+        return Velocity.limitSpeed(things.vx[t]) == things.vx[t]
+                && Velocity.limitSpeed(things.vy[t]) == things.vy[t]
+                && Velocity.limitSpeed(things.omega[t]) == things.omega[t];
+    }
+
+    /** Visits the contacts of a pair, and again those that must agree. */
+    private void solve(int begin, int end) {
+        float[] rows = contacts.rows;
+        int times = 1;
+        for (int time = 0; time < times; time++) {
+            boolean agree = true;
+            for (int c = begin; c < end; c++) {
+                int row = RigidRow.of(c);
+                float before = rows[row + RigidRow.IMPULSE];
+                solveNormal(c);
+                if (time > 0) {
+                    float impulse = rows[row + RigidRow.IMPULSE];
+                    agree &= !(Math.abs(impulse - before) > AGREED * impulse);
+                }
+                times = rows[row + RigidRow.BOUNCE] > 0f ? Math.max(times, OF_BOUNCES) : times;
+                times = isHit(row) ? OF_HITS : times;
+                for (int other = begin; other < end && times > 1; other++) {
+                    if (rows[RigidRow.of(other) + RigidRow.BOUNCE] > 0f) {
+                        solveGrip(other, rows[RigidRow.of(other) + RigidRow.TANGENT_MASS]);
                     }
                 }
-                if (times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree) {
-                    times = OF_HITS;
-                }
+            }
+            if (times == OF_BOUNCES && time == OF_BOUNCES - 1 && !agree) {
+                times = OF_HITS;
             }
         }
     }
 
     /** Behind each normal all frictions of the pair: with fewer visits a pyramid sways for long. */
-    void relax() {
-        for (int at = 0; at < order.count; at++) {
-            int from = contacts.firstOf[order.order[at]];
-            int to = contacts.firstOf[order.order[at] + 1];
-            for (int c = from; c < to; c++) {
-                relaxNormal(c);
-                for (int other = from; other < to; other++) {
-                    solveGrip(other, tangentMass[other]);
-                }
+    private void relax(int begin, int end) {
+        for (int c = begin; c < end; c++) {
+            relaxNormal(c);
+            for (int other = begin; other < end; other++) {
+                solveGrip(other, contacts.rows[RigidRow.of(other) + RigidRow.TANGENT_MASS]);
             }
         }
     }
 
     /** Whether a contact stops what would come far into the other within a sub-step. */
-    private boolean isHit(int c) {
-        return contacts.impulse[c] > 0f && contacts.approach[c] * k.h > Tuning.CAP * thickness(c);
+    private boolean isHit(int row) {
+        float[] rows = contacts.rows;
+        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH]
+                && rows[row + RigidRow.IMPULSE] > 0f;
     }
 
     private void solveNormal(int c) {
-        apply(c, solvedNormal(c, normalMass[c], normalSpeed(c)));
+        float mass = contacts.rows[RigidRow.of(c) + RigidRow.NORMAL_MASS];
+        float vn = normalSpeed(c);
+        apply(c, solvedNormal(c, mass, vn, speedBefore(c)));
     }
 
     private void relaxNormal(int c) {
+        int row = RigidRow.of(c);
+        if (isIdle(row)) {
+            return;
+        }
+        float mass = contacts.rows[row + RigidRow.NORMAL_MASS];
         float vn = normalSpeed(c);
-        if (!isIdle(c) && !bouncesLater(c, vn)) {
-            apply(c, relaxedNormal(c, normalMass[c], vn));
+        if (!bouncesLater(c, vn)) {
+            apply(c, relaxedNormal(row, mass, vn));
         }
     }
 
     /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
     private boolean bouncesLater(int c, float vn) {
-        if (contacts.impulse[c] != 0f || contacts.gap[c] > 0f) {
-            return false;
-        }
-        float length = thickness(c);
-        return bounceSpeed(c, length, PUSH * k.pushRate * length, vn) > 0f;
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        return rows[row + RigidRow.RESTITUTION] > 0f
+                && rows[row + RigidRow.IMPULSE] == 0f
+                && !(rows[row + RigidRow.GAP] > 0f)
+                && bounceSpeed(c, PUSH * k.pushRate * rows[row + RigidRow.LENGTH], vn) > 0f;
     }
 
-    private boolean isIdle(int c) {
-        return contacts.gap[c] > 0f && contacts.impulse[c] == 0f && contacts.grip[c] == 0f;
+    private boolean isIdle(int row) {
+        float[] rows = contacts.rows;
+        return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
     }
 
     private void apply(int c, float gain) {
-        float x = contacts.nx[c] * gain;
-        float y = contacts.ny[c] * gain;
-        push(contacts.a[c], x, y, contacts.ax[c], contacts.ay[c]);
-        push(contacts.b[c], -x, -y, contacts.bx[c], contacts.by[c]);
+        if (!fixed || gain != 0f) {
+            float[] rows = contacts.rows;
+            int row = RigidRow.of(c);
+            pushBoth(c, rows[row + RigidRow.NX] * gain, rows[row + RigidRow.NY] * gain);
+        }
+    }
+
+    /** Pushes A, and B the other way. */
+    private void pushBoth(int c, float x, float y) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float ax = rows[row + RigidRow.AX];
+        float ay = rows[row + RigidRow.AY];
+        float bx = rows[row + RigidRow.BX];
+        float by = rows[row + RigidRow.BY];
+        push(contacts.a[c], x, y, ax, ay);
+        push(contacts.b[c], -x, -y, bx, by);
     }
 
     private float normalSpeed(int c) {
-        return speedX(c) * contacts.nx[c] + speedY(c) * contacts.ny[c];
-    }
-
-    private float speedX(int c) {
         int a = contacts.a[c];
         int b = contacts.b[c];
-        return (things.vx[a] - things.omega[a] * contacts.ay[c]) - (things.vx[b] - things.omega[b] * contacts.by[c]);
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        return speedX(rows, row, things.vx, things.omega, a, b) * rows[row + RigidRow.NX]
+                + speedY(rows, row, things.vy, things.omega, a, b) * rows[row + RigidRow.NY];
     }
 
-    private float speedY(int c) {
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        return (things.vy[a] + things.omega[a] * contacts.ax[c]) - (things.vy[b] + things.omega[b] * contacts.bx[c]);
+    private static float speedX(float[] rows, int row, float[] vx, float[] omega, int a, int b) {
+        return (vx[a] - omega[a] * rows[row + RigidRow.AY]) - (vx[b] - omega[b] * rows[row + RigidRow.BY]);
     }
 
-    /** By how much lengths of a contact are measured. */
-    private float thickness(int c) {
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        return things.w[a] == 0f
-                ? 2f * things.thin[b]
-                : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+    private static float speedY(float[] rows, int row, float[] vy, float[] omega, int a, int b) {
+        return (vy[a] + omega[a] * rows[row + RigidRow.AX]) - (vy[b] + omega[b] * rows[row + RigidRow.BX]);
     }
 
-    /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
-    private float solvedNormal(int c, float mass, float vn) {
-        float length = thickness(c);
-        float pushSpeed = PUSH * k.pushRate * length;
-        float before = speedBefore(c);
-        contacts.approach[c] = CircleMath.max(contacts.approach[c], -before);
-        contacts.bounce[c] = bounceSpeed(c, length, pushSpeed, before);
-        float accumulated = contacts.impulse[c];
-        float next = Constraints.solve(
-                accumulated, mass, vn, contacts.gap[c], contacts.bounce[c], pushSpeed, k.contactSoftness, k);
-        return take(c, next);
+    /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
+    private float solvedNormal(int c, float mass, float vn, float before) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float gap = rows[row + RigidRow.GAP];
+        float impulse = rows[row + RigidRow.IMPULSE];
+        float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
+        float pushSpeed = PUSH * k.pushRate * rows[row + RigidRow.LENGTH];
+        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, pushSpeed, before) : 0f;
+        rows[row + RigidRow.APPROACH] = approach;
+        rows[row + RigidRow.BOUNCE] = bounce;
+        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed, k.contactSoftness, k));
     }
 
-    private float relaxedNormal(int c, float mass, float vn) {
-        float next = Constraints.relax(contacts.impulse[c], mass, vn, contacts.gap[c], 0f, k.inverseH);
-        return take(c, next);
+    private float relaxedNormal(int row, float mass, float vn) {
+        float[] rows = contacts.rows;
+        float next =
+                Constraints.relax(rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
+        return take(row, next);
     }
 
-    private float take(int c, float wanted) {
+    private float take(int row, float wanted) {
+        float[] rows = contacts.rows;
         float next = CircleMath.min(wanted, GREATEST_IMPULSE);
-        float gain = next - contacts.impulse[c];
-        contacts.impulse[c] = next;
-        contacts.most[c] = CircleMath.max(contacts.most[c], next);
+        float gain = next - rows[row + RigidRow.IMPULSE];
+        float most = Branchless.greater(rows[row + RigidRow.MOST], next);
+        rows[row + RigidRow.IMPULSE] = next;
+        rows[row + RigidRow.MOST] = most;
         return gain;
     }
 
     /** Along the normal, before impulses. */
     private float speedBefore(int c) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
-        float ux = (things.beforeX[a] - things.beforeOmega[a] * contacts.ay[c])
-                - (things.beforeX[b] - things.beforeOmega[b] * contacts.by[c]);
-        float uy = (things.beforeY[a] + things.beforeOmega[a] * contacts.ax[c])
-                - (things.beforeY[b] + things.beforeOmega[b] * contacts.bx[c]);
-        return ux * contacts.nx[c] + uy * contacts.ny[c];
+        return speedX(rows, row, things.beforeX, things.beforeOmega, a, b) * rows[row + RigidRow.NX]
+                + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
     }
 
-    private float bounceSpeed(int c, float length, float pushSpeed, float before) {
+    /** Of a contact with a restitution. */
+    private float bounceSpeed(int c, float pushSpeed, float before) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        float e = rows[row + RigidRow.RESTITUTION];
+        float threshold =
+                Bounce.bounceThreshold(rows[row + RigidRow.LENGTH], e, k.thresholdRate, k.restRate, k.fixedThreshold);
+        if (!(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed) > 0f)) {
+            return 0f;
+        }
         int a = contacts.a[c];
         int b = contacts.b[c];
-        float e = CircleMath.max(things.restitution[a], things.restitution[b]);
-        if (!(e > 0f)) {
-            return 0f;
-        }
-        float threshold = Bounce.bounceThreshold(length, e, k.thresholdRate, k.restRate, k.fixedThreshold);
-        if (!(Constraints.bounceSpeed(e, 1f, before, contacts.gap[c], k.h, threshold, pushSpeed) > 0f)) {
-            return 0f;
-        }
         int falls = things.w[a] == 0f ? b : a;
-        float fall = things.gainX[falls] * contacts.nx[c] + things.gainY[falls] * contacts.ny[c];
+        float fall = things.gainX[falls] * rows[row + RigidRow.NX] + things.gainY[falls] * rows[row + RigidRow.NY];
         float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
         return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
     }
 
     /** Friction and rolling resistance, by the normal impulse. */
     private void solveGrip(int c, float mass) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
-        float friction = Surface.friction(things.friction[a], things.friction[b]);
-        if (friction > 0f) {
-            float before = contacts.grip[c];
-            float next = Surface.grip(before, mass, slip(c, speedX(c), speedY(c)), friction * contacts.impulse[c]);
-            contacts.grip[c] = next;
-            float x = -contacts.ny[c] * (next - before);
-            float y = contacts.nx[c] * (next - before);
-            push(a, x, y, contacts.ax[c], contacts.ay[c]);
-            push(b, -x, -y, contacts.bx[c], contacts.by[c]);
+        if (fixed && isFree(row)) {
+            return;
         }
-        float resistance = CircleMath.max(things.rolling[a], things.rolling[b]);
-        float turns = things.i[a] + things.i[b];
-        if (resistance > 0f && turns > 0f) {
-            float before = contacts.roll[c];
+        float friction = rows[row + RigidRow.FRICTION];
+        if (friction > 0f) {
+            float before = rows[row + RigidRow.GRIP];
+            float nx = rows[row + RigidRow.NX];
+            float ny = rows[row + RigidRow.NY];
+            float ux = speedX(rows, row, things.vx, things.omega, a, b);
+            float uy = speedY(rows, row, things.vy, things.omega, a, b);
+            float slip = (uy * nx - ux * ny) - rows[row + RigidRow.BELTS];
+            float next = Surface.grip(before, mass, slip, friction * rows[row + RigidRow.IMPULSE]);
+            rows[row + RigidRow.GRIP] = next;
+            pushBoth(c, -ny * (next - before), nx * (next - before));
+        }
+        float resistance = rows[row + RigidRow.ROLLING];
+        float turns = resistance > 0f ? things.i[a] + things.i[b] : 0f;
+        if (turns > 0f) {
+            float before = rows[row + RigidRow.ROLL];
             float next = Surface.rolling(
-                    before, massOf(turns), things.omega[a] - things.omega[b], resistance * contacts.impulse[c]);
-            contacts.roll[c] = next;
+                    before,
+                    massOf(turns),
+                    things.omega[a] - things.omega[b],
+                    resistance * rows[row + RigidRow.IMPULSE]);
+            rows[row + RigidRow.ROLL] = next;
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
         }
     }
 
+    /** Whether nothing presses or grips, so that the next friction changes nothing. */
+    private boolean isFree(int row) {
+        float[] rows = contacts.rows;
+        return rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f && rows[row + RigidRow.ROLL] == 0f;
+    }
+
     /** Shares: 1, or of what counts as lighter. */
     private float gripMass(int c, float shareA, float shareB) {
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
-        float armA = contacts.ax[c] * contacts.nx[c] + contacts.ay[c] * contacts.ny[c];
-        float armB = contacts.bx[c] * contacts.nx[c] + contacts.by[c] * contacts.ny[c];
+        float nx = rows[row + RigidRow.NX];
+        float ny = rows[row + RigidRow.NY];
+        float armA = rows[row + RigidRow.AX] * nx + rows[row + RigidRow.AY] * ny;
+        float armB = rows[row + RigidRow.BX] * nx + rows[row + RigidRow.BY] * ny;
         return massOf(shareA * (things.w[a] + things.i[a] * armA * armA)
                 + shareB * (things.w[b] + things.i[b] * armB * armB));
     }
@@ -344,19 +518,16 @@ final class RigidVisits {
         return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
     }
 
-    private float slip(int c, float ux, float uy) {
-        float along = uy * contacts.nx[c] - ux * contacts.ny[c];
-        return along - (things.belt[contacts.a[c]] + things.belt[contacts.b[c]]);
-    }
-
     /** Impulses of bounces are not kept: they have acted once for all. */
     void forgetBounces() {
+        float[] rows = contacts.rows;
         for (int c = 0; c < contacts.count; c++) {
-            if (contacts.bounce[c] > 0f) {
-                contacts.bounce[c] = 0f;
-                contacts.impulse[c] = 0f;
-                contacts.grip[c] = 0f;
-                contacts.roll[c] = 0f;
+            int row = RigidRow.of(c);
+            if (rows[row + RigidRow.BOUNCE] > 0f) {
+                rows[row + RigidRow.BOUNCE] = 0f;
+                rows[row + RigidRow.IMPULSE] = 0f;
+                rows[row + RigidRow.GRIP] = 0f;
+                rows[row + RigidRow.ROLL] = 0f;
             }
         }
     }
@@ -365,15 +536,16 @@ final class RigidVisits {
     // ----------------------------------------------------------------------------
 
     /** A pass over the contacts of circles. */
-    void passOverCircles(boolean relaxes) {
+    void passOverCircles(boolean withoutBias) {
         if (order.firstWithCircle == contacts.pairCount) {
             return;
         }
         summing = true;
+        fixed = false;
         Arrays.fill(sums, 0, 3 * things.bodies, 0L);
         for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                visit(c, pairs.a[contacts.pair[p]], relaxes);
+                visit(c, pairs.a[contacts.pair[p]], withoutBias);
             }
         }
         summing = false;
@@ -386,21 +558,22 @@ final class RigidVisits {
         }
     }
 
-    private void visit(int c, int body, boolean relaxes) {
+    private void visit(int c, int body, boolean withoutBias) {
         float shareA = contacts.a[c] == body ? share[body] : 1f;
         float shareB = contacts.b[c] == body ? share[body] : 1f;
-        if (relaxes && isIdle(c)) {
+        int row = RigidRow.of(c);
+        if (withoutBias && isIdle(row)) {
             return;
         }
         float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
         float vn = normalSpeed(c);
-        apply(c, relaxes ? relaxedNormal(c, mass, vn) : solvedNormal(c, mass, vn));
-        if (relaxes || contacts.bounce[c] > 0f) {
+        apply(c, withoutBias ? relaxedNormal(row, mass, vn) : solvedNormal(c, mass, vn, speedBefore(c)));
+        if (withoutBias || contacts.rows[row + RigidRow.BOUNCE] > 0f) {
             solveGrip(c, gripMass(c, shareA, shareB));
         }
     }
 
     long bytes() {
-        return 4L * (share.length + normalMass.length + tangentMass.length) + 8L * sums.length;
+        return 4L * share.length + 8L * sums.length;
     }
 }

@@ -22,7 +22,7 @@ import io.github.circles2d.world.model.TerrainStep;
  * the next band; a second sweep completes them, from the edge outwards.
  *
  * <p>If there are more levels, their cross contacts come between the passes; joints do too. So all workers make pass after pass, each on its
- * {@link Share} of all levels. Rigid bodies come between them too, and one worker has them all.
+ * {@link Share} of all levels. Rigid bodies come between them too ({@link RigidPasses}).
  */
 public final class Solver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */

@@ -27,6 +27,11 @@ public final class Branchless {
         return Float.floatToRawIntBits(a) >> 31;
     }
 
+    /** As {@link CircleMath#max}. */
+    public static float greater(float a, float b) {
+        return choose(isPositive(a - b), a, b);
+    }
+
     public static float choose(int mask, float a, float b) {
         int other = Float.floatToRawIntBits(b);
         return Float.intBitsToFloat(other ^ ((Float.floatToRawIntBits(a) ^ other) & mask));

@@ -30,6 +30,9 @@ public final class Team implements AutoCloseable {
 
     private int size = 1;
 
+    /** Whether {@link #all} is done by the caller alone. */
+    private boolean few;
+
     /** Threads beyond the caller's start when they are first needed. */
     public Team(int most) {
         this.most = Crew.possible(most);
@@ -67,12 +70,29 @@ public final class Team implements AutoCloseable {
         return start(n, piece(worker, round) + 1);
     }
 
-    private int piece(int worker, int round) {
+    /** The number of pieces of all rounds. */
+    public int pieces() {
+        return rounds() * size;
+    }
+
+    /** The number of a worker's piece in a round; pieces follow each other as their items do. */
+    public int piece(int worker, int round) {
         return round * size + ((round & 1) == 0 ? worker : size - 1 - worker);
     }
 
+    /** Who has a piece. */
+    public int worker(int piece) {
+        int place = piece % size;
+        return (piece / size & 1) == 0 ? place : size - 1 - place;
+    }
+
     private int start(int n, int piece) {
-        return (int) ((long) n * piece / (rounds() * size));
+        return (int) ((long) n * piece / pieces());
+    }
+
+    /** Sets whether the stages of {@link #all} are so short that the caller does the parts of all workers, for runs to come. */
+    public void setFew(boolean on) {
+        few = on;
     }
 
     /**
@@ -90,6 +110,17 @@ public final class Team implements AutoCloseable {
 
     /** All workers of this run do a stage: each of them sees what any of them did in the stages before. */
     public void all(Work stage) {
+        if (few) {
+            for (int worker = 0; worker < size; worker++) {
+                stage.run(worker);
+            }
+        } else {
+            together(stage);
+        }
+    }
+
+    /** The same of a stage that is long enough in any case. */
+    public void together(Work stage) {
         if (size == 1) {
             stage.run(0);
         } else {

@@ -53,6 +53,52 @@ class TeamTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 7})
+    void theCallerAloneDoesAStageOfFew(int workers) {
+        Thread caller = Thread.currentThread();
+        List<Integer> done = new ArrayList<>();
+        AtomicInteger together = new AtomicInteger();
+        try (Team team = new Team(workers)) {
+            team.setFew(true);
+            team.run(workers, () -> {
+                team.all(worker -> {
+                    assertThat(Thread.currentThread()).isSameAs(caller);
+                    done.add(worker);
+                });
+                team.together(worker -> together.addAndGet(1 << worker));
+            });
+            for (int worker = 0; worker < team.size(); worker++) {
+                assertThat(done.get(worker)).isEqualTo(worker);
+            }
+            assertThat(done).hasSize(team.size());
+            assertThat(together.get()).isEqualTo((1 << team.size()) - 1);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7})
+    void piecesFollowEachOther(int workers) {
+        try (Team team = new Team(workers)) {
+            team.run(workers, () -> {
+                int items = 1000;
+                int[] ends = new int[team.pieces()];
+                for (int worker = 0; worker < team.size(); worker++) {
+                    for (int round = 0; round < team.rounds(); round++) {
+                        int piece = team.piece(worker, round);
+                        assertThat(team.worker(piece)).isEqualTo(worker);
+                        ends[piece] = team.to(items, worker, round);
+                    }
+                }
+                for (int piece = 0; piece < ends.length; piece++) {
+                    int round = piece / team.size();
+                    assertThat(team.from(items, team.worker(piece), round)).isEqualTo(piece == 0 ? 0 : ends[piece - 1]);
+                }
+                assertThat(ends[ends.length - 1]).isEqualTo(items);
+            });
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7})
     void eachWorkerDoesAStageOnce(int workers) {
         int stages = 5000;
         AtomicIntegerArray done = new AtomicIntegerArray(workers);
