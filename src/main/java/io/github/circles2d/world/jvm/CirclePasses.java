@@ -70,6 +70,23 @@ final class CirclePasses {
         if (k.turning) {
             state.turning.begin(from, to);
         }
+        for (int slot = from; slot < to; slot++) {
+            state.room[slot] = room(slot, k);
+        }
+    }
+
+    private float room(int slot, StepConstants k) {
+        int s = CircleRow.of(slot);
+        boolean away = !k.walls.any()
+                && state.traits[s + WALL_X] == 0f
+                && state.traits[s + WALL_Y] == 0f
+                && !(pieces != null && pieces.any(slot))
+                && !(k.turning && walls.rows.hold(slot));
+        float x = state.circle[s + X];
+        float y = state.circle[s + Y];
+        float roomX = CircleMath.min(x - k.bounds.minX(), k.bounds.maxX() - x);
+        float roomY = CircleMath.min(y - k.bounds.minY(), k.bounds.maxY() - y);
+        return away ? CircleMath.max(CircleMath.min(roomX, roomY) - state.circle[s + RADIUS], 0f) : 0f;
     }
 
     /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
@@ -82,6 +99,7 @@ final class CirclePasses {
         float[] traits = state.traits;
         float[] load = state.load;
         float[] circle = state.circle;
+        float[] room = state.room;
         Turning turning = k.turning ? state.turning : null;
         float h = k.h;
         float inverseH = k.inverseH;
@@ -116,9 +134,29 @@ final class CirclePasses {
             m[s + VY] = nextY;
             load[s + BEFORE_X] = vx;
             load[s + BEFORE_Y] = vy;
+            float way = Math.abs(m[s + DX])
+                    + Math.abs(m[s + DY])
+                    + h * ((Math.abs(nextX) + Math.abs(nextY)) + (Math.abs(vx) + Math.abs(vy)));
+            if (2f * way < room[slot]) {
+                // nearly all circles: whatever the rounding, walls do nothing
+                load[s + LOADED] = load[s + LOADED_NEXT];
+                if (turning != null) {
+                    turning.start(slot, k);
+                }
+                // as the next time, but for a zero as a velocity
+                if (sub == 0 || nextX == 0f || nextY == 0f) {
+                    walls.leave(
+                            slot,
+                            Walls.wallSide(circle[s + X], minX, maxX),
+                            Walls.wallSide(circle[s + Y], minY, maxY));
+                }
+                continue;
+            }
+            room[slot] = 0f;
+            boolean near = pieces != null && pieces.any(slot);
             load[s + LOADED] = Branchless.choose(
                     Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + LOADED_NEXT]);
-            if (pieces != null && pieces.press(slot)) {
+            if (near && pieces.press(slot)) {
                 load[s + LOADED] = 1f;
             }
 
@@ -159,7 +197,7 @@ final class CirclePasses {
                     walls.touches.solved(slot, Y, sideY, vy, m[s + VY] - nextY, gapY, slipY, k, sub);
                 }
             }
-            if (pieces != null && pieces.any(slot)) {
+            if (near) {
                 pieces.solve(slot, k, sub);
             }
         }
@@ -172,7 +210,6 @@ final class CirclePasses {
         float[] circle = state.circle;
         float[] load = state.load;
         float[] clamp = state.motionClamp;
-        float[] bounce = state.wallBounce;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -198,18 +235,15 @@ final class CirclePasses {
                 turning.move(slot);
             }
             float r = circle[s + RADIUS];
-            boolean near = pieces != null && pieces.any(slot);
+            boolean away = state.room[slot] > 0f;
+            boolean near = !away && pieces != null && pieces.any(slot);
             // nearly all circles: walls would change nothing
             if (still
                     && w != 0f
                     && dx * dx + dy * dy <= allowance * Math.abs(allowance)
                     && isClear(circle[s + X], dx, r, minX, maxX)
                     && isClear(circle[s + Y], dy, r, minY, maxY)
-                    && traits[s + WALL_X] == 0f
-                    && traits[s + WALL_Y] == 0f
-                    && bounce[CircleRow.vector(slot) + X] == 0f
-                    && bounce[CircleRow.vector(slot) + Y] == 0f
-                    && !(turning != null && walls.rows.hold(slot))) {
+                    && (away || isFree(slot, turning))) {
                 float fromX = m[s + DX];
                 float fromY = m[s + DY];
                 m[s + DX] = dx;
@@ -219,6 +253,7 @@ final class CirclePasses {
                 }
                 continue;
             }
+            state.room[slot] = 0f;
             float fromX = m[s + DX];
             float fromY = m[s + DY];
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
@@ -267,6 +302,16 @@ final class CirclePasses {
             walls.relax(slot, Y, minY, maxY, k, sub);
         }
         pieces.relax(slot, k, sub);
+    }
+
+    /** Whether walls have left a circle alone. */
+    private boolean isFree(int slot, Turning turning) {
+        int s = CircleRow.of(slot);
+        return state.traits[s + WALL_X] == 0f
+                && state.traits[s + WALL_Y] == 0f
+                && state.wallBounce[CircleRow.vector(slot) + X] == 0f
+                && state.wallBounce[CircleRow.vector(slot) + Y] == 0f
+                && !(turning != null && walls.rows.hold(slot));
     }
 
     /** Whether a circle has a gap to both walls of an axis, neither of which cuts its displacement. */

@@ -1,21 +1,45 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.jvm.ContactRow.BOUNCE_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.FLIGHT_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
+import static io.github.circles2d.world.jvm.ContactRow.MASS;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
+import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
+import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
+import static io.github.circles2d.world.model.CircleRow.LOADED;
+import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.StepConstants;
 
 /** The circles of contacts of one level: no other worker has a circle of theirs, so each visit sees what those before it did. */
 final class LikeBodies {
     private final State state;
     private final Contacts contacts;
+
+    /** Contacts of a block that the relaxing pass has found to carry. */
+    int carrying;
+
+    /** Contacts of a block that got an impulse in the relaxing pass and do not keep it. */
+    final int[] unkeptOnes = new int[PairVisits.BLOCK];
+
+    int unkept;
 
     LikeBodies(State state, Contacts contacts) {
         this.state = state;
@@ -66,5 +90,145 @@ final class LikeBodies {
         load[a + IMPULSE_Y] -= y;
         load[b + IMPULSE_X] += x;
         load[b + IMPULSE_Y] += y;
+    }
+
+    // ---- passes: velocities stay in local variables within a visit
+    // -----------------------------------------------------------------------------------------------------------------
+
+    /** As {@link PairVisits#solveUntilFlight}. */
+    int solveUntilFlight(int from, int to, int asked, StepConstants k) {
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        float[] m = state.motion;
+        float[] load = state.load;
+        for (int c = from; c < to; c++) {
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float separation = q[o + SEPARATION];
+            float restitution = q[o + RESTITUTION];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float pushSpeed = k.pushRate * q[o + RADII];
+            float ax = m[a + VX];
+            float ay = m[a + VY];
+            float bx = m[b + VX];
+            float by = m[b + VY];
+            float vn = CircleMath.dot(nx, ny, bx - ax, by - ay);
+            float bounce = 0f;
+            // without restitution it stays so, and none flies: this only spares the reads
+            if (restitution > 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && c != asked) {
+                    return c;
+                }
+                float before = CircleMath.dot(
+                        nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
+                float threshold = q[o + RESTITUTION_THRESHOLD];
+                bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold, pushSpeed);
+            }
+            q[o + BOUNCE_SPEED] = bounce;
+            float next =
+                    Constraints.solve(impulse, q[o + MASS], vn, separation, bounce, pushSpeed, k.contactSoftness, k);
+            q[o + NORMAL_IMPULSE] = next;
+            float ofA = q[o + INV_MASS_A] * (next - impulse);
+            float ofB = q[o + INV_MASS_B] * (next - impulse);
+            m[a + VX] = ax - nx * ofA;
+            m[a + VY] = ay - ny * ofA;
+            m[b + VX] = bx + nx * ofB;
+            m[b + VY] = by + ny * ofB;
+        }
+        return to;
+    }
+
+    /**
+     * As {@link PairVisits#relaxOpen}, up to the first contact of circles that fly free of each other, whose place in the list it returns;
+     * {@link #carrying} counts on.
+     *
+     * @param sums whether the impulses of contacts that carry go to the sums of their circles; else these contacts are listed
+     */
+    int relaxUntilFlight(
+            PairRows rows, int[] listed, int from, int open, int asked, boolean sums, Touches touches, StepConstants k) {
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        float[] m = state.motion;
+        float[] load = state.load;
+        int carrying = this.carrying;
+        for (int n = from; n < open; n++) {
+            int c = listed[n];
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float separation = q[o + SEPARATION];
+            float bounce = q[o + BOUNCE_SPEED];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float ax = m[a + VX];
+            float ay = m[a + VY];
+            float bx = m[b + VX];
+            float by = m[b + VY];
+            float vn = CircleMath.dot(nx, ny, bx - ax, by - ay);
+            if (q[o + RESTITUTION] > 0f && impulse == 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && n != asked) {
+                    this.carrying = carrying;
+                    return n;
+                }
+            }
+            float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
+            float applied = next - impulse;
+            float invMassA = q[o + INV_MASS_A];
+            float invMassB = q[o + INV_MASS_B];
+            float after = vn + applied * (invMassA + invMassB);
+            float along = CircleMath.dot(-ny, nx, bx - ax, by - ay);
+            ax -= nx * (invMassA * applied);
+            ay -= ny * (invMassA * applied);
+            bx += nx * (invMassB * applied);
+            by += ny * (invMassB * applied);
+            if (rows != null) {
+                boolean keep = !(bounce > 0f);
+                rows.rollLike(this, c, a, b, next, keep);
+                if (rows.grip(c)) {
+                    float grip = rows.friction(c, along, surfaceSpeed(a), surfaceSpeed(b), next, keep);
+                    ax -= -ny * (invMassA * grip);
+                    ay -= nx * (invMassA * grip);
+                    bx += -ny * (invMassB * grip);
+                    by += nx * (invMassB * grip);
+                    turn(a, b, -grip, -grip);
+                }
+            }
+            m[a + VX] = ax;
+            m[a + VY] = ay;
+            m[b + VX] = bx;
+            m[b + VY] = by;
+            if (bounce > 0f) {
+                if (touches != null) {
+                    touches.add(c, impulse + applied);
+                    unkeptOnes[unkept++] = c;
+                }
+                next = 0f;
+            }
+            q[o + NORMAL_IMPULSE] = next;
+            int carries = Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
+            if (!sums) {
+                listed[carrying] = c;
+                carrying -= carries;
+            } else if (carries != 0) {
+                float x = nx * next;
+                float y = ny * next;
+                if (rows != null && rows.act(c)) {
+                    x += rows.impulseX(c, nx, ny);
+                    y += rows.impulseY(c, nx, ny);
+                    rows.addToSpinSums(this, null, c, a, b);
+                }
+                addToSums(a, b, x, y);
+                load[a + LOADED_NEXT] = 1f;
+                load[b + LOADED_NEXT] = 1f;
+            }
+        }
+        this.carrying = carrying;
+        return open;
     }
 }

@@ -180,19 +180,13 @@ final class PairRows {
             float along,
             float normalImpulse,
             boolean keep) {
-        float[] v = values;
-        int o = of(c);
-        if (v[o + REACH] > 0f) {
+        if (values[of(c) + REACH] > 0f) {
             roll(like, cross, c, a, b, normalImpulse, keep);
         }
-        if (v[o + FRICTION] > 0f) {
+        if (grip(c)) {
             float sA = cross == null ? like.surfaceSpeed(a) : cross.surfaceSpeed(c, 0);
             float sB = cross == null ? like.surfaceSpeed(b) : cross.surfaceSpeed(c, 1);
-            float slip = Surface.slip(along, sA, sB, v[o + BELT]);
-            float before = v[o + FRICTION_IMPULSE];
-            float next = Surface.grip(before, v[o + TANGENT_MASS], slip, v[o + FRICTION] * normalImpulse);
-            float impulse = next - before;
-            v[o + FRICTION_IMPULSE] = keep ? next : 0f;
+            float impulse = friction(c, along, sA, sB, normalImpulse, keep);
             if (cross == null) {
                 like.apply(c, a, b, -ny, nx, impulse);
                 like.turn(a, b, -impulse, -impulse);
@@ -201,6 +195,29 @@ final class PairRows {
                 cross.turn(c, -impulse, -impulse);
             }
         }
+    }
+
+    /** As {@link #visit}, of rolling resistance alone, and of circles of one level. */
+    void rollLike(LikeBodies like, int c, int a, int b, float normalImpulse, boolean keep) {
+        if (values[of(c) + REACH] > 0f) {
+            roll(like, null, c, a, b, normalImpulse, keep);
+        }
+    }
+
+    /** Whether a contact has friction. */
+    boolean grip(int c) {
+        return values[of(c) + FRICTION] > 0f;
+    }
+
+    /** Visits the friction of a contact that has some, and returns the impulse along the tangent. */
+    float friction(int c, float along, float sA, float sB, float normalImpulse, boolean keep) {
+        float[] v = values;
+        int o = of(c);
+        float slip = Surface.slip(along, sA, sB, v[o + BELT]);
+        float before = v[o + FRICTION_IMPULSE];
+        float next = Surface.grip(before, v[o + TANGENT_MASS], slip, v[o + FRICTION] * normalImpulse);
+        v[o + FRICTION_IMPULSE] = keep ? next : 0f;
+        return next - before;
     }
 
     private void roll(LikeBodies like, CrossBodies cross, int c, int a, int b, float normalImpulse, boolean keep) {

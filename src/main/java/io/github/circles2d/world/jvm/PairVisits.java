@@ -37,7 +37,7 @@ import io.github.circles2d.world.model.Tuning;
  */
 final class PairVisits {
     /** Contacts that the relaxing pass works on at a time. */
-    private static final int BLOCK = 256;
+    static final int BLOCK = 256;
 
     private final State state;
     private final Contacts contacts;
@@ -50,11 +50,6 @@ final class PairVisits {
 
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
-
-    /** Contacts of a block that got an impulse in the relaxing pass and do not keep it: {@link #touches} takes it. */
-    private final int[] unkeptOnes = new int[BLOCK];
-
-    private int unkept;
 
     private final LikeBodies like;
 
@@ -186,6 +181,9 @@ final class PairVisits {
      * @param asked a contact that is to be solved even if its circles fly
      */
     private int solveUntilFlight(int from, int to, int asked, StepConstants k) {
+        if (cross == null) {
+            return like.solveUntilFlight(from, to, asked, k);
+        }
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -276,10 +274,14 @@ final class PairVisits {
         for (int block = from; block < to; block += BLOCK) {
             int end = Math.min(to, block + BLOCK);
             int open = measureAll(block, end);
-            unkept = 0;
-            int carrying = relaxOpen(open, k);
+            boolean sums = cross == null && touches == null && !last;
+            like.unkept = 0;
+            int carrying = cross == null ? relaxLike(open, sums, k) : relaxOpen(open, k);
+            if (sums) {
+                continue;
+            }
             if (touches != null) {
-                touches.afterRelax(listed, carrying, unkeptOnes, unkept, block, end, k.dt);
+                touches.afterRelax(listed, carrying, like.unkeptOnes, like.unkept, block, end, k.dt);
             }
             if (last) {
                 storeImpulses(carrying);
@@ -302,6 +304,23 @@ final class PairVisits {
             open += 1 + (rows == null ? idle : idle & ~rows.hold(c));
         }
         return open;
+    }
+
+    private int relaxLike(int open, boolean sums, StepConstants k) {
+        PairRows rows = this.rows;
+        Touches touches = this.touches;
+        like.carrying = 0;
+        int n = like.relaxUntilFlight(rows, listed, 0, open, -1, sums, touches, k);
+        while (n < open) {
+            int c = listed[n];
+            float[] q = contacts.contact;
+            int o = ContactRow.of(c);
+            int a = contacts.pair[ContactRow.a(c)];
+            int b = contacts.pair[ContactRow.b(c)];
+            boolean done = relaxFlying(c, a, b, like.normalSpeed(a, b, q[o + NORMAL_X], q[o + NORMAL_Y]));
+            n = like.relaxUntilFlight(rows, listed, done ? n + 1 : n, open, done ? -1 : n, sums, touches, k);
+        }
+        return like.carrying;
     }
 
     /** Visits the contacts that are listed, and lists those of them that carry; returns their number. */
@@ -342,7 +361,7 @@ final class PairVisits {
                 next = 0f;
                 if (touches != null) {
                     touches.add(c, impulse + applied);
-                    unkeptOnes[unkept++] = c;
+                    like.unkeptOnes[like.unkept++] = c;
                 }
             }
             q[o + NORMAL_IMPULSE] = next;
@@ -358,7 +377,7 @@ final class PairVisits {
         if (visit == Constraints.BOUNCE
                 && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
             bounce(c, a, b, vn);
-            unkeptOnes[unkept++] = c;
+            like.unkeptOnes[like.unkept++] = c;
         } else if (rows != null && visit != Constraints.SOLVE) {
             float[] q = contacts.contact;
             int o = ContactRow.of(c);

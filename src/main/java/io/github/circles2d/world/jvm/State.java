@@ -76,6 +76,9 @@ public final class State implements ContactEvents.Sleepers {
     /** By slot, within a sub-step: speed that the walls bounce the circle to, x, y; 0 for none. */
     float[] wallBounce = new float[0];
 
+    /** By slot, within a step: room from the base of a circle to the nearest wall; 0 from where on a wall or a piece may matter to it. */
+    float[] room = new float[0];
+
     /** By slot, within a step: what the circle would move in a step, x, y. */
     float[] plan = new float[0];
 
@@ -152,8 +155,8 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Memory of the arrays. */
     long bytes() {
-        // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, plan, motionClamp
-        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity()
+        // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, room, plan, motionClamp
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 4 + 8 + 16L) * capacity()
                 + 4L * slotOf.length
                 + fields.bytes()
                 + resting.bytes()
@@ -184,6 +187,7 @@ public final class State implements ContactEvents.Sleepers {
             boolean[] newFresh = Arrays.copyOf(fresh, c);
             float[] newLoad = new float[CircleRow.of(c)];
             float[] newWallBounce = new float[CircleRow.vector(c)];
+            float[] newRoom = new float[c];
             float[] newPlan = new float[CircleRow.vector(c)];
             float[] newMotionClamp = new float[CircleRow.of(c)];
             float[] newCircleSpare = new float[CircleRow.of(c)];
@@ -200,6 +204,7 @@ public final class State implements ContactEvents.Sleepers {
             fresh = newFresh;
             load = newLoad;
             wallBounce = newWallBounce;
+            room = newRoom;
             plan = newPlan;
             motionClamp = newMotionClamp;
             circleSpare = newCircleSpare;

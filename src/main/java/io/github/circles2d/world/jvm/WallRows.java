@@ -38,7 +38,7 @@ final class WallRows {
 
     /** The same of both axes. */
     boolean hold(int slot) {
-        return hold(slot, X) || hold(slot, Y);
+        return hold(slot, X) | hold(slot, Y);
     }
 
     /** The warm start of both axes. */

@@ -15,7 +15,7 @@ import java.util.Random;
 import java.util.Scanner;
 
 /**
- * Levels of terrain for World and for engines outside Maven. A file of a level is a list of words:
+ * Levels for World and for engines outside Maven. A file of a level is a list of words:
  *
  * <pre>
  * bounds WIDTH HEIGHT            walls; the lower left corner is (0, 0)
@@ -26,8 +26,8 @@ import java.util.Scanner;
  * </pre>
  */
 public final class TerrainLevels {
-    /** The levels. */
-    public static final List<String> LEVELS = List.of("ground", "funnel", "drum");
+    /** The levels; {@code pile} has no terrain. */
+    public static final List<String> LEVELS = List.of("ground", "funnel", "drum", "pile");
 
     static final float FRICTION = 0.6f;
     private static final float TIME_STEP = 1 / 60f;
@@ -167,6 +167,14 @@ public final class TerrainLevels {
                 }
                 float side = 0.55f * radius; // all within the paddles
                 heap(text, n, radius + 2 - side, radius + 2 + side, radius + 2 - side, random);
+                break;
+            case "pile": // in a box, half as high as wide
+                int columns = (int) Math.ceil(Math.sqrt(2.0 * n));
+                line(text, "bounds", 1.05f * columns, 1.05f * columns);
+                for (int i = 0; i < n; i++) {
+                    float x = 1.05f * (i % columns + 0.5f) + 0.1f * (random.nextFloat() - 0.5f);
+                    line(text, "circle", x, 0.5f + i / columns, 0.4f + 0.1f * random.nextFloat());
+                }
                 break;
             default:
                 throw new IllegalArgumentException("there is no level '" + name + "'; there are " + LEVELS);
