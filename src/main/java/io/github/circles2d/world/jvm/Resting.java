@@ -66,6 +66,9 @@ final class Resting {
 
     private final int[] count = new int[CLASSES];
 
+    /** By class that has members: the greatest reach that one has had since the first came. */
+    private final float[] greatest = new float[CLASSES];
+
     /** The classes that have members. */
     private final int[] used = new int[CLASSES];
 
@@ -292,7 +295,9 @@ final class Resting {
         }
         if (count[ofClass] == 0) {
             used[usedCount++] = ofClass;
+            greatest[ofClass] = 0f;
         }
+        greatest[ofClass] = Math.max(greatest[ofClass], reach);
         rank[id] = count[ofClass];
         members[ofClass][count[ofClass]++] = id;
         link(id);
@@ -351,11 +356,6 @@ final class Resting {
         int bucket = bucket(id);
         cell[CELL * id + NEXT] = last[bucket];
         last[bucket] = id;
-    }
-
-    /** The greatest reach of a class. */
-    private static float top(int ofClass) {
-        return powerOfTwo(ofClass + LEAST_CLASS + 1);
     }
 
     private static float inverseEdge(int ofClass) {
@@ -420,7 +420,7 @@ final class Resting {
         float rounding = CircleMath.max(bounds.magnitude(), farthest) * 0x1p-20f;
         for (int k = 0; k < usedCount; k++) {
             int ofClass = used[k];
-            float far = stretch * (SLACK * top(ofClass)) + rounding;
+            float far = stretch * (SLACK * greatest[ofClass]) + rounding;
             if (state.wraps) {
                 findImages(found, bounds, ofClass, left - far, right + far, below - far, above + far);
             } else if (left - far <= highX && lowX <= right + far && below - far <= highY && lowY <= above + far) {
