@@ -80,6 +80,37 @@ final class Bands {
         return slot + contacts + (cross == null ? 0 : cross.firstOf(slot));
     }
 
+    /** What the worker with most to do has of a level: rows from so many after the start of its band to so many before its end. */
+    long heaviest(int level, int[] contactsBefore, int after, int before) {
+        long most = 0;
+        for (int worker = 0; worker < team.size(); worker++) {
+            int from = first(level, worker) + after;
+            int to = first(level, worker + 1) - before;
+            if (from < to) {
+                most = Math.max(most, weightBetween(level, from, to, contactsBefore));
+            }
+        }
+        return most;
+    }
+
+    /** The same of so many rows before the end of its band and so many behind it. */
+    long heaviestEdge(int level, int[] contactsBefore, int before, int behind) {
+        long most = 0;
+        for (int worker = 1; worker <= team.size(); worker++) {
+            int edge = first(level, worker);
+            int next = edge < levels.rowCount[level] ? edge : 0;
+            most = Math.max(
+                    most,
+                    weightBetween(level, Math.max(edge - before, 0), edge, contactsBefore)
+                            + weightBetween(level, next, next + behind, contactsBefore));
+        }
+        return most;
+    }
+
+    private long weightBetween(int level, int from, int to, int[] contactsBefore) {
+        return weight(level, to, contactsBefore, null) - weight(level, from, contactsBefore, null);
+    }
+
     /** First row of a worker's band; of the number of workers: the end of the last band. */
     int first(int level, int worker) {
         return edges[level * (team.most() + 1) + worker];

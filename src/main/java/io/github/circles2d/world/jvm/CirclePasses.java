@@ -146,9 +146,7 @@ final class CirclePasses {
                 // as the next time, but for a zero as a velocity
                 if (sub == 0 || nextX == 0f || nextY == 0f) {
                     walls.leave(
-                            slot,
-                            Walls.wallSide(circle[s + X], minX, maxX),
-                            Walls.wallSide(circle[s + Y], minY, maxY));
+                            slot, Walls.wallSide(circle[s + X], minX, maxX), Walls.wallSide(circle[s + Y], minY, maxY));
                 }
                 continue;
             }
@@ -210,6 +208,7 @@ final class CirclePasses {
         float[] circle = state.circle;
         float[] load = state.load;
         float[] clamp = state.motionClamp;
+        float[] room = state.room;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -235,25 +234,8 @@ final class CirclePasses {
                 turning.move(slot);
             }
             float r = circle[s + RADIUS];
-            boolean away = state.room[slot] > 0f;
+            boolean away = room[slot] > 0f;
             boolean near = !away && pieces != null && pieces.any(slot);
-            // nearly all circles: walls would change nothing
-            if (still
-                    && w != 0f
-                    && dx * dx + dy * dy <= allowance * Math.abs(allowance)
-                    && isClear(circle[s + X], dx, r, minX, maxX)
-                    && isClear(circle[s + Y], dy, r, minY, maxY)
-                    && (away || isFree(slot, turning))) {
-                float fromX = m[s + DX];
-                float fromY = m[s + DY];
-                m[s + DX] = dx;
-                m[s + DY] = dy;
-                if (near) {
-                    moveBesidePieces(slot, fromX, fromY, k, sub);
-                }
-                continue;
-            }
-            state.room[slot] = 0f;
             float fromX = m[s + DX];
             float fromY = m[s + DY];
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
@@ -261,6 +243,20 @@ final class CirclePasses {
                 dx = m[s + DX];
                 dy = m[s + DY];
             }
+            // nearly all circles: walls would change nothing
+            if (still
+                    && w != 0f
+                    && isClear(circle[s + X], dx, r, minX, maxX)
+                    && isClear(circle[s + Y], dy, r, minY, maxY)
+                    && (away || isFree(slot, turning))) {
+                m[s + DX] = dx;
+                m[s + DY] = dy;
+                if (near) {
+                    moveBesidePieces(slot, fromX, fromY, k, sub);
+                }
+                continue;
+            }
+            room[slot] = 0f;
             float margin = state.margin(s);
             m[s + DX] = CircleMath.within(circle[s + X], dx, minX + margin, maxX - margin);
             m[s + DY] = CircleMath.within(circle[s + Y], dy, minY + margin, maxY - margin);

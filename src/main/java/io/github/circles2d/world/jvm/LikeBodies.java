@@ -18,7 +18,6 @@ import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
-import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
@@ -32,14 +31,6 @@ import io.github.circles2d.world.model.StepConstants;
 final class LikeBodies {
     private final State state;
     private final Contacts contacts;
-
-    /** Contacts of a block that the relaxing pass has found to carry. */
-    int carrying;
-
-    /** Contacts of a block that got an impulse in the relaxing pass and do not keep it. */
-    final int[] unkeptOnes = new int[PairVisits.BLOCK];
-
-    int unkept;
 
     LikeBodies(State state, Contacts contacts) {
         this.state = state;
@@ -92,10 +83,10 @@ final class LikeBodies {
         load[b + IMPULSE_Y] += y;
     }
 
-    // ---- passes: velocities stay in local variables within a visit
+    // ---- loops of passes: within a visit, velocities stay in local variables
     // -----------------------------------------------------------------------------------------------------------------
 
-    /** As {@link PairVisits#solveUntilFlight}. */
+    /** The biased pass, see {@link PairVisits#solve}. */
     int solveUntilFlight(int from, int to, int asked, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -140,95 +131,5 @@ final class LikeBodies {
             m[b + VY] = by + ny * ofB;
         }
         return to;
-    }
-
-    /**
-     * As {@link PairVisits#relaxOpen}, up to the first contact of circles that fly free of each other, whose place in the list it returns;
-     * {@link #carrying} counts on.
-     *
-     * @param sums whether the impulses of contacts that carry go to the sums of their circles; else these contacts are listed
-     */
-    int relaxUntilFlight(
-            PairRows rows, int[] listed, int from, int open, int asked, boolean sums, Touches touches, StepConstants k) {
-        float[] q = contacts.contact;
-        int[] pair = contacts.pair;
-        float[] m = state.motion;
-        float[] load = state.load;
-        int carrying = this.carrying;
-        for (int n = from; n < open; n++) {
-            int c = listed[n];
-            int o = ContactRow.of(c);
-            int a = pair[ContactRow.a(c)];
-            int b = pair[ContactRow.b(c)];
-            float separation = q[o + SEPARATION];
-            float bounce = q[o + BOUNCE_SPEED];
-            float impulse = q[o + NORMAL_IMPULSE];
-            float nx = q[o + NORMAL_X];
-            float ny = q[o + NORMAL_Y];
-            float ax = m[a + VX];
-            float ay = m[a + VY];
-            float bx = m[b + VX];
-            float by = m[b + VY];
-            float vn = CircleMath.dot(nx, ny, bx - ax, by - ay);
-            if (q[o + RESTITUTION] > 0f && impulse == 0f) {
-                float loaded = load[a + LOADED] + load[b + LOADED];
-                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && n != asked) {
-                    this.carrying = carrying;
-                    return n;
-                }
-            }
-            float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
-            float applied = next - impulse;
-            float invMassA = q[o + INV_MASS_A];
-            float invMassB = q[o + INV_MASS_B];
-            float after = vn + applied * (invMassA + invMassB);
-            float along = CircleMath.dot(-ny, nx, bx - ax, by - ay);
-            ax -= nx * (invMassA * applied);
-            ay -= ny * (invMassA * applied);
-            bx += nx * (invMassB * applied);
-            by += ny * (invMassB * applied);
-            if (rows != null) {
-                boolean keep = !(bounce > 0f);
-                rows.rollLike(this, c, a, b, next, keep);
-                if (rows.grip(c)) {
-                    float grip = rows.friction(c, along, surfaceSpeed(a), surfaceSpeed(b), next, keep);
-                    ax -= -ny * (invMassA * grip);
-                    ay -= nx * (invMassA * grip);
-                    bx += -ny * (invMassB * grip);
-                    by += nx * (invMassB * grip);
-                    turn(a, b, -grip, -grip);
-                }
-            }
-            m[a + VX] = ax;
-            m[a + VY] = ay;
-            m[b + VX] = bx;
-            m[b + VY] = by;
-            if (bounce > 0f) {
-                if (touches != null) {
-                    touches.add(c, impulse + applied);
-                    unkeptOnes[unkept++] = c;
-                }
-                next = 0f;
-            }
-            q[o + NORMAL_IMPULSE] = next;
-            int carries = Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
-            if (!sums) {
-                listed[carrying] = c;
-                carrying -= carries;
-            } else if (carries != 0) {
-                float x = nx * next;
-                float y = ny * next;
-                if (rows != null && rows.act(c)) {
-                    x += rows.impulseX(c, nx, ny);
-                    y += rows.impulseY(c, nx, ny);
-                    rows.addToSpinSums(this, null, c, a, b);
-                }
-                addToSums(a, b, x, y);
-                load[a + LOADED_NEXT] = 1f;
-                load[b + LOADED_NEXT] = 1f;
-            }
-        }
-        this.carrying = carrying;
-        return open;
     }
 }

@@ -36,9 +36,6 @@ import io.github.circles2d.world.model.Tuning;
  * <p>A is the circle of the lower id, B the other; the normal points from A to B. a and b are where their rows begin.
  */
 final class PairVisits {
-    /** Contacts that the relaxing pass works on at a time. */
-    static final int BLOCK = 256;
-
     private final State state;
     private final Contacts contacts;
 
@@ -48,8 +45,7 @@ final class PairVisits {
     /** The rows behind the normal one; null if circles cannot rotate. */
     private PairRows rows;
 
-    /** Contacts of a block that are still to do something with. */
-    private final int[] listed = new int[BLOCK];
+    private final RelaxedBlock block = new RelaxedBlock();
 
     private final LikeBodies like;
 
@@ -181,10 +177,12 @@ final class PairVisits {
      * @param asked a contact that is to be solved even if its circles fly
      */
     private int solveUntilFlight(int from, int to, int asked, StepConstants k) {
-        if (cross == null) {
-            return like.solveUntilFlight(from, to, asked, k);
-        }
-        CrossBodies cross = this.cross;
+        return cross == null
+                ? like.solveUntilFlight(from, to, asked, k)
+                : solveCrossUntilFlight(cross, from, to, asked, k);
+    }
+
+    private int solveCrossUntilFlight(CrossBodies cross, int from, int to, int asked, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] load = state.load;
@@ -198,7 +196,7 @@ final class PairVisits {
             float restitution = q[o + RESTITUTION];
             float impulse = q[o + NORMAL_IMPULSE];
             float pushSpeed = k.pushRate * q[o + RADII];
-            float vn = normalSpeed(cross, c, a, b, nx, ny);
+            float vn = cross.normalSpeed(c, nx, ny);
             float bounce = 0f;
             // without restitution it stays so, and none flies: this only spares the reads
             if (restitution > 0f) {
@@ -215,7 +213,7 @@ final class PairVisits {
             float next =
                     Constraints.solve(impulse, q[o + MASS], vn, separation, bounce, pushSpeed, k.contactSoftness, k);
             q[o + NORMAL_IMPULSE] = next;
-            apply(cross, c, a, b, nx, ny, next - impulse);
+            cross.apply(c, nx, ny, next - impulse);
         }
         return to;
     }
@@ -271,22 +269,26 @@ final class PairVisits {
 
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
-        for (int block = from; block < to; block += BLOCK) {
-            int end = Math.min(to, block + BLOCK);
-            int open = measureAll(block, end);
-            boolean sums = cross == null && touches == null && !last;
-            like.unkept = 0;
-            int carrying = cross == null ? relaxLike(open, sums, k) : relaxOpen(open, k);
+        boolean sums = cross == null && touches == null && !last;
+        for (int begin = from; begin < to; begin += RelaxedBlock.SIZE) {
+            int end = Math.min(to, begin + RelaxedBlock.SIZE);
+            int open = measureAll(begin, end);
+            block.begin();
+            if (cross == null) {
+                relaxLike(open, sums, k);
+            } else {
+                relaxCross(cross, open, k);
+            }
             if (sums) {
                 continue;
             }
             if (touches != null) {
-                touches.afterRelax(listed, carrying, like.unkeptOnes, like.unkept, block, end, k.dt);
+                touches.afterRelax(block.listed, block.carrying, block.unkept, block.unkeptCount, begin, end, k.dt);
             }
             if (last) {
-                storeImpulses(carrying);
+                storeImpulses();
             } else {
-                warmStart(carrying);
+                warmStart();
             }
         }
     }
@@ -294,6 +296,7 @@ final class PairVisits {
     /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
     private int measureAll(int from, int to) {
         PairRows rows = this.rows;
+        int[] listed = block.listed;
         float[] q = contacts.contact;
         int open = 0;
         for (int c = from; c < to; c++) {
@@ -306,27 +309,92 @@ final class PairVisits {
         return open;
     }
 
-    private int relaxLike(int open, boolean sums, StepConstants k) {
+    /**
+     * Visits the contacts that are listed, of circles of one level: within a visit, velocities stay in local variables.
+     *
+     * @param sums whether the impulses of contacts that carry go to the sums of their circles; else these contacts are listed
+     */
+    private void relaxLike(int open, boolean sums, StepConstants k) {
+        LikeBodies like = this.like;
         PairRows rows = this.rows;
         Touches touches = this.touches;
-        like.carrying = 0;
-        int n = like.relaxUntilFlight(rows, listed, 0, open, -1, sums, touches, k);
-        while (n < open) {
+        int[] listed = block.listed;
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        float[] m = state.motion;
+        float[] load = state.load;
+        int carrying = 0;
+        for (int n = 0; n < open; n++) {
             int c = listed[n];
-            float[] q = contacts.contact;
             int o = ContactRow.of(c);
-            int a = contacts.pair[ContactRow.a(c)];
-            int b = contacts.pair[ContactRow.b(c)];
-            boolean done = relaxFlying(c, a, b, like.normalSpeed(a, b, q[o + NORMAL_X], q[o + NORMAL_Y]));
-            n = like.relaxUntilFlight(rows, listed, done ? n + 1 : n, open, done ? -1 : n, sums, touches, k);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float separation = q[o + SEPARATION];
+            float bounce = q[o + BOUNCE_SPEED];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float ax = m[a + VX];
+            float ay = m[a + VY];
+            float bx = m[b + VX];
+            float by = m[b + VY];
+            float vn = CircleMath.dot(nx, ny, bx - ax, by - ay);
+            if (q[o + RESTITUTION] > 0f && impulse == 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && relaxFlying(c, a, b, vn)) {
+                    continue;
+                }
+            }
+            float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
+            float applied = next - impulse;
+            float invMassA = q[o + INV_MASS_A];
+            float invMassB = q[o + INV_MASS_B];
+            float after = vn + applied * (invMassA + invMassB);
+            float along = CircleMath.dot(-ny, nx, bx - ax, by - ay);
+            ax -= nx * (invMassA * applied);
+            ay -= ny * (invMassA * applied);
+            bx += nx * (invMassB * applied);
+            by += ny * (invMassB * applied);
+            if (rows != null) {
+                boolean keep = !(bounce > 0f);
+                rows.rollLike(like, c, a, b, next, keep);
+                if (rows.grip(c)) {
+                    float grip = rows.friction(c, along, like.surfaceSpeed(a), like.surfaceSpeed(b), next, keep);
+                    ax -= -ny * (invMassA * grip);
+                    ay -= nx * (invMassA * grip);
+                    bx += -ny * (invMassB * grip);
+                    by += nx * (invMassB * grip);
+                    like.turn(a, b, -grip, -grip);
+                }
+            }
+            m[a + VX] = ax;
+            m[a + VY] = ay;
+            m[b + VX] = bx;
+            m[b + VY] = by;
+            if (bounce > 0f) {
+                if (touches != null) {
+                    touches.add(c, impulse + applied);
+                    block.addUnkept(c);
+                }
+                next = 0f;
+            }
+            q[o + NORMAL_IMPULSE] = next;
+            int carries = Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
+            if (!sums) {
+                listed[carrying] = c;
+                carrying -= carries;
+            } else if (carries != 0) {
+                addToSums(null, rows, c, a, b, nx, ny, next);
+                load(a, b);
+            }
         }
-        return like.carrying;
+        block.carrying = carrying;
     }
 
-    /** Visits the contacts that are listed, and lists those of them that carry; returns their number. */
-    private int relaxOpen(int open, StepConstants k) {
+    /** Visits the contacts that are listed, and lists those of them that carry. */
+    private void relaxCross(CrossBodies cross, int open, StepConstants k) {
         PairRows rows = this.rows;
-        CrossBodies cross = this.cross;
+        int[] listed = block.listed;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] load = state.load;
@@ -342,7 +410,7 @@ final class PairVisits {
             float nx = q[o + NORMAL_X];
             float ny = q[o + NORMAL_Y];
             float threshold = q[o + RESTITUTION_THRESHOLD];
-            float vn = normalSpeed(cross, c, a, b, nx, ny);
+            float vn = cross.normalSpeed(c, nx, ny);
             if (q[o + RESTITUTION] > 0f && impulse == 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
                 if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && relaxFlying(c, a, b, vn)) {
@@ -352,8 +420,8 @@ final class PairVisits {
             float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
             float applied = next - impulse;
             float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
-            float along = rows == null ? 0f : along(cross, c, a, b, nx, ny);
-            apply(cross, c, a, b, nx, ny, applied);
+            float along = rows == null ? 0f : cross.normalSpeed(c, -ny, nx);
+            cross.apply(c, nx, ny, applied);
             if (rows != null) {
                 rows.visit(like, cross, c, a, b, nx, ny, along, next, !(bounce > 0f));
             }
@@ -361,14 +429,14 @@ final class PairVisits {
                 next = 0f;
                 if (touches != null) {
                     touches.add(c, impulse + applied);
-                    like.unkeptOnes[like.unkept++] = c;
+                    block.addUnkept(c);
                 }
             }
             q[o + NORMAL_IMPULSE] = next;
             listed[carrying] = c;
             carrying -= Constraints.carries(next, separation, after, threshold);
         }
-        return carrying;
+        block.carrying = carrying;
     }
 
     /** As {@link #solveFlying} without bias. */
@@ -377,7 +445,7 @@ final class PairVisits {
         if (visit == Constraints.BOUNCE
                 && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
             bounce(c, a, b, vn);
-            like.unkeptOnes[like.unkept++] = c;
+            block.addUnkept(c);
         } else if (rows != null && visit != Constraints.SOLVE) {
             float[] q = contacts.contact;
             int o = ContactRow.of(c);
@@ -388,13 +456,13 @@ final class PairVisits {
     }
 
     /** Adds the impulses of the contacts that carry, which are listed, to the sums of their circles, and marks these as loaded. */
-    private void warmStart(int carrying) {
+    private void warmStart() {
         PairRows rows = this.rows;
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
-        for (int n = 0; n < carrying; n++) {
-            int c = listed[n];
+        for (int n = 0; n < block.carrying; n++) {
+            int c = block.listed[n];
             int o = ContactRow.of(c);
             int a = pair[ContactRow.a(c)];
             int b = pair[ContactRow.b(c)];
@@ -404,13 +472,13 @@ final class PairVisits {
     }
 
     /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
-    private void storeImpulses(int carrying) {
-        for (int n = 0; n < carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
+    private void storeImpulses() {
+        for (int n = 0; n < block.carrying; n++) {
+            float impulse = contacts.contact[ContactRow.of(block.listed[n]) + NORMAL_IMPULSE];
             if (impulse > 0f) {
-                contacts.storeImpulse(listed[n], impulse);
+                contacts.storeImpulse(block.listed[n], impulse);
                 if (rows != null) {
-                    rows.store(listed[n]);
+                    rows.store(block.listed[n]);
                 }
             }
         }

@@ -85,15 +85,20 @@ final class PieceSearch {
     }
 
     private void findAll(int worker) {
-        finders[worker].find(team.part(state.awake, worker), team.part(state.awake, worker + 1), terrain);
+        finders[worker].found = 0;
+        for (int round = 0; round < team.rounds(); round++) {
+            finders[worker].find(team.from(state.awake, worker, round), team.to(state.awake, worker, round), terrain);
+        }
     }
 
     private void copy(int worker) {
         Finder mine = finders[worker];
         contacts.copyNext(mine.rows, mine.numbers, mine.found, mine.place, terrain.rows);
-        int to = team.part(state.awake, worker + 1);
-        for (int slot = team.part(state.awake, worker); slot < to; slot++) {
-            contacts.first[slot] += mine.place;
+        for (int round = 0; round < team.rounds(); round++) {
+            int to = team.to(state.awake, worker, round);
+            for (int slot = team.from(state.awake, worker, round); slot < to; slot++) {
+                contacts.first[slot] += mine.place;
+            }
         }
     }
 
@@ -187,7 +192,6 @@ final class PieceSearch {
         private int count;
 
         private void find(int from, int to, TerrainStep terrain) {
-            found = 0;
             for (int slot = from; slot < to; slot++) {
                 int before = found;
                 if (!state.isStatic(slot)) {

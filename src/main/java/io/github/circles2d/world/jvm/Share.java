@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
@@ -12,12 +13,12 @@ final class Share {
     private final GridLevels levels;
     private final CrossContacts cross;
 
-    /** Number of ranges: one a level. */
+    /** Number of ranges: one a level, or one a round in which slots of one level are dealt out. */
     int count;
 
     // by range: slots, cross contacts and numbers of heavy circles, the first one and one behind the last
-    final int[] fromSlot = new int[GridLevels.COUNT];
-    final int[] toSlot = new int[GridLevels.COUNT];
+    final int[] fromSlot = new int[Math.max(GridLevels.COUNT, Team.ROUNDS)];
+    final int[] toSlot = new int[Math.max(GridLevels.COUNT, Team.ROUNDS)];
     final int[] fromCross = new int[GridLevels.COUNT];
     final int[] toCross = new int[GridLevels.COUNT];
     final int[] fromHeavy = new int[GridLevels.COUNT];
@@ -29,11 +30,16 @@ final class Share {
         this.cross = cross;
     }
 
-    /** Takes some slots, where there is one level: it may have fewer rows than there are workers. */
-    void takeSlots(int from, int to) {
-        count = 1;
-        fromSlot[0] = from;
-        toSlot[0] = to;
+    /**
+     * Takes some of so many slots, where there is one level: it may have fewer rows than there are workers. They are dealt out, as terrain and
+     * walls are near to some.
+     */
+    void takeSlots(Team team, int slots, int worker) {
+        count = team.rounds();
+        for (int round = 0; round < count; round++) {
+            fromSlot[round] = team.from(slots, worker, round);
+            toSlot[round] = team.to(slots, worker, round);
+        }
     }
 
     void takeBands(Bands bands, int worker) {

@@ -19,7 +19,8 @@ import io.github.circles2d.world.model.TerrainStep;
  * <p>If all circles are of one level, this holds for whole sub-steps too: a row needs only the rows beside it. So each worker sweeps
  * over its band of rows and takes all passes of one or more sub-steps along, each some rows behind the one before. The rows are
  * then still in the processor's cache, and workers wait for each other twice per sweep. At the edges of its band a sweep lacks rows of
- * the next band; a second sweep completes them, from the edge outwards.
+ * the next band; a second sweep completes them, from the edge outwards. Where bands have few rows, as of a long, low heap, that is half of the
+ * work, and not shared evenly; passes, as below, are then faster.
  *
  * <p>If there are more levels, their cross contacts come between the passes; joints do too. So all workers make pass after pass, each on its
  * {@link Share} of all levels. Rigid bodies come between them too ({@link RigidPasses}).
@@ -27,6 +28,12 @@ import io.github.circles2d.world.model.TerrainStep;
 public final class Solver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */
     private static final int LAG = 4;
+
+    /** Rows at each side of the edge of two bands that the relaxing pass of a sweep leaves to one worker. */
+    private static final int LEFT_TO_EDGE = 2;
+
+    /** How much more than passes the worker with most to do may have in sweeps: rows stay in the cache, and workers wait less often. */
+    private static final float MOST_IN_SWEEPS = 1.2f;
 
     /** Rows of the narrowest band a sub-step of a sweep: the work at the edges is not shared as evenly as the rest. */
     private static final int ROWS_PER_SUB_STEP = 24;
@@ -77,6 +84,9 @@ public final class Solver {
     private final Team.Work relaxCross = this::relaxCross;
     private final Team.Work takeGains = this::takeGains;
     private final Team.Work endRelaxing = this::endRelaxing;
+
+    /** Whether workers sweep over the contacts of the step. */
+    private boolean sweeps;
 
     private StepConstants constants;
     private TerrainStep terrain;
@@ -139,7 +149,10 @@ public final class Solver {
         constants = k;
         terrain = step;
         boolean alike = levels.usedCount == 1;
-        bands.divide(contacts.rowStart, alike ? null : contacts.cross(), alike && !inPasses() ? 2 * LAG : 0);
+        sweeps = alike && !inPasses() && divideForSweeps();
+        if (!sweeps) {
+            bands.divide(contacts.rowStart, alike ? null : contacts.cross(), 0);
+        }
         team.all(begin);
         team.all(prepareRows);
         team.all(prepareEdge);
@@ -148,7 +161,7 @@ public final class Solver {
         }
         for (int worker = 0; worker < team.size(); worker++) {
             if (alike) {
-                shares[worker].takeSlots(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+                shares[worker].takeSlots(team, state.awake, worker);
             } else {
                 shares[worker].takeBands(bands, worker);
             }
@@ -219,6 +232,24 @@ public final class Solver {
         }
     }
 
+    /** Divides the rows of the only level into bands for sweeps; returns false if passes would share the work much better, as of a long heap. */
+    private boolean divideForSweeps() {
+        int level = levels.used[0];
+        int[] rowStart = contacts.rowStart;
+        long passed = Long.MAX_VALUE;
+        if (team.size() > 1) {
+            bands.divide(rowStart, null, 0);
+            passed = bands.heaviest(level, rowStart, 0, 1) + bands.heaviestEdge(level, rowStart, 1, 0);
+        }
+        bands.divide(rowStart, null, 2 * LAG);
+        if (bands.narrowest() < 2 * LAG) {
+            return false;
+        }
+        long swept = bands.heaviest(level, rowStart, LEFT_TO_EDGE, LEFT_TO_EDGE)
+                + bands.heaviestEdge(level, rowStart, LEFT_TO_EDGE, LEFT_TO_EDGE);
+        return swept <= MOST_IN_SWEEPS * passed;
+    }
+
     /** Whether something comes between the passes over contacts of circles. */
     private boolean inPasses() {
         return joints != null || rigids != null;
@@ -226,7 +257,7 @@ public final class Solver {
 
     /** With the constants of {@link #prepare}. */
     void solve() {
-        if (levels.usedCount == 1 && !inPasses() && bands.narrowest() >= 2 * LAG) {
+        if (sweeps) {
             solveInSweeps();
         } else {
             solveInPasses();

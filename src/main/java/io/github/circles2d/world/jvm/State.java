@@ -155,7 +155,8 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Memory of the arrays. */
     long bytes() {
-        // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, room, plan, motionClamp
+        // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, room, plan,
+        // motionClamp
         return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 4 + 8 + 16L) * capacity()
                 + 4L * slotOf.length
                 + fields.bytes()

@@ -20,7 +20,7 @@ public final class Team implements AutoCloseable {
     }
 
     /** Rounds in which items are dealt out. More would share them more evenly, but short loops cost more. */
-    private static final int ROUNDS = 8;
+    public static final int ROUNDS = 8;
 
     private final int most;
     private final Crew crew;
