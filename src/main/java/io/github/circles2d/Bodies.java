@@ -31,7 +31,7 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>New:</b> bodies that fly 40 of their widths a second past others are not right yet; the guide has the list.
  *
  * <p><b>Only on the JVM</b> so far. A world of {@link Backend#AUTO} goes there with its first body; one that was built for a device refuses bodies, with an
- * {@link UnsupportedOperationException}, and goes on without. While there are bodies, no circle {@linkplain World.Builder#sleep sleeps}. {@link
+ * {@link UnsupportedOperationException}, and goes on without. Bodies themselves never {@linkplain World.Builder#sleep sleep}. {@link
  * Queries#bodies} finds bodies, {@link World#joints} hold them.
  *
  * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in

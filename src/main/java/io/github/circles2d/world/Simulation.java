@@ -253,7 +253,7 @@ public final class Simulation implements AutoCloseable {
             world.input.motion.update(constants, world.kinds, world.kinds.version());
         }
         if (constants.sleeping) {
-            world.input.sleep.update(world.kinds, world.kinds.version(), world.rigids.isThere());
+            world.input.sleep.update(world.kinds, world.kinds.version());
         }
         constants.turning = world.needs.turns();
         if (constants.turning) {

@@ -22,7 +22,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 
 /**
- * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, events of bodies, and explosions
+ * World as docs/step.md and docs/step-bodies.md specify it, but for events of bodies, and explosions
  * that push bodies. Arguments are not checked: World is asked first, and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
@@ -210,9 +210,17 @@ public final class ReferenceWorld implements WorldCalls {
 
     /** Wakes circles that sleep and may touch one that changes. */
     private void wakeNear(Circle changed) {
+        wakeNear(changed.base, changed.radius);
+    }
+
+    private void wakeNear(Rigid changed) {
+        wakeNear(changed.base, changed.outline.reach);
+    }
+
+    private void wakeNear(float[] place, float reach) {
         for (Circle c : circles()) {
-            float[] way = arena.way(c.base, changed.base);
-            float far = WAKING_NEIGHBOURS * (c.radius + changed.radius);
+            float[] way = arena.way(c.base, place);
+            float far = WAKING_NEIGHBOURS * (c.radius + reach);
             if (c.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
                 c.wake();
             }
@@ -618,6 +626,7 @@ public final class ReferenceWorld implements WorldCalls {
         body.put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
         body.kind = kind;
         body.restitution = kinds.restitution(kind, restitution);
+        wakeNear(body);
         return body.handle;
     }
 
@@ -628,11 +637,13 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeRigid(long body) {
+        wakeNear(rigids.find(body));
         rigids.remove(rigids.find(body));
     }
 
     @Override
     public void clearRigids() {
+        wakeAll();
         rigids.clear();
     }
 
@@ -645,8 +656,10 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleportRigid(long body, float x, float y, float angle) {
+        wakeNear(rigids.find(body));
         rigids.find(body).put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
         rigids.forgetContacts(rigids.find(body));
+        wakeNear(rigids.find(body));
     }
 
     @Override
@@ -681,12 +694,14 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRigidKind(long body, int kind) {
+        wakeNear(rigids.find(body));
         rigids.find(body).kind = kind;
         rigids.find(body).restitution = kinds.restitution(kind, rigids.find(body).restitution);
     }
 
     @Override
     public void setRigidGroup(long body, int group) {
+        wakeNear(rigids.find(body));
         rigids.find(body).group = group;
     }
 
@@ -1097,6 +1112,9 @@ public final class ReferenceWorld implements WorldCalls {
         for (Rigid body : rigids.all()) {
             for (int a = 0; a < 2; a++) {
                 float inside = arena.inside(a, Numbers.clamp(body.base[a], min[a], max[a]));
+                if (inside != body.base[a]) {
+                    wakeAll();
+                }
                 body.rest[a] = inside == body.base[a] ? body.rest[a] : 0f;
                 body.base[a] = inside;
             }

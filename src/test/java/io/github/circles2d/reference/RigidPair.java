@@ -38,7 +38,7 @@ final class RigidPair {
         this.offset = offset;
         this.k = k;
         float both = 2f * (a.near + b.near);
-        margin = b.w == 0f && b.type != RigidThing.BODY ? both + 2f * Circle.MARGIN * a.thin : both;
+        margin = b.ownW == 0f && b.type != RigidThing.BODY ? both + 2f * Circle.MARGIN * a.thin : both;
     }
 
     boolean hasCircle() {
@@ -138,7 +138,7 @@ final class RigidPair {
     /** Corners of t with lines of o, from which t is (x, y) away. */
     private void cornersOnLines(RigidThing t, RigidThing o, float x, float y, boolean swapped) {
         float tolerance = TOLERANCE + Math.abs(t.omega - o.omega) * k.dt();
-        boolean fast = margin > (t.w > 0f ? t.thin : o.thin);
+        boolean fast = margin > (t.ownW > 0f ? t.thin : o.thin);
         for (int c = 0; c < t.corners.size(); c++) {
             float[] corner = t.corners.get(c);
             float px = x + corner[0];

@@ -65,6 +65,8 @@ final class RigidStep {
         t.omega = body.omega;
         t.w = 1f / body.mass;
         t.i = 1f / body.inertia;
+        t.ownW = t.w;
+        t.ownI = t.i;
         t.restitution = body.restitution;
         takeSurface(t, body.kind);
         float scale = kinds.getFloat(body.kind, Kinds.GRAVITY_SCALE);
@@ -104,6 +106,8 @@ final class RigidStep {
         t.reach = c.radius;
         t.w = c.inverseMass();
         t.i = c.turn.inverseInertia / (c.radius * c.radius);
+        t.ownW = c.ownInverseMass();
+        t.ownI = c.turn.ownInverseInertia / (c.radius * c.radius);
         t.restitution = c.restitution;
         t.friction = c.turn.friction;
         t.rolling = c.turn.rollingResistance;
@@ -112,7 +116,8 @@ final class RigidStep {
             t.gain[a] = c.gain[a];
         }
         float speed = length(c.velocity);
-        t.near = Circle.MARGIN * c.radius + 0.5f * k.dt() * (speed + length(t.gain) * k.subSteps());
+        float gain = c.hasInfiniteMass() ? 0f : length(c.gain);
+        t.near = Circle.MARGIN * c.radius + 0.5f * k.dt() * (speed + gain * k.subSteps());
         return t;
     }
 
@@ -305,14 +310,20 @@ final class RigidStep {
                 .toList());
     }
 
-    /** Begins the step: finds the contacts. */
-    void begin(List<RigidContact.Saved> saved, float warmScale) {
+    /** Finds the contacts as all lies now, with what they have accumulated. */
+    List<RigidContact> find(List<RigidContact.Saved> saved, float warmScale) {
         findPairs();
         for (RigidPair pair : pairs) {
             Predicate<RigidContact.Saved> itsOwn =
                     s -> s.type() == pair.b.type && s.body() == pair.a.id && s.other() == pair.b.id;
             pair.find(saved.stream().filter(itsOwn).toList(), warmScale);
         }
+        return contacts();
+    }
+
+    /** Begins the step. */
+    void begin(List<RigidContact.Saved> saved, float warmScale) {
+        find(saved, warmScale);
         leaveOutCovered();
         pairs = pairs.stream().filter(pair -> !pair.contacts.isEmpty()).toList();
         colour();
@@ -324,7 +335,7 @@ final class RigidStep {
             for (RigidContact c : pair.contacts) {
                 if (pair.hasCircle()) {
                     float kb = c.inverseMassOf(c.a == pair.a);
-                    pair.a.share += kb / (kb + pair.b.w);
+                    pair.a.share += kb / (kb + pair.b.ownW);
                 }
             }
         }

@@ -42,6 +42,11 @@ final class RigidThing {
 
     float i;
 
+    /** The same, also of what sleeps. */
+    float ownW;
+
+    float ownI;
+
     /** Half the thickness, and how far from the place a point of it is at most. */
     float thin;
 

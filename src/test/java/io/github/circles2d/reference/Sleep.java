@@ -90,6 +90,9 @@ final class Sleep {
     /** The impulses of the step before, as this step goes on from them. */
     private final Map<Contact.Pair, Impulses> impulses = new HashMap<>();
 
+    /** Contacts with bodies as the step begins. */
+    private List<RigidContact> ofBodies = List.of();
+
     private float warmScale;
 
     Sleep(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
@@ -104,8 +107,9 @@ final class Sleep {
     // ---------------------------------------------------------------------------------------------------
 
     /** Wakes circles before anything else of the step. */
-    void wake(Map<Contact.Pair, Impulses> impulseCache, float scale) {
+    void wake(Map<Contact.Pair, Impulses> impulseCache, List<RigidContact> contactsOfBodies, float scale) {
         warmScale = scale;
+        ofBodies = contactsOfBodies;
         impulseCache.forEach((pair, each) -> impulses.put(pair, each.times(warmScale)));
         Map<Circle, Pressed> pressed = new HashMap<>();
         for (Circle c : circles) {
@@ -192,6 +196,11 @@ final class Sleep {
                 speed = max(speed, pulledBy(c, o, joint));
             }
         }
+        for (RigidContact contact : ofBodies) {
+            if (contact.isOf(c)) {
+                speed = max(speed, hitBy(c, contact));
+            }
+        }
         return woken ? max(speed, strong(c)) : speed;
     }
 
@@ -233,11 +242,28 @@ final class Sleep {
                 m.impulses().normal());
     }
 
+    /** The same of a body. */
+    private float hitBy(Circle c, RigidContact contact) {
+        boolean isA = contact.a.circle == c;
+        RigidThing body = isA ? contact.b : contact.a;
+        float armX = isA ? contact.bx : contact.ax;
+        float armY = isA ? contact.by : contact.ay;
+        float vx = body.velocity[0] - body.omega * armY;
+        float vy = body.velocity[1] + body.omega * armX;
+        float v = (isA ? 1f : -1f) * (vx * contact.nx + vy * contact.ny);
+        float restitution = max(contact.a.restitution, contact.b.restitution);
+        return hit(c, contact.inverseMassOf(!isA), v, contact.gap, restitution, contact.impulse);
+    }
+
     private float hit(Circle c, Circle o, float v, float separation, float restitution, float impulse) {
+        return hit(c, o.ownInverseMass(), v, separation, restitution, impulse);
+    }
+
+    private float hit(Circle c, float itsInverseMass, float v, float separation, float restitution, float impulse) {
         if (!(v > 0f) || !(separation < v * k.dt())) {
             return 0f;
         }
-        float share = c.ownInverseMass() / (c.ownInverseMass() + o.ownInverseMass());
+        float share = c.ownInverseMass() / (c.ownInverseMass() + itsInverseMass);
         float speed = share * (1f + restitution) * v;
         float most = (impulse > 0f ? PUSH : HIT) * gainOfStep(c);
         return speed > most && speed > LEAST_HIT * c.radius / k.dt() ? speed : 0f;
@@ -349,6 +375,17 @@ final class Sleep {
             sum.add(1, normal[1] * j + normal[0] * f);
             sum.add(2, j);
             sum.add(3, (contact.rolling - contact.friction) / w);
+        }
+        for (RigidContact contact : ofBodies) {
+            if (contact.isOf(c)) {
+                float side = contact.a.circle == c ? 1f : -1f;
+                float j = contact.impulse;
+                float f = contact.grip;
+                sum.add(0, side * (contact.nx * j - contact.ny * f));
+                sum.add(1, side * (contact.ny * j + contact.nx * f));
+                sum.add(2, j);
+                sum.add(3, -f);
+            }
         }
         joints.of(c).forEach(joint -> add(sum, c, joint));
         float[] taken = sum.take();

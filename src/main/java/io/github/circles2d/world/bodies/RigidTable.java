@@ -306,6 +306,19 @@ public final class RigidTable {
         }
     }
 
+    /** Whether a body would be somewhere else within bounds. */
+    public boolean moveIn(Bounds bounds) {
+        Bounds walls = bounds.walls();
+        boolean move = false;
+        for (int body = 0; body < ids.end(); body++) {
+            move |= ids.lives(body)
+                    && (bounds.placeX(CircleMath.clamp(step.x[body], walls.minX(), walls.maxX())) != step.x[body]
+                            || bounds.placeY(CircleMath.clamp(step.y[body], walls.minY(), walls.maxY()))
+                                    != step.y[body]);
+        }
+        return move;
+    }
+
     /** Brings bodies inside new bounds. */
     public void confine(Bounds bounds) {
         version++;

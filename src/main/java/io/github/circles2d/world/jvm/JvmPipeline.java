@@ -287,8 +287,10 @@ public final class JvmPipeline implements Pipeline {
         }
         contacts.settleResting();
         if (constants.rigid) {
-            boolean joined = constants.joints && jointStep.rigidCount > 0;
-            rigidPasses.begin(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
+            if (!found) {
+                findRigid();
+            }
+            rigidPasses.begin();
         }
         times.end(CONTACTS);
         solver.solve();
@@ -310,12 +312,21 @@ public final class JvmPipeline implements Pipeline {
     /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
     private boolean wake() {
         contacts.findResting();
-        boolean some = waking.wake(constants, terrain, pieces, constants.joints ? joints.resting : null);
+        if (constants.rigid) {
+            findRigid();
+        }
+        WakingByBodies bodies = constants.rigid ? rigidPasses.waking : null;
+        boolean some = waking.wake(constants, terrain, pieces, constants.joints ? joints.resting : null, bodies);
         if (some) {
             makeRoom();
             grid.build(constants);
         }
         return some;
+    }
+
+    private void findRigid() {
+        boolean joined = constants.joints && jointStep.rigidCount > 0;
+        rigidPasses.find(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
     }
 
     private void fallAsleep() {

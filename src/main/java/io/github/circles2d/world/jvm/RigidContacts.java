@@ -246,7 +246,7 @@ final class RigidContacts {
     private void cornersOnLines(int p, int t, int other, float x, float y, float m, boolean swapped) {
         float spin = Math.abs(things.omega[t] - things.omega[other]) * dt;
         float tolerance = TOLERANCE + spin;
-        boolean fast = m > (things.w[t] > 0f ? things.thin[t] : things.thin[other]);
+        boolean fast = m > (things.ownW[t] > 0f ? things.thin[t] : things.thin[other]);
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float px = x + things.turnedCorner[at];
@@ -728,7 +728,7 @@ final class RigidContacts {
         float reach = r + things.turnedLine[line + THICKNESS];
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
-        float more = GOES_ON * (things.w[t] > 0f || things.w[other] == 0f ? things.thin[t] : things.thin[other]);
+        float more = GOES_ON * (things.ownW[t] > 0f || things.ownW[other] == 0f ? things.thin[t] : things.thin[other]);
         boolean beside = !(along >= -more && along <= length + more);
         if (beside && height > reach) {
             // a fast one that will be over the line as it meets it

@@ -111,6 +111,8 @@ final class RigidPairs {
         things.omega[t] = step.omega[id];
         things.w[t] = step.inverseMass[id];
         things.i[t] = step.inverseInertia[id];
+        things.ownW[t] = things.w[t];
+        things.ownI[t] = things.i[t];
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
@@ -356,7 +358,8 @@ final class RigidPairs {
     private float nearOf(int slot) {
         int s = CircleRow.of(slot);
         float speed = CircleMath.length(state.motion[s + CircleRow.VX], state.motion[s + CircleRow.VY]);
-        float gain = state.isStatic(slot) ? 0f : CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
+        float own = state.ownInverseMass(slot);
+        float gain = own == 0f ? 0f : CircleMath.length(state.gainX(slot, own, k), state.gainY(slot, own, k));
         return Tuning.MARGIN * state.circle[s + CircleRow.RADIUS] + 0.5f * k.dt * (speed + gain * k.subSteps);
     }
 
@@ -402,7 +405,7 @@ final class RigidPairs {
         ox[count] = near ? CircleMath.shortWay(x, state.periodX) : x + addX;
         oy[count] = near ? CircleMath.shortWay(y, state.periodY) : y + addY;
         margin[count] = 2f * (this.near[t] + this.near[other]);
-        if (things.w[other] == 0f && things.shape[other] == null) {
+        if (things.ownW[other] == 0f && things.shape[other] == null) {
             margin[count] += 2f * Tuning.MARGIN * things.thin[t];
         }
         count++;
@@ -479,23 +482,41 @@ final class RigidPairs {
         things.thin[t] = r;
         things.reach[t] = r;
         things.w[t] = state.traits[s + CircleRow.INVERSE_MASS];
+        things.ownW[t] = state.ownInverseMass(slot);
         things.restitution[t] = state.traits[s + CircleRow.RESTITUTION];
         things.kind[t] = kindOf(slot);
         if (things.w[t] > 0f) {
             things.gainX[t] = state.gainX(slot, k);
             things.gainY[t] = state.gainY(slot, k);
         }
-        if (k.turning && slot < state.awake) {
-            takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
-            things.i[t] = things.w[t] == 0f ? 0f : state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
-        } else if (k.turning) {
-            takeSurfaceAtRest(t, id);
-        }
         things.place(t);
         ensureNear();
         near[t] = nearOf(slot);
         thingOfCircle[id] = t;
         return t;
+    }
+
+    /** What surfaces circles touch with, once a step has begun to turn them. */
+    void takeCircleSurfaces() {
+        for (int t = things.bodies; t < things.count && k.turning; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                takeCircleSurface(t, state.slotOf[things.id[t]]);
+            }
+        }
+    }
+
+    private void takeCircleSurface(int t, int slot) {
+        float r = things.thin[t];
+        if (slot < state.awake) {
+            takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
+            things.i[t] = things.w[t] == 0f
+                    ? 0f
+                    : state.turning.spin[CircleRow.of(slot) + CircleRow.INVERSE_INERTIA] / (r * r);
+            things.ownI[t] = things.i[t];
+        } else {
+            takeSurfaceAtRest(t, things.id[t]);
+            things.ownI[t] = things.ownW[t] == 0f ? 0f : state.turning.ownInverseInertia(slot) / (r * r);
+        }
     }
 
     long bytes() {

@@ -30,6 +30,9 @@ final class RigidPasses {
     private final RigidVisits visits;
     private final RigidJoints joints;
 
+    /** Whom bodies are about to push. */
+    final WakingByBodies waking;
+
     // within a step
     private RigidStep step;
     private StepConstants k;
@@ -44,21 +47,30 @@ final class RigidPasses {
         order = new RigidOrder(contacts, pairs);
         visits = new RigidVisits(contacts, pairs, order);
         joints = new RigidJoints(state, pairs);
+        waking = new WakingByBodies(contacts, pairs, visits);
     }
 
-    /** Begins a step, in which circles have begun theirs. Without joints of bodies, theirs are null. */
-    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
+    /**
+     * Finds the contacts of a step, as all lies now. Without joints of bodies, theirs are null. Before circles wake, and again if some have: who
+     * sleeps is another thing in contacts.
+     */
+    void find(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
         step = bodies;
         k = constants;
         terrain = ground;
         joints.findPartners(jointStep, states);
         pairs.find(bodies, constants, ground);
         contacts.find(bodies, constants);
+    }
+
+    /** Begins a step, of which contacts have been found, and in which circles have begun theirs. */
+    void begin() {
         cover.apply();
         order.find();
+        pairs.takeCircleSurfaces();
         takeCircles(false);
-        visits.begin(constants);
-        joints.begin(constants);
+        visits.begin(k);
+        joints.begin(k);
         pushCircles();
     }
 

@@ -48,6 +48,11 @@ final class RigidThings {
 
     float[] i = new float[0];
 
+    /** The same, also of what sleeps, which moves others as if it would give way. */
+    float[] ownW = new float[0];
+
+    float[] ownI = new float[0];
+
     /** Lengths of contacts are measured by it. */
     float[] thin = new float[0];
 
@@ -123,6 +128,8 @@ final class RigidThings {
         beforeOmega[t] = 0f;
         w[t] = 0f;
         i[t] = 0f;
+        ownW[t] = 0f;
+        ownI[t] = 0f;
         thin[t] = 0f;
         reach[t] = Float.POSITIVE_INFINITY;
         restitution[t] = 0f;
@@ -161,6 +168,8 @@ final class RigidThings {
         beforeOmega = Arrays.copyOf(beforeOmega, n);
         w = Arrays.copyOf(w, n);
         i = Arrays.copyOf(i, n);
+        ownW = Arrays.copyOf(ownW, n);
+        ownI = Arrays.copyOf(ownI, n);
         thin = Arrays.copyOf(thin, n);
         reach = Arrays.copyOf(reach, n);
         restitution = Arrays.copyOf(restitution, n);
@@ -372,6 +381,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 120L * type.length + 8L * (corner.length + line.length);
+        return 128L * type.length + 8L * (corner.length + line.length);
     }
 }

@@ -74,7 +74,7 @@ final class RigidVisits {
                 int circle = pairs.b[contacts.pair[p]];
                 float kb = contacts.a[c] == body ? massOfA(c) : massOfB(c);
                 if (kb > 0f) {
-                    share[body] += kb / (kb + things.w[circle]);
+                    share[body] += kb / (kb + things.ownW[circle]);
                 }
             }
         }
@@ -98,16 +98,16 @@ final class RigidVisits {
     }
 
     /** One over the effective mass of A alone along the normal. */
-    private float massOfA(int c) {
+    float massOfA(int c) {
         int t = contacts.a[c];
         float arm = contacts.ax[c] * contacts.ny[c] - contacts.ay[c] * contacts.nx[c];
-        return things.w[t] + things.i[t] * arm * arm;
+        return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
-    private float massOfB(int c) {
+    float massOfB(int c) {
         int t = contacts.b[c];
         float arm = contacts.bx[c] * contacts.ny[c] - contacts.by[c] * contacts.nx[c];
-        return things.w[t] + things.i[t] * arm * arm;
+        return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
     /** What is accumulated acts again; on circles it has acted before. */
@@ -244,9 +244,9 @@ final class RigidVisits {
     private float thickness(int c) {
         int a = contacts.a[c];
         int b = contacts.b[c];
-        return things.w[a] == 0f
+        return things.ownW[a] == 0f
                 ? 2f * things.thin[b]
-                : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+                : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; returns what the impulse gains. */
@@ -318,7 +318,7 @@ final class RigidVisits {
             push(b, -x, -y, contacts.bx[c], contacts.by[c]);
         }
         float resistance = CircleMath.max(things.rolling[a], things.rolling[b]);
-        float turns = things.i[a] + things.i[b];
+        float turns = things.ownI[a] + things.ownI[b];
         if (resistance > 0f && turns > 0f) {
             float before = contacts.roll[c];
             float next = Surface.rolling(
@@ -335,8 +335,8 @@ final class RigidVisits {
         int b = contacts.b[c];
         float armA = contacts.ax[c] * contacts.nx[c] + contacts.ay[c] * contacts.ny[c];
         float armB = contacts.bx[c] * contacts.nx[c] + contacts.by[c] * contacts.ny[c];
-        return massOf(shareA * (things.w[a] + things.i[a] * armA * armA)
-                + shareB * (things.w[b] + things.i[b] * armB * armB));
+        return massOf(shareA * (things.ownW[a] + things.ownI[a] * armA * armA)
+                + shareB * (things.ownW[b] + things.ownI[b] * armB * armB));
     }
 
     /** An effective mass, from one over it. No impulse moves what has none. */

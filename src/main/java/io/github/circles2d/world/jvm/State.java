@@ -308,6 +308,11 @@ public final class State implements ContactEvents.Sleepers {
         if (commands.wakesSome()) {
             wakeBy(commands);
         }
+        for (int k = 0; k < commands.areas(); k++) {
+            float[] area = commands.areaValues();
+            int at = Commands.AREA * k;
+            wakeNear(-1, area[at], area[at + 1], area[at + 2]);
+        }
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
             int k = c * Commands.STRIDE;
@@ -412,15 +417,16 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Wakes circles that sleep and may touch one that changes. */
     private void wakeNear(int changed) {
+        int s = CircleRow.of(changed);
+        wakeNear(id[changed], circle[s + X], circle[s + Y], circle[s + RADIUS]);
+    }
+
+    /** The same of what is at a place, and reaches so far; itself: the circle that it is, or -1. */
+    private void wakeNear(int itself, float x, float y, float r) {
         if (sleepers == null || sleepers.count == 0) {
             return;
         }
-        int s = CircleRow.of(changed);
-        float x = circle[s + X];
-        float y = circle[s + Y];
-        float r = circle[s + RADIUS];
         float far = Sleep.NEIGHBOURS * r;
-        int itself = id[changed];
         resting.find(near, arena, x - far, x + far, y - far, y + far, Sleep.NEIGHBOURS);
         for (int k = 0; k < near.count; k++) {
             near.slots[k] = id[near.slots[k]]; // slots change as circles wake

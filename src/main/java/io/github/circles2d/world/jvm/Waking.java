@@ -146,11 +146,19 @@ final class Waking {
     // -------------------------------------------------------------------------------------------------------
 
     /** Wakes circles; returns whether there are any. */
-    boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces, RestingJoints held) {
+    boolean wake(
+            StepConstants constants,
+            TerrainStep terrain,
+            PieceSearch pieces,
+            RestingJoints held,
+            WakingByBodies pushed) {
         k = constants;
         joints = held;
         begin();
         lookAtBorder();
+        if (pushed != null) {
+            lookAtPushed(pushed);
+        }
         if (joints != null) {
             lookAtPulled();
         }
@@ -313,6 +321,20 @@ final class Waking {
         push(state.id[slot], hit(slot, awake, isLower ? -v : v, separation, restitution, j));
     }
 
+    /** Circles near to bodies: these may hit them, and press them. */
+    private void lookAtPushed(WakingByBodies bodies) {
+        for (int c = bodies.first(); c < bodies.count(); c++) {
+            int id = bodies.circle(c);
+            if (look(id)) {
+                int slot = state.slotOf[id];
+                float j = bodies.impulse(c);
+                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                float v = bodies.approach(c);
+                push(id, hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
+            }
+        }
+    }
+
     private float ofEntry(int entry, int row) {
         return state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
     }
@@ -323,8 +345,12 @@ final class Waking {
 
     /** Adds the impulses of a contact, along the normal that has been found and its tangent, to the sums of a circle. */
     private void press(int slot, boolean isLower, float j, float f, float rolling) {
-        float side = isLower ? -1f : 1f;
-        add(slot, side * (nx * j - ny * f), side * (ny * j + nx * f), j, -f + side * rolling / radius(slot));
+        press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
+    }
+
+    /** The same along a normal, which goes towards the circle if the side is 1. */
+    private void press(int slot, float side, float x, float y, float j, float f, float rolling) {
+        add(slot, side * (x * j - y * f), side * (y * j + x * f), j, -f + side * rolling / radius(slot));
     }
 
     private void add(int slot, float x, float y, float load, float spin) {
@@ -377,11 +403,15 @@ final class Waking {
     }
 
     private float hit(int slot, int awake, float approach, float gap, float restitution, float j) {
+        return hit(slot, state.ownInverseMass(awake), approach, gap, restitution, j);
+    }
+
+    private float hit(int slot, float itsInverseMass, float approach, float gap, float restitution, float j) {
         return Sleep.hit(
                 approach,
                 gap,
                 state.ownInverseMass(slot),
-                state.ownInverseMass(awake),
+                itsInverseMass,
                 restitution,
                 j,
                 gainOfStep(slot),

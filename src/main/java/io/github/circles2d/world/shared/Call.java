@@ -305,7 +305,7 @@ public enum Call {
     private static final Call[] BY_NUMBER = new Call[256];
 
     private static final Set<Call> WAKING = EnumSet.of(
-            SEGMENT, ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN, REMOVE_BODY, TELEPORT_BODY, WAKE_ALL, RIGID);
+            SEGMENT, ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN, REMOVE_BODY, TELEPORT_BODY, WAKE_ALL);
 
     static {
         for (Call call : values()) {

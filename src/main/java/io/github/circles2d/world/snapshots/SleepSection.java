@@ -31,15 +31,6 @@ final class SleepSection {
         return bits == 0;
     }
 
-    /** Whether some circle sleeps. */
-    static boolean hasSleepers(SavedState s) {
-        boolean some = false;
-        for (int k = 0; s.parameters().sleeps() && k < s.circles; k++) {
-            some |= Sleep.isAsleep(s.rest[k]);
-        }
-        return some;
-    }
-
     private static int key(int rest) {
         return Sleep.isAsleep(rest) ? 1 + 2 * (Sleep.ASLEEP - rest) : 2 * rest;
     }

@@ -239,7 +239,6 @@ public final class SnapshotCodec {
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
         JointSection.checkRigids(s);
-        require(!s.rigids.hasBodies() || !SleepSection.hasSleepers(s), "circles sleep beside bodies");
         return length;
     }
 

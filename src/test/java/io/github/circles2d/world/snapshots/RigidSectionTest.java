@@ -14,10 +14,8 @@ import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.Sleep;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.Arrays;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
@@ -134,15 +132,6 @@ class RigidSectionTest {
         refused("at no part", s -> s.rigids.contactKeys[RigidStep.FORM_AND_FEATURE] += 1 << RigidStep.FORM_SHIFT - 1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[1] = Float.NaN);
-        refused("circles sleep beside bodies", s -> {
-            s.setParameters(s.parameters().sleeping(true));
-            s.setSleeps(true);
-            Arrays.fill(s.rest, 0);
-            Arrays.fill(s.drift, 0);
-            Arrays.fill(s.turned, 0);
-            Arrays.fill(s.motion, 0);
-            s.rest[0] = Sleep.ASLEEP;
-        });
     }
 
     @Test
