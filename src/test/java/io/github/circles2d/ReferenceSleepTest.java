@@ -43,12 +43,15 @@ class ReferenceSleepTest {
     private static void run(boolean jointed, boolean crated) {
         int asleep = 0;
         int woken = 0;
+        int bodiesAsleep = 0;
         for (int k = 0; k < PROGRAMS; k++) {
             Program program = new Program(SEED + k, jointed, crated);
             program.run();
             asleep += program.fellAsleep;
             woken += program.woke;
+            bodiesAsleep += program.bodiesFellAsleep;
         }
+        assertThat(bodiesAsleep).as("bodies that fell asleep").isGreaterThanOrEqualTo(crated ? 2 * PROGRAMS : 0);
         assertThat(asleep).as("circles that fell asleep").isGreaterThan(3 * PROGRAMS);
         assertThat(woken).as("circles that woke").isGreaterThan(PROGRAMS);
     }
@@ -72,6 +75,7 @@ class ReferenceSleepTest {
         private final List<Consumer<WorldCalls>> reports = new ArrayList<>();
         private List<Long> sleeping = List.of();
         int fellAsleep;
+        int bodiesFellAsleep;
         int woke;
 
         Program(long seed, boolean jointed, boolean crated) {
@@ -222,6 +226,7 @@ class ReferenceSleepTest {
                     both("setRigidInertia", c -> c.setRigidInertia(body, share));
                 }
                 case 12 -> both("clearRigids", WorldCalls::clearRigids);
+                case 14 -> both("wakeRigid", c -> c.wakeRigid(body));
                 case 13 -> both("pressRigidAt", c -> c.pressRigidAt(body, 10f * a, 10f * b, 5f, 1f));
                 default -> both("setRigidVelocity", c -> c.setRigidVelocity(body, 0.3f * a, 0.3f * b, 0f));
             }
@@ -446,6 +451,13 @@ class ReferenceSleepTest {
                     assertThat(world.isAwake(handle)).isEqualTo(reference.isAwake(handle));
                     if (!world.isAwake(handle)) {
                         now.add(handle);
+                    }
+                }
+                for (long body : crated ? reference.rigids() : new long[0]) {
+                    assertThat(world.bodies().isAwake(body)).isEqualTo(reference.isRigidAwake(body));
+                    if (!world.bodies().isAwake(body)) {
+                        now.add(body);
+                        bodiesFellAsleep += sleeping.contains(body) ? 0 : 1;
                     }
                 }
                 fellAsleep +=

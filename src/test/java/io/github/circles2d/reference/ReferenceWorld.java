@@ -225,10 +225,20 @@ public final class ReferenceWorld implements WorldCalls {
                 c.wake();
             }
         }
+        for (Rigid body : rigids.all()) {
+            float[] way = arena.way(body.base, place);
+            float far = WAKING_NEIGHBOURS * (body.outline.reach + reach);
+            if (body.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
+                body.wake();
+            }
+        }
     }
 
     private void wakeKinds(IntPredicate which) {
         circles().stream().filter(c -> c.isAsleep() && which.test(c.kind)).forEach(Circle::wake);
+        rigids.all().stream()
+                .filter(body -> body.isAsleep() && which.test(body.kind))
+                .forEach(Rigid::wake);
     }
 
     /** Changes a value of a kind. */
@@ -255,6 +265,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void wakeAll() {
         circles().stream().filter(Circle::isAsleep).forEach(Circle::wake);
+        rigids.all().stream().filter(Rigid::isAsleep).forEach(Rigid::wake);
     }
 
     @Override
@@ -642,6 +653,16 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void wakeRigid(long body) {
+        rigids.find(body).wake();
+    }
+
+    @Override
+    public boolean isRigidAwake(long body) {
+        return !rigids.find(body).isAsleep();
+    }
+
+    @Override
     public void clearRigids() {
         wakeAll();
         rigids.clear();
@@ -649,6 +670,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRigidVelocity(long body, float vx, float vy, float angularVelocity) {
+        rigids.find(body).wake();
         rigids.find(body).velocity[0] = vx + 0f;
         rigids.find(body).velocity[1] = vy + 0f;
         rigids.find(body).omega = angularVelocity + 0f;
@@ -657,6 +679,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void teleportRigid(long body, float x, float y, float angle) {
         wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
         rigids.forgetContacts(rigids.find(body));
         wakeNear(rigids.find(body));
@@ -665,11 +688,13 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void pushRigid(long body, float x, float y, float pointX, float pointY) {
         Rigid pushed = rigids.find(body);
+        pushed.wake();
         pushed.push(new float[] {x, y}, arena.way(pushed.base, place(pointX, pointY)));
     }
 
     @Override
     public void turnRigid(long body, float impulse) {
+        rigids.find(body).wake();
         rigids.find(body).turn(impulse);
     }
 
@@ -695,6 +720,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setRigidKind(long body, int kind) {
         wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).kind = kind;
         rigids.find(body).restitution = kinds.restitution(kind, rigids.find(body).restitution);
     }
@@ -702,6 +728,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setRigidGroup(long body, int group) {
         wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).group = group;
     }
 
@@ -712,12 +739,14 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRigidRestitution(long body, float e) {
+        rigids.find(body).wake();
         rigids.find(body).restitution = e + 0f;
     }
 
     @Override
     public void setRigidInertia(long body, float share) {
         Rigid turned = rigids.find(body);
+        turned.wake();
         turned.inertia = share * (turned.mass * turned.outline.inertia);
     }
 
@@ -892,6 +921,12 @@ public final class ReferenceWorld implements WorldCalls {
         circles().stream()
                 .filter(c -> changes && c.isAsleep() && side * c.wallImpulse[number / 2] > 0f)
                 .forEach(Circle::wake);
+        for (RigidContact.Saved saved : changes ? rigids.contacts() : List.<RigidContact.Saved>of()) {
+            rigids.all().stream()
+                    .filter(body -> body.id == saved.body() && body.isAsleep())
+                    .filter(body -> saved.type() == RigidThing.WALL && saved.other() == number && saved.impulse() > 0f)
+                    .forEach(Rigid::wake);
+        }
     }
 
     @Override

@@ -32,6 +32,10 @@ final class RigidContact {
 
     /** What stays of a contact: the numbers of the form and of the feature of the body, and that of the other's feature. */
     record Saved(int type, int body, int other, int first, int second, float impulse, float grip) {
+        Saved times(float scale) {
+            return new Saved(type, body, other, first, second, scale * impulse, scale * grip);
+        }
+
         int form() {
             return first >> 16;
         }

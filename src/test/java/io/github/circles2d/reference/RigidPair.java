@@ -55,6 +55,19 @@ final class RigidPair {
         return h ^ h >>> 15;
     }
 
+    /** A contact of the step before, as it lies. */
+    RigidContact measured(RigidContact.Saved saved) {
+        int ofA = saved.first() & 0xFFFF;
+        RigidContact c = saved.form() == RigidContact.SWAPPED
+                ? new RigidContact(this, b, a, saved.second(), ofA, true, true, k)
+                : new RigidContact(
+                        this, a, b, ofA, saved.second(), saved.form() == RigidContact.CORNER_ON_LINE, false, k);
+        c.measure();
+        c.impulse = saved.impulse();
+        c.grip = saved.grip();
+        return c;
+    }
+
     /** Finds contacts, with what the pair had in the step before. */
     void find(List<RigidContact.Saved> before, float warmScale) {
         known = before;

@@ -52,8 +52,8 @@ final class Step {
             circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
             circles.forEach(this::planMotion);
             RigidStep lying = new RigidStep(rigids.all(), circles, terrain, k, kinds);
-            List<RigidContact> ofBodies = lying.find(rigids.contacts(), warmScale);
-            new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, ofBodies, warmScale);
+            RigidSleep bodies = new RigidSleep(lying, rigids.contacts(), k, warmScale);
+            new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, bodies, warmScale);
         }
         Grid grid = new Grid(circles, k);
         circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));

@@ -53,7 +53,8 @@ public final class RigidCalls implements Calls.Effects {
                 Call.RIGID_FORCE_AT,
                 Call.RIGID_LASTING_FORCE,
                 Call.RIGID_LASTING_TORQUE,
-                Call.RIGID_GROUP);
+                Call.RIGID_GROUP,
+                Call.WAKE_RIGID);
     }
 
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
@@ -119,7 +120,12 @@ public final class RigidCalls implements Calls.Effects {
     /** Wakes the circles near to a body that comes, goes or changes. There is room. */
     private void wakeNear(int body) {
         if (world.settings.sleeps()) {
-            world.commands.wakeAround(table.step.x[body], table.step.y[body], table.step.outline[body].reach());
+            float x = table.step.x[body];
+            float y = table.step.y[body];
+            float reach = table.step.outline[body].reach();
+            Bounds bounds = world.settings.bounds();
+            world.commands.wakeAround(x, y, reach);
+            table.step.wakeNear(body, x, y, reach, bounds.periodX(), bounds.periodY());
         }
     }
 
@@ -211,6 +217,11 @@ public final class RigidCalls implements Calls.Effects {
         world.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0);
     }
 
+    /** Wakes a body, if it sleeps; one that is awake begins anew to come to rest. */
+    public void wake(long body) {
+        world.calls.change(Call.WAKE_RIGID, body, 0, 0, 0);
+    }
+
     /** Puts a body at a place at once. */
     public void teleport(long body, float x, float y, float angle) {
         world.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle);
@@ -275,6 +286,7 @@ public final class RigidCalls implements Calls.Effects {
 
     /** Changes a body as a call says, which has been checked and begun. There is room. */
     void change(Call call, int[] w) {
+        table.step.changes++;
         switch (call) {
             case REMOVE_RIGID -> {
                 world.joints.departures().removeOfRigid(w[0]);
@@ -305,8 +317,15 @@ public final class RigidCalls implements Calls.Effects {
                 table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
             }
             case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
-            case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;
-            case RIGID_INERTIA -> table.setInertia(w[0], real(w[1]));
+            case RIGID_RESTITUTION -> {
+                table.step.wake(w[0]);
+                table.step.restitution[w[0]] = real(w[1]) + 0f;
+            }
+            case RIGID_INERTIA -> {
+                table.step.wake(w[0]);
+                table.setInertia(w[0], real(w[1]));
+            }
+            case WAKE_RIGID -> table.step.wake(w[0]);
             default -> {
                 Bounds bounds = world.settings.bounds();
                 wakeNear(w[0]);

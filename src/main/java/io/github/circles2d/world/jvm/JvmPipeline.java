@@ -73,6 +73,9 @@ public final class JvmPipeline implements Pipeline {
 
     private RigidPasses rigidPasses;
 
+    /** Whether rigid bodies have no part in the step: all sleep, and nothing moves. */
+    private boolean rigidIdle;
+
     /** Null if circles never sleep. */
     private Waking waking;
 
@@ -155,6 +158,7 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(RigidStep bodies) {
         rigids = bodies;
+        state.rigids = bodies;
         if (rigidPasses == null) {
             rigidPasses = new RigidPasses(state);
         }
@@ -254,7 +258,10 @@ public final class JvmPipeline implements Pipeline {
     private void makeStep() {
         begin();
         grid.build(constants);
-        boolean found = state.sleepers != null && state.sleepers.count > 0 && !wake();
+        rigidIdle = false;
+        boolean sleep = state.sleepers != null
+                && (state.sleepers.count > 0 || constants.rigid && rigidPasses.anySleeps(rigids));
+        boolean found = sleep && !wake();
         times.end(GRID);
         if (recorder != null) {
             recorder.begin();
@@ -287,14 +294,17 @@ public final class JvmPipeline implements Pipeline {
         }
         contacts.settleResting();
         if (constants.rigid) {
-            if (!found) {
+            solver.push(rigidIdle ? null : rigidPasses);
+        }
+        if (constants.rigid && !rigidIdle) {
+            if (!found || grid.anyFast()) { // continuous collision has changed how fast circles are
                 findRigid();
             }
-            rigidPasses.begin();
+            rigidPasses.begin(constants.sleeping ? kindSleep : null);
         }
         times.end(CONTACTS);
         solver.solve();
-        if (constants.rigid) {
+        if (constants.rigid && !rigidIdle) {
             rigidPasses.end();
         }
         if (constants.joints) {
@@ -312,11 +322,16 @@ public final class JvmPipeline implements Pipeline {
     /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
     private boolean wake() {
         contacts.findResting();
-        if (constants.rigid) {
+        RestingJoints held = constants.joints ? joints.resting : null;
+        rigidIdle = constants.rigid
+                && waking.isIdle(held)
+                && rigidPasses.isIdle(rigids, constants, terrain, joinsRigids() ? jointStep : null);
+        WakingByBodies bodies = constants.rigid && !rigidIdle ? rigidPasses.waking : null;
+        if (bodies != null) {
             findRigid();
+            bodies.begin(rigids, constants);
         }
-        WakingByBodies bodies = constants.rigid ? rigidPasses.waking : null;
-        boolean some = waking.wake(constants, terrain, pieces, constants.joints ? joints.resting : null, bodies);
+        boolean some = waking.wake(constants, terrain, pieces, held, bodies);
         if (some) {
             makeRoom();
             grid.build(constants);
@@ -324,8 +339,12 @@ public final class JvmPipeline implements Pipeline {
         return some;
     }
 
+    private boolean joinsRigids() {
+        return constants.joints && jointStep.rigidCount > 0;
+    }
+
     private void findRigid() {
-        boolean joined = constants.joints && jointStep.rigidCount > 0;
+        boolean joined = joinsRigids();
         rigidPasses.find(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
     }
 

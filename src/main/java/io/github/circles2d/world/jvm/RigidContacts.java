@@ -555,24 +555,59 @@ final class RigidContacts {
         used[old] = true;
     }
 
-    /** Keeps the contacts for the next step. */
-    void keep(RigidStep step) {
-        step.ensureContacts(count);
-        step.contacts = count;
+    /** Keeps the contacts for the next step, and those of what rests. */
+    void keep(RigidStep step, RigidResting rests) {
+        step.ensureContacts(count + rests.count);
+        step.contacts = 0;
+        int rest = 0;
         for (int p = 0; p < pairCount; p++) {
             int t = pairs.a[pair[p]];
             int other = pairs.b[pair[p]];
+            rest = rests.keepBefore(step, rest, things.type[other], things.id[t], things.id[other]);
             for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
-                int at = RigidStep.KEYS * c;
+                int to = step.contacts++;
+                int at = RigidStep.KEYS * to;
                 step.contactKeys[at + RigidStep.TYPE] = things.type[other];
                 step.contactKeys[at + RigidStep.A] = things.id[t];
                 step.contactKeys[at + RigidStep.B] = things.id[other];
                 step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first[c];
                 step.contactKeys[at + RigidStep.FEATURE_OF_B] = second[c];
-                step.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL] = impulse[c];
-                step.contactImpulses[RigidStep.IMPULSES * c + RigidStep.NORMAL + 1] = grip[c];
+                step.contactImpulses[RigidStep.IMPULSES * to + RigidStep.NORMAL] = impulse[c];
+                step.contactImpulses[RigidStep.IMPULSES * to + RigidStep.NORMAL + 1] = grip[c];
             }
         }
+        rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
+    }
+
+    /** Measures a contact of the step before that no pair has now, behind all others, without counting it; false if a thing has no such feature. */
+    boolean probe(RigidStep step, int o) {
+        int at = RigidStep.KEYS * o;
+        int body = step.contactKeys[at + RigidStep.A];
+        int id = step.contactKeys[at + RigidStep.B];
+        int type = step.contactKeys[at + RigidStep.TYPE];
+        int form = step.contactKeys[at + RigidStep.FORM_AND_FEATURE] >> FORM_SHIFT;
+        int ofBody = step.contactKeys[at + RigidStep.FORM_AND_FEATURE] & FEATURE;
+        int ofOther = step.contactKeys[at + RigidStep.FEATURE_OF_B];
+        pairs.probe(body, type, id);
+        int p = pairs.count;
+        int t = pairs.a[p];
+        int other = pairs.b[p];
+        int there = form == CORNER_ON_LINE ? things.lines[other] : things.corners[other];
+        if (ofOther < 0 || ofOther >= there) {
+            return false;
+        }
+        if (form == SWAPPED) {
+            add(p, other, t, things.firstCorner[other] + ofOther, things.firstLine[t] + ofBody, true, true);
+        } else {
+            boolean line = form == CORNER_ON_LINE;
+            int feature = (line ? things.firstLine[other] : things.firstCorner[other]) + ofOther;
+            add(p, t, other, things.firstCorner[t] + ofBody, feature, line, false);
+        }
+        count--;
+        measure(count);
+        impulse[count] = step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL];
+        grip[count] = step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL + 1];
+        return true;
     }
 
     /** Leaves out contacts. */

@@ -41,6 +41,7 @@ final class RigidPairs {
     private int keyCount;
 
     int count;
+    private int awakeBodies;
 
     /** Things of each pair; the first is a body. */
     int[] a = new int[0];
@@ -91,9 +92,11 @@ final class RigidPairs {
         if (thingOfBody.length < step.end) {
             thingOfBody = new int[step.room()];
         }
+        awakeBodies = 0;
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null) {
                 thingOfBody[id] = addBody(id);
+                awakeBodies += things.asleep[thingOfBody[id]] ? 0 : 1;
             }
         }
         things.bodies = things.count;
@@ -116,7 +119,7 @@ final class RigidPairs {
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
-        if (things.w[t] > 0f) {
+        if (things.ownW[t] > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
             if (state.kindMotion != null) {
@@ -124,10 +127,19 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.w[t], k.h);
-            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.w[t], k.h);
+            things.ownGainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
+            things.ownGainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
         }
-        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.i[t], k.h);
+        things.ownGainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
+        things.asleep[t] = step.isAsleep(id);
+        if (things.asleep[t]) {
+            things.w[t] = 0f;
+            things.i[t] = 0f;
+        } else {
+            things.gainX[t] = things.ownGainX[t];
+            things.gainY[t] = things.ownGainY[t];
+            things.gainOmega[t] = things.ownGainOmega[t];
+        }
         things.turn(t);
         return t;
     }
@@ -162,8 +174,8 @@ final class RigidPairs {
     /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
     private float way(int t) {
         float speed = CircleMath.length(things.vx[t], things.vy[t]);
-        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
-        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
+        float gain = CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
+        float spin = (Math.abs(things.omega[t]) + Math.abs(things.ownGainOmega[t]) * k.subSteps) * things.reach[t];
         float way = k.dt * (speed + gain * k.subSteps + spin);
         return way > things.thin[t] ? 2f * way : way;
     }
@@ -192,7 +204,7 @@ final class RigidPairs {
         for (int t = 0; t < n; t++) {
             int box = 4 * t;
             findBodies(t, tree.box[box], tree.box[box + 1], tree.box[box + 2], tree.box[box + 3]);
-            if (things.w[t] > 0f || things.i[t] > 0f) {
+            if (things.gives(t)) {
                 // what does not move has no thickness of its own
                 float m = 2f * Tuning.MARGIN * things.thin[t];
                 float minX = tree.box[box] - m;
@@ -205,9 +217,103 @@ final class RigidPairs {
                 }
             }
         }
-        for (int slot = 0; slot < state.n; slot++) {
+        int slots = awakeBodies > 0 ? state.n : state.awake; // what rests has contacts with what is awake alone
+        for (int slot = 0; slot < slots; slot++) {
             findBodiesNear(slot);
         }
+    }
+
+    /** Whether a circle gives way to nobody, and stays where it is: it sleeps, or is static and has no velocity. */
+    boolean isStill(int slot) {
+        int s = CircleRow.of(slot);
+        return state.isStatic(slot) && state.motion[s + CircleRow.VX] == 0f && state.motion[s + CircleRow.VY] == 0f;
+    }
+
+    // ---- what moves near to bodies that sleep
+    // ----------------------------------------------------------------------------
+
+    /** Whether a wall moves near to a body. */
+    boolean wallsMoveNear(int t) {
+        float[] travel = k.walls.travel;
+        float m = 2f * Tuning.MARGIN * things.thin[t];
+        float[] box = tree.box;
+        return travel[0] != 0f && box[4 * t] - m - Math.abs(travel[0]) < k.bounds.minX()
+                || travel[1] != 0f && box[4 * t + 2] + m + Math.abs(travel[1]) > k.bounds.maxX()
+                || travel[2] != 0f && box[4 * t + 1] - m - Math.abs(travel[2]) < k.bounds.minY()
+                || travel[3] != 0f && box[4 * t + 3] + m + Math.abs(travel[3]) > k.bounds.maxY();
+    }
+
+    /** Whether terrain has pieces that may move. */
+    boolean piecesMove() {
+        return piecesMove(terrain);
+    }
+
+    static boolean piecesMove(TerrainStep of) {
+        return of != null && of.groundNodes < of.nodes;
+    }
+
+    /** Whether a piece that moves is near to a body, which meets it. */
+    boolean piecesMoveNear(int t) {
+        float m = 2f * Tuning.MARGIN * things.thin[t];
+        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        boolean near = false;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                float ax = u == 0 ? 0f : u * state.periodX;
+                float ay = v == 0 ? 0f : v * state.periodY;
+                near |= piecesMoveIn(
+                        t,
+                        tree.box[4 * t] - m + ax,
+                        tree.box[4 * t + 1] - m + ay,
+                        tree.box[4 * t + 2] + m + ax,
+                        tree.box[4 * t + 3] + m + ay);
+            }
+        }
+        return near;
+    }
+
+    private boolean piecesMoveIn(int t, float minX, float minY, float maxX, float maxY) {
+        float[] boxes = terrain.boxes;
+        for (int node = terrain.groundNodes; node < terrain.nodes; node++) {
+            int piece = terrain.links[2 * node + 1];
+            int n = 4 * node;
+            if (piece >= 0
+                    && terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0
+                    && boxes[n] <= maxX
+                    && boxes[n + 1] <= maxY
+                    && boxes[n + 2] >= minX
+                    && boxes[n + 3] >= minY
+                    && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Puts a pair of a body and what has a type and an id behind all others, without counting it. */
+    void probe(int body, int type, int id) {
+        int t = thingOfBody[body];
+        switch (type) {
+            case BODY_BODY -> pair(t, thingOfBody[id], 0f, 0f);
+            case BODY_PIECE -> pairWithPiece(t, pieceThing(id));
+            case BODY_WALL -> pair(t, wallThing(id), 0f, 0f);
+            default -> pair(t, circleThing(id), 0f, 0f);
+        }
+        count--;
+    }
+
+    /** Forgets what pairs have been put behind all others, and their things, of which there were so many before. */
+    void forgetProbes(int thingsBefore) {
+        things.truncate(thingsBefore);
+        for (int wall = 0; wall < thingOfWall.length; wall++) {
+            thingOfWall[wall] = thingOfWall[wall] >= thingsBefore ? -1 : thingOfWall[wall];
+        }
+    }
+
+    /** How many bodies are awake. */
+    int awake() {
+        return awakeBodies;
     }
 
     /** The box of a body, with its part of margins. */
@@ -264,8 +370,10 @@ final class RigidPairs {
         look(minX, minY, maxX, maxY);
         for (int f = 0; f < tree.foundCount; f++) {
             int other = tree.found[f];
-            boolean moves = things.w[t] > 0f || things.i[t] > 0f || things.w[other] > 0f || things.i[other] > 0f;
-            if (other > t && moves && meets(things.kind[t], things.kind[other]) && !areOfOneGroup(t, other)) {
+            if (other > t
+                    && (things.gives(t) || things.gives(other))
+                    && meets(things.kind[t], things.kind[other])
+                    && !areOfOneGroup(t, other)) {
                 add(BODY_BODY, things.id[t], things.id[other]);
             }
         }
@@ -344,7 +452,7 @@ final class RigidPairs {
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
         for (int f = 0; f < tree.foundCount; f++) {
             int t = tree.found[f];
-            boolean moves = things.w[t] > 0f || things.i[t] > 0f || !state.isStatic(slot);
+            boolean moves = things.gives(t) || !isStill(slot);
             if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
                 add(BODY_CIRCLE, things.id[t], state.id[slot]);
             }

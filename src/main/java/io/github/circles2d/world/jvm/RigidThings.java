@@ -69,6 +69,15 @@ final class RigidThings {
     float[] gainOmega = new float[0];
     int[] kind = new int[0];
 
+    /** The same of a body, also of one that sleeps. */
+    float[] ownGainX = new float[0];
+
+    float[] ownGainY = new float[0];
+    float[] ownGainOmega = new float[0];
+
+    /** Of a body: whether it sleeps. */
+    boolean[] asleep = new boolean[0];
+
     /** Of a piece that lets pass what comes from behind. */
     boolean[] oneWay = new boolean[0];
 
@@ -94,6 +103,15 @@ final class RigidThings {
         count = 0;
         cornerCount = 0;
         lineCount = 0;
+    }
+
+    /** Forgets the things from one on, which have been added last. */
+    void truncate(int from) {
+        if (from < count) {
+            cornerCount = firstCorner[from];
+            lineCount = firstLine[from];
+            count = from;
+        }
     }
 
     static int corner(int c) {
@@ -139,6 +157,10 @@ final class RigidThings {
         gainX[t] = 0f;
         gainY[t] = 0f;
         gainOmega[t] = 0f;
+        ownGainX[t] = 0f;
+        ownGainY[t] = 0f;
+        ownGainOmega[t] = 0f;
+        asleep[t] = false;
         kind[t] = 0;
         oneWay[t] = false;
         shape[t] = null;
@@ -179,6 +201,10 @@ final class RigidThings {
         gainX = Arrays.copyOf(gainX, n);
         gainY = Arrays.copyOf(gainY, n);
         gainOmega = Arrays.copyOf(gainOmega, n);
+        ownGainX = Arrays.copyOf(ownGainX, n);
+        ownGainY = Arrays.copyOf(ownGainY, n);
+        ownGainOmega = Arrays.copyOf(ownGainOmega, n);
+        asleep = Arrays.copyOf(asleep, n);
         kind = Arrays.copyOf(kind, n);
         oneWay = Arrays.copyOf(oneWay, n);
         shape = Arrays.copyOf(shape, n);
@@ -199,6 +225,11 @@ final class RigidThings {
             line = Arrays.copyOf(line, 2 * l);
             turnedLine = Arrays.copyOf(turnedLine, 2 * l);
         }
+    }
+
+    /** Whether contacts move or turn a thing. */
+    boolean gives(int t) {
+        return w[t] > 0f || i[t] > 0f;
     }
 
     /** Gives the last thing the outline of a body. */
@@ -381,6 +412,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 128L * type.length + 8L * (corner.length + line.length);
+        return 141L * type.length + 8L * (corner.length + line.length);
     }
 }

@@ -389,7 +389,7 @@ final class RigidVisits {
     private void visit(int c, int body, boolean relaxes) {
         float shareA = contacts.a[c] == body ? share[body] : 1f;
         float shareB = contacts.b[c] == body ? share[body] : 1f;
-        if (relaxes && isIdle(c)) {
+        if (relaxes && isIdle(c) || !isVisited(c)) {
             return;
         }
         float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
@@ -398,6 +398,11 @@ final class RigidVisits {
         if (relaxes || contacts.bounce[c] > 0f) {
             solveGrip(c, gripMass(c, shareA, shareB));
         }
+    }
+
+    /** Whether one of both gives. What sleeps on what moves by itself keeps its impulses. */
+    private boolean isVisited(int c) {
+        return things.gives(contacts.a[c]) || things.gives(contacts.b[c]);
     }
 
     long bytes() {

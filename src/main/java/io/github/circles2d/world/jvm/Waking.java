@@ -90,6 +90,9 @@ final class Waking {
     /** Null without joints. */
     private RestingJoints joints;
 
+    /** Null without bodies. */
+    private WakingByBodies bodies;
+
     // the normal between two circles, and how far their surfaces are apart
     private float nx;
     private float ny;
@@ -154,10 +157,11 @@ final class Waking {
             WakingByBodies pushed) {
         k = constants;
         joints = held;
+        bodies = pushed;
         begin();
         lookAtBorder();
-        if (pushed != null) {
-            lookAtPushed(pushed);
+        if (bodies != null) {
+            lookAtPushed();
         }
         if (joints != null) {
             lookAtPulled();
@@ -195,12 +199,16 @@ final class Waking {
         for (int n = 0; n < count; n++) {
             judge(list[n]);
         }
+        if (bodies != null) {
+            bodies.findWoken();
+        }
         wakeRings();
+        boolean some = bodies != null && bodies.end() || wokenCount > 0;
         for (int n = 0; n < wokenCount; n++) {
             sleepers().restart(state.wake(state.slotOf[woken[n]]));
         }
         sleepers().scale(k.warmScale);
-        return wokenCount > 0;
+        return some;
     }
 
     private void begin() {
@@ -322,7 +330,7 @@ final class Waking {
     }
 
     /** Circles near to bodies: these may hit them, and press them. */
-    private void lookAtPushed(WakingByBodies bodies) {
+    private void lookAtPushed() {
         for (int c = bodies.first(); c < bodies.count(); c++) {
             int id = bodies.circle(c);
             if (look(id)) {
@@ -553,6 +561,14 @@ final class Waking {
                 addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
             }
         }
+        for (int e = bodies == null ? -1 : bodies.firstOf(id); e >= 0; e = bodies.next(e)) {
+            int c = bodies.measure(e);
+            if (c >= 0) {
+                float j = bodies.impulse(c) * k.warmScale;
+                float f = bodies.grip(c) * k.warmScale;
+                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+            }
+        }
         for (int entry = joints == null ? 0 : joints.first(id);
                 joints != null && entry < joints.first(id + 1);
                 entry++) {
@@ -664,11 +680,18 @@ final class Waking {
     /** Passes on what has woken circles, from ring to ring; all of a ring wake at once. */
     private void wakeRings() {
         int from = 0;
-        for (int ring = 1; ring < Sleep.RINGS && from < wokenCount; ring++) {
+        for (int ring = 1; ring < Sleep.RINGS && (from < wokenCount || bodies != null && bodies.hasRing()); ring++) {
             int end = wokenCount;
             count = 0;
+            if (bodies != null) {
+                bodies.beginRing();
+                bodies.passOn(this);
+            }
             for (int n = from; n < end; n++) {
                 passOn(woken[n]);
+                if (bodies != null) {
+                    bodies.passOnFrom(woken[n], speed[woken[n]]);
+                }
                 if (joints != null) {
                     passOnByJoints(woken[n]);
                 }
@@ -682,7 +705,30 @@ final class Waking {
                 }
             }
             from = end;
+            if (bodies != null) {
+                bodies.endRing();
+            }
         }
+    }
+
+    /** What has woken a body reaches a circle that it touches, with an impulse or a gap. own: the inverse mass of the circle. */
+    void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own) {
+        int slot = state.slotOf[id];
+        if (sleepers().isAsleep(id) && wokenIn[id] != step) {
+            reach(
+                    id,
+                    j > 0f
+                            ? Sleep.passedOn(itsSpeed, j, loadOf(id, slot), own, itsInverseMass, gainOfStep(slot))
+                            : Sleep.passedFreely(itsSpeed, gap, own, itsInverseMass, gainOfStep(slot), k.dt));
+        }
+    }
+
+    /** Whether there is no circle to look at but those near to circles and bodies that are awake. */
+    boolean isIdle(RestingJoints held) {
+        return borderCount == 0
+                && sleepers().suspects() == 0
+                && !sleepers().suspectsAll()
+                && jointOrder == (held == null ? NO_JOINTS : held.order());
     }
 
     private void passOn(int id) {

@@ -282,7 +282,10 @@ public enum Call {
             137, 2, Named.RIGID, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE)),
 
     /** A rigid body is in an exclusion group: the body, the group. */
-    RIGID_GROUP(138, 2, Named.RIGID);
+    RIGID_GROUP(138, 2, Named.RIGID),
+
+    /** A rigid body wakes: the body. */
+    WAKE_RIGID(139, 1, Named.RIGID);
 
     /** What the first word of a call may be the id of. */
     public enum Named {

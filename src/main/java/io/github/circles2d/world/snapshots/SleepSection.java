@@ -116,7 +116,7 @@ final class SleepSection {
         return Limits.within("a known acceleration", in.getFloat(), -Float.MAX_VALUE, Float.MAX_VALUE);
     }
 
-    private static boolean isOffset(int offset) {
+    static boolean isOffset(int offset) {
         return offset == Sleep.NO_OFFSET
                 || Math.abs((short) offset) <= Sleep.MOST_PARTS && Math.abs(offset >> 16) <= Sleep.MOST_PARTS;
     }

@@ -239,6 +239,7 @@ public final class SnapshotCodec {
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
         JointSection.checkRigids(s);
+        RigidSection.checkSleep(s);
         return length;
     }
 
