@@ -427,6 +427,8 @@ class RecordedCallsTest {
             "takePositionsById",
             "terrain",
             "Bodies.angle",
+            "Bodies.isAwake",
+            "Bodies.awake",
             "Bodies.angularVelocity",
             "Bodies.contains",
             "Bodies.events",
