@@ -31,7 +31,7 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>New:</b> bodies that fly 40 of their widths a second past others are not right yet; the guide has the list.
  *
  * <p><b>Only on the JVM</b> so far. A world of {@link Backend#AUTO} goes there with its first body; one that was built for a device refuses bodies, with an
- * {@link UnsupportedOperationException}, and goes on without. While there are bodies, no circle {@linkplain World.Builder#sleep sleeps}. {@link
+ * {@link UnsupportedOperationException}, and goes on without. Bodies {@linkplain World.Builder#sleep sleep} as circles do. {@link
  * Queries#bodies} finds bodies, {@link World#joints} hold them.
  *
  * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in
@@ -404,6 +404,36 @@ public final class Bodies {
      */
     public float angularVelocity(long body) {
         return simulation.rigidReads.angularVelocity(body);
+    }
+
+    /**
+     * Whether a body is awake ({@link World.Builder#sleep}).
+     *
+     * @param body the handle of a body
+     * @return false if it sleeps
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public boolean isAwake(long body) {
+        return simulation.rigidReads.isAwake(body);
+    }
+
+    /**
+     * How many bodies are awake.
+     *
+     * @return bodies that steps move
+     */
+    public int awake() {
+        return simulation.rigidReads.awake();
+    }
+
+    /**
+     * Wakes a body, if it sleeps. One that is awake begins anew to come to rest; so a body that is woken before each step never sleeps.
+     *
+     * @param body the handle of a body
+     * @throws IllegalArgumentException if the body has gone, or the handle is none
+     */
+    public void wake(long body) {
+        simulation.rigids.wake(body);
     }
 
     /**

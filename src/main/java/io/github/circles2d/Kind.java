@@ -390,7 +390,7 @@ public final class Kind {
     }
 
     /**
-     * Says whether circles of the kind may fall asleep, if those of the world do ({@link World.Builder#sleep}).
+     * Says whether circles and bodies of the kind may fall asleep, if those of the world do ({@link World.Builder#sleep}).
      *
      * @param sleeps false if they are always awake, as a hero should be
      * @return this
@@ -400,7 +400,7 @@ public final class Kind {
     }
 
     /**
-     * Whether circles of the kind may fall asleep.
+     * Whether circles and bodies of the kind may fall asleep.
      *
      * @return true at first
      */

@@ -449,7 +449,7 @@ public final class World implements AutoCloseable {
         simulation.circles.set(Commands.WAKE, handle, 0, 0);
     }
 
-    /** Wakes all circles that sleep. */
+    /** Wakes all circles and bodies that sleep. */
     public void wakeAll() {
         simulation.circles.wakeAll();
     }
@@ -2125,7 +2125,7 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * Lets circles that lie still fall asleep, and wake when something moves them: steps then cost what is awake, not what there is. By
+         * Lets circles and bodies that lie still fall asleep, and wake when something moves them: steps then cost what is awake, not what there is. By
          * default false. A circle falls asleep if it has hardly moved for a second. It wakes when something is about to push it, when it loses
          * what carries it, when gravity or its force change, or a call changes it. Until then its velocity is 0. {@link
          * Kind#setSleeps} keeps circles of a kind awake; those that a motor drives, that grow or have a torque never sleep, nor do any without

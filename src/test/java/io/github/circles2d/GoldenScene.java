@@ -359,7 +359,15 @@ record GoldenScene(
                                 GoldenBodies::steer,
                                 Surfaces.of(0.5f, 0.01f),
                                 GoldenBodies::groups)
-                        .with(GoldenBodies.MIXED));
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
+                                "bodies-asleep",
+                                BodyScenes.ball(),
+                                GoldenSleep::crates,
+                                Surfaces.of(0.6f, 0.02f),
+                                GoldenBodies::pyramid)
+                        .sleeping()
+                        .with(GoldenBodies.OF_PYRAMID));
     }
 
     private static Scene heap() {

@@ -94,6 +94,26 @@ final class GoldenSleep {
         }
     }
 
+    /** A ball falls on a pyramid, a crate of its lowest row goes, others are driven and woken, and gravity tilts. */
+    static void crates(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        long[] crates = world.rigids();
+        long ball = run.readHandles()[0];
+        switch (number(run)) {
+            case 1 -> {
+                world.teleport(ball, 0.55f, 0.7f);
+                world.setVelocity(ball, 0f, 0f);
+            }
+            case 2 -> world.removeRigid(crates[3]);
+            case 3 -> {
+                world.driveRigid(crates[0], 0.001f, 0f, 0f);
+                world.wakeRigid(crates[crates.length - 1]);
+            }
+            case 4 -> world.setGravity(0.2f, -0.98f);
+            default -> {}
+        }
+    }
+
     /** As {@link #ball}; the time step becomes another one from time to time. */
     static void timeStep(GoldenScene.Run run) {
         if (number(run) > 0) {

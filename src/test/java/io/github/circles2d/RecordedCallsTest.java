@@ -301,6 +301,7 @@ class RecordedCallsTest {
             change("Bodies.setTorque(long, float)", (w, a, b) -> w.bodies().setTorque(body(w), 2)),
             change("Bodies.setKind(long, int)", (w, a, b) -> w.bodies().setKind(body(w), 2)),
             change("Bodies.setGroup(long, int)", (w, a, b) -> w.bodies().setGroup(body(w), -7)),
+            change("Bodies.wake(long)", (w, a, b) -> w.bodies().wake(body(w))),
             change("Bodies.setTag(long, long)", (w, a, b) -> w.bodies().setTag(body(w), -1L << 40)),
             change("Bodies.setRestitution(long, float)", (w, a, b) -> w.bodies().setRestitution(body(w), 0.75f)),
             change("Bodies.setInertia(long, float)", (w, a, b) -> w.bodies()
@@ -426,6 +427,8 @@ class RecordedCallsTest {
             "takePositionsById",
             "terrain",
             "Bodies.angle",
+            "Bodies.isAwake",
+            "Bodies.awake",
             "Bodies.angularVelocity",
             "Bodies.contains",
             "Bodies.events",

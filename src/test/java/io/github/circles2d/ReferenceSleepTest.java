@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.reference.BodyOutline;
 import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.JointPlan;
@@ -26,23 +27,31 @@ class ReferenceSleepTest {
 
     @Test
     void heapsSleepAndWakeAsTheReferencesDo() {
-        run(false);
+        run(false, false);
     }
 
     @Test
     void whatJointsHoldSleepsAndWakesAsTheReferencesDo() {
-        run(true);
+        run(true, false);
     }
 
-    private static void run(boolean jointed) {
+    @Test
+    void heapsWithBodiesSleepAndWakeAsTheReferencesDo() {
+        run(false, true);
+    }
+
+    private static void run(boolean jointed, boolean crated) {
         int asleep = 0;
         int woken = 0;
+        int bodiesAsleep = 0;
         for (int k = 0; k < PROGRAMS; k++) {
-            Program program = new Program(SEED + k, jointed);
+            Program program = new Program(SEED + k, jointed, crated);
             program.run();
             asleep += program.fellAsleep;
             woken += program.woke;
+            bodiesAsleep += program.bodiesFellAsleep;
         }
+        assertThat(bodiesAsleep).as("bodies that fell asleep").isGreaterThanOrEqualTo(crated ? 2 * PROGRAMS : 0);
         assertThat(asleep).as("circles that fell asleep").isGreaterThan(3 * PROGRAMS);
         assertThat(woken).as("circles that woke").isGreaterThan(PROGRAMS);
     }
@@ -54,6 +63,7 @@ class ReferenceSleepTest {
         private final boolean wraps;
         private final boolean terrain;
         private final boolean jointed;
+        private final boolean crated;
         private final Surfaces surfaces;
         private World world;
         private ReferenceWorld reference;
@@ -65,11 +75,13 @@ class ReferenceSleepTest {
         private final List<Consumer<WorldCalls>> reports = new ArrayList<>();
         private List<Long> sleeping = List.of();
         int fellAsleep;
+        int bodiesFellAsleep;
         int woke;
 
-        Program(long seed, boolean jointed) {
+        Program(long seed, boolean jointed, boolean crated) {
             this.seed = seed;
             this.jointed = jointed;
+            this.crated = crated;
             random = new SplittableRandom(seed);
             mixed = random.nextInt(3) == 0;
             wraps = random.nextInt(4) == 0;
@@ -96,6 +108,9 @@ class ReferenceSleepTest {
                 for (int k = 0; k < count; k++) {
                     add(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
                 }
+                for (int k = 0; k < (crated ? 1 + random.nextInt(4) : 0); k++) {
+                    addCrate(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
+                }
                 if (jointed) {
                     both("setMotion", c -> c.setMotion(0, 1f, 2f, 50f));
                     for (int k = 0; k < count; k++) {
@@ -106,6 +121,8 @@ class ReferenceSleepTest {
                 for (int k = 0; k < 25; k++) {
                     if (jointed && random.nextBoolean()) {
                         changeJoints();
+                    } else if (crated && random.nextBoolean()) {
+                        changeCrates();
                     } else {
                         disturb();
                     }
@@ -164,6 +181,55 @@ class ReferenceSleepTest {
             float mass = random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : radius * radius;
             int kind = Math.max(0, random.nextInt(5) - 2);
             both("add", c -> c.add(x, y, radius, mass, 0f, 0f, kind));
+        }
+
+        private void addCrate(float x, float y) {
+            float size = 0.5f + 0.6f * (float) random.nextDouble();
+            BodyOutline outline =
+                    switch (random.nextInt(3)) {
+                        case 0 -> BodyOutline.box(size, 0.6f * size);
+                        case 1 -> BodyOutline.capsule(size, 0.3f * size);
+                        default -> BodyOutline.box(1.5f * size, 0.2f);
+                    };
+            float mass = random.nextInt(4) == 0 ? 5f : size * size;
+            int kind = Math.max(0, random.nextInt(5) - 2);
+            float angle = random.nextBoolean() ? 0f : little();
+            both("addRigid", c -> c.addRigid(outline, x, y, angle, mass, kind));
+        }
+
+        private void changeCrates() {
+            long[] all = reference.rigids();
+            float a = little();
+            float b = little();
+            if (all.length == 0 || random.nextInt(12) == 0) {
+                addCrate(5f + 20f * a, 3f + 5f * b);
+                return;
+            }
+            long body = all[random.nextInt(all.length)];
+            switch (random.nextInt(16)) {
+                case 0 -> both("removeRigid", c -> c.removeRigid(body));
+                case 1 -> both("setRigidVelocity", c -> c.setRigidVelocity(body, 5f * a, 5f * b, a));
+                case 2 -> both("teleportRigid", c -> c.teleportRigid(body, 5f + 20f * a, 3f + 5f * b, a));
+                case 3 -> {
+                    float x = world.bodies().x(body) + a;
+                    both("pushRigid", c -> c.pushRigid(body, a, b, x, 1f));
+                }
+                case 4 -> both("turnRigid", c -> c.turnRigid(body, a));
+                case 5 -> both("pressRigid", c -> c.pressRigid(body, 10f * a, 10f * b, a));
+                case 6 -> both("driveRigid", c -> c.driveRigid(body, 4f * a, 4f * b, a > 0f ? a : 0f));
+                case 7 -> both("driveRigid", c -> c.driveRigid(body, 0f, 0f, 0f));
+                case 8 -> both("setRigidKind", c -> c.setRigidKind(body, a > 0f ? 1 : 0));
+                case 9 -> both("setRigidGroup", c -> c.setRigidGroup(body, a > 0f ? 1 : 0));
+                case 10 -> both("setRigidRestitution", c -> c.setRigidRestitution(body, Math.abs(a)));
+                case 11 -> {
+                    float share = a > 0f ? Float.POSITIVE_INFINITY : 1f;
+                    both("setRigidInertia", c -> c.setRigidInertia(body, share));
+                }
+                case 12 -> both("clearRigids", WorldCalls::clearRigids);
+                case 14 -> both("wakeRigid", c -> c.wakeRigid(body));
+                case 13 -> both("pressRigidAt", c -> c.pressRigidAt(body, 10f * a, 10f * b, 5f, 1f));
+                default -> both("setRigidVelocity", c -> c.setRigidVelocity(body, 0.3f * a, 0.3f * b, 0f));
+            }
         }
 
         private long some() {
@@ -385,6 +451,13 @@ class ReferenceSleepTest {
                     assertThat(world.isAwake(handle)).isEqualTo(reference.isAwake(handle));
                     if (!world.isAwake(handle)) {
                         now.add(handle);
+                    }
+                }
+                for (long body : crated ? reference.rigids() : new long[0]) {
+                    assertThat(world.bodies().isAwake(body)).isEqualTo(reference.isRigidAwake(body));
+                    if (!world.bodies().isAwake(body)) {
+                        now.add(body);
+                        bodiesFellAsleep += sleeping.contains(body) ? 0 : 1;
                     }
                 }
                 fellAsleep +=

@@ -280,32 +280,6 @@ class WorldBodiesTest {
     }
 
     @Test
-    void whileThereAreBodiesNoCircleSleeps() {
-        try (World world = WorldScenes.jvm()
-                .bounds(0, 0, 20, 10)
-                .gravity(0, -10)
-                .sleep(true)
-                .build()) {
-            long ball = world.add(5, 0.5f, 0.5f, 1);
-            world.step(1 / 60f, 120);
-            assertThat(world.isAwake(ball)).isFalse();
-            long body = world.bodies().add(CRATE, 15, 0.5f, 0, 1);
-            assertThat(world.isAwake(ball)).isTrue();
-            ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
-            world.snapshot(saved);
-            world.step(1 / 60f, 120);
-            assertThat(world.isAwake(ball)).isTrue();
-            long hash = world.hash();
-            world.restore(saved.flip());
-            world.step(1 / 60f, 120);
-            assertThat(world.hash()).isEqualTo(hash);
-            world.bodies().remove(body);
-            world.step(1 / 60f, 120);
-            assertThat(world.isAwake(ball)).isFalse();
-        }
-    }
-
-    @Test
     void whatGoesRightAfterARestoreTakesItsContactsAlong() {
         try (World world = world();
                 World restored = world()) {

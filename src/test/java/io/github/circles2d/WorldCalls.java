@@ -202,6 +202,14 @@ public interface WorldCalls {
         bodies().remove(body);
     }
 
+    default void wakeRigid(long body) {
+        bodies().wake(body);
+    }
+
+    default boolean isRigidAwake(long body) {
+        return bodies().isAwake(body);
+    }
+
     default void clearRigids() {
         bodies().clear();
     }

@@ -198,7 +198,7 @@ public final class Simulation implements AutoCloseable {
         world.pending.prepareNeeds();
         world.terrain.makeRoom(world.settings.subSteps());
         world.joints.makeRoom(world.settings.subSteps());
-        world.rigids.makeRoom(world.handles.end(), world.terrain.pieces.ids.end());
+        world.rigids.makeRoom(world.handles.end(), world.terrain.pieces.ids.end(), world.settings.sleeps());
         world.pending
                 .apply(); // last: a step that lacks memory before it takes its changes back, which the pipeline must
         // not have
@@ -253,7 +253,7 @@ public final class Simulation implements AutoCloseable {
             world.input.motion.update(constants, world.kinds, world.kinds.version());
         }
         if (constants.sleeping) {
-            world.input.sleep.update(world.kinds, world.kinds.version(), world.rigids.isThere());
+            world.input.sleep.update(world.kinds, world.kinds.version());
         }
         constants.turning = world.needs.turns();
         if (constants.turning) {

@@ -154,6 +154,7 @@ final class BodiesTable extends Table {
         add(4, "teleport", body, x(), y(), angle());
         add(2, "setKind", body, kind());
         add(3, "setGroup", body, whole(draw -> draw.below(4)));
+        add(2, "wake", body);
         add(2, "setTag", body, number());
         add(2, "setRestitution", body, real(0, 1));
         add(2, "setInertia", body, real(draw -> draw.oneOf(3) ? Float.POSITIVE_INFINITY : draw.between(0, 1e6f)));
@@ -177,12 +178,14 @@ final class BodiesTable extends Table {
             "angle",
             "vx",
             "vy",
-            "angularVelocity"
+            "angularVelocity",
+            "isAwake"
         }) {
             add(1, name, body);
         }
         call(1, null, Bodies.class, "id", body);
         add(1, "size");
+        add(1, "awake");
         add(1, "idLimit");
         add(1, "handle", whole(draw -> draw.below(5)));
         add(6, "report", new Drawn(boolean.class, draw -> new Values.Constant(!draw.oneOf(4))));

@@ -22,7 +22,7 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 
 /**
- * World as docs/step.md and docs/step-bodies.md specify it, but for worlds whose circles sleep and that have bodies, events of bodies, and explosions
+ * World as docs/step.md and docs/step-bodies.md specify it, but for events of bodies, and explosions
  * that push bodies. Arguments are not checked: World is asked first, and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
@@ -214,17 +214,35 @@ public final class ReferenceWorld implements WorldCalls {
 
     /** Wakes circles that sleep and may touch one that changes. */
     private void wakeNear(Circle changed) {
+        wakeNear(changed.base, changed.radius);
+    }
+
+    private void wakeNear(Rigid changed) {
+        wakeNear(changed.base, changed.outline.reach);
+    }
+
+    private void wakeNear(float[] place, float reach) {
         for (Circle c : circles()) {
-            float[] way = arena.way(c.base, changed.base);
-            float far = WAKING_NEIGHBOURS * (c.radius + changed.radius);
+            float[] way = arena.way(c.base, place);
+            float far = WAKING_NEIGHBOURS * (c.radius + reach);
             if (c.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
                 c.wake();
+            }
+        }
+        for (Rigid body : rigids.all()) {
+            float[] way = arena.way(body.base, place);
+            float far = WAKING_NEIGHBOURS * (body.outline.reach + reach);
+            if (body.isAsleep() && Math.abs(way[0]) <= far && Math.abs(way[1]) <= far) {
+                body.wake();
             }
         }
     }
 
     private void wakeKinds(IntPredicate which) {
         circles().stream().filter(c -> c.isAsleep() && which.test(c.kind)).forEach(Circle::wake);
+        rigids.all().stream()
+                .filter(body -> body.isAsleep() && which.test(body.kind))
+                .forEach(Rigid::wake);
     }
 
     /** Changes a value of a kind. */
@@ -251,6 +269,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void wakeAll() {
         circles().stream().filter(Circle::isAsleep).forEach(Circle::wake);
+        rigids.all().stream().filter(Rigid::isAsleep).forEach(Rigid::wake);
     }
 
     @Override
@@ -622,6 +641,7 @@ public final class ReferenceWorld implements WorldCalls {
         body.put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
         body.kind = kind;
         body.restitution = kinds.restitution(kind, restitution);
+        wakeNear(body);
         return body.handle;
     }
 
@@ -632,16 +652,29 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeRigid(long body) {
+        wakeNear(rigids.find(body));
         rigids.remove(rigids.find(body));
     }
 
     @Override
+    public void wakeRigid(long body) {
+        rigids.find(body).wake();
+    }
+
+    @Override
+    public boolean isRigidAwake(long body) {
+        return !rigids.find(body).isAsleep();
+    }
+
+    @Override
     public void clearRigids() {
+        wakeAll();
         rigids.clear();
     }
 
     @Override
     public void setRigidVelocity(long body, float vx, float vy, float angularVelocity) {
+        rigids.find(body).wake();
         rigids.find(body).velocity[0] = vx + 0f;
         rigids.find(body).velocity[1] = vy + 0f;
         rigids.find(body).omega = angularVelocity + 0f;
@@ -649,18 +682,23 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void teleportRigid(long body, float x, float y, float angle) {
+        wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).put(arena.inside(0, x), arena.inside(1, y), (int) Angles.units(angle));
         rigids.forgetContacts(rigids.find(body));
+        wakeNear(rigids.find(body));
     }
 
     @Override
     public void pushRigid(long body, float x, float y, float pointX, float pointY) {
         Rigid pushed = rigids.find(body);
+        pushed.wake();
         pushed.push(new float[] {x, y}, arena.way(pushed.base, place(pointX, pointY)));
     }
 
     @Override
     public void turnRigid(long body, float impulse) {
+        rigids.find(body).wake();
         rigids.find(body).turn(impulse);
     }
 
@@ -685,12 +723,16 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRigidKind(long body, int kind) {
+        wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).kind = kind;
         rigids.find(body).restitution = kinds.restitution(kind, rigids.find(body).restitution);
     }
 
     @Override
     public void setRigidGroup(long body, int group) {
+        wakeNear(rigids.find(body));
+        rigids.find(body).wake();
         rigids.find(body).group = group;
     }
 
@@ -701,12 +743,14 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setRigidRestitution(long body, float e) {
+        rigids.find(body).wake();
         rigids.find(body).restitution = e + 0f;
     }
 
     @Override
     public void setRigidInertia(long body, float share) {
         Rigid turned = rigids.find(body);
+        turned.wake();
         turned.inertia = share * (turned.mass * turned.outline.inertia);
     }
 
@@ -881,6 +925,12 @@ public final class ReferenceWorld implements WorldCalls {
         circles().stream()
                 .filter(c -> changes && c.isAsleep() && side * c.wallImpulse[number / 2] > 0f)
                 .forEach(Circle::wake);
+        for (RigidContact.Saved saved : changes ? rigids.contacts() : List.<RigidContact.Saved>of()) {
+            rigids.all().stream()
+                    .filter(body -> body.id == saved.body() && body.isAsleep())
+                    .filter(body -> saved.type() == RigidThing.WALL && saved.other() == number && saved.impulse() > 0f)
+                    .forEach(Rigid::wake);
+        }
     }
 
     @Override
@@ -1104,6 +1154,9 @@ public final class ReferenceWorld implements WorldCalls {
         for (Rigid body : rigids.all()) {
             for (int a = 0; a < 2; a++) {
                 float inside = arena.inside(a, Numbers.clamp(body.base[a], min[a], max[a]));
+                if (inside != body.base[a]) {
+                    wakeAll();
+                }
                 body.rest[a] = inside == body.base[a] ? body.rest[a] : 0f;
                 body.base[a] = inside;
             }

@@ -41,12 +41,37 @@ final class Rigid {
     float lastingTorque;
     int group;
 
+    /** As of a {@link Circle}. */
+    int restSteps;
+
+    int turned;
+    final float[] drift = new float[2];
+
+    /** While asleep, the angular acceleration that it knows, and what its turning was out of balance. */
+    float knownSpin;
+
+    int spinOffset;
+
     Rigid(int id, long handle, RigidOutline outline, float mass) {
         this.id = id;
         this.handle = handle;
         this.outline = outline;
         this.mass = mass;
         inertia = mass * outline.inertia;
+    }
+
+    boolean isAsleep() {
+        return restSteps < 0;
+    }
+
+    /** Is awake, and begins anew to come to rest. */
+    void wake() {
+        restSteps = 0;
+        turned = 0;
+        drift[0] = 0f;
+        drift[1] = 0f;
+        knownSpin = 0f;
+        spinOffset = 0;
     }
 
     void put(float x, float y, int toAngle) {
@@ -107,6 +132,11 @@ final class Rigid {
                 place(a, inside);
             }
         }
+        release();
+    }
+
+    /** What acts in one step alone has acted. */
+    void release() {
         force[0] = 0f;
         force[1] = 0f;
         torque = 0f;
@@ -122,7 +152,13 @@ final class Rigid {
             Float.floatToRawIntBits(lastingForce[0]),
             Float.floatToRawIntBits(lastingForce[1]),
             Float.floatToRawIntBits(lastingTorque),
-            group
+            group,
+            restSteps,
+            turned,
+            Float.floatToRawIntBits(drift[0]),
+            Float.floatToRawIntBits(drift[1]),
+            Float.floatToRawIntBits(knownSpin),
+            spinOffset
         };
         for (int k = 0; k < bits.length; k++) {
             if (bits[k] != 0) {

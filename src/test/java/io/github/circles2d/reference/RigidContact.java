@@ -32,6 +32,10 @@ final class RigidContact {
 
     /** What stays of a contact: the numbers of the form and of the feature of the body, and that of the other's feature. */
     record Saved(int type, int body, int other, int first, int second, float impulse, float grip) {
+        Saved times(float scale) {
+            return new Saved(type, body, other, first, second, scale * impulse, scale * grip);
+        }
+
         int form() {
             return first >> 16;
         }
@@ -101,6 +105,10 @@ final class RigidContact {
         second = swapped ? corner : feature;
         float side = swapped ? -1f : 1f;
         offset = new float[] {side * pair.offset[0], side * pair.offset[1]};
+    }
+
+    boolean isOf(Circle c) {
+        return a.circle == c || b.circle == c;
     }
 
     float[] corner() {
@@ -182,7 +190,7 @@ final class RigidContact {
         float radii = r + line[5];
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
-        float more = GOES_ON * (a.w > 0f || b.w == 0f ? a.thin : b.thin);
+        float more = GOES_ON * (a.ownW > 0f || b.ownW == 0f ? a.thin : b.thin);
         boolean beside = !(along >= -more && along <= line[4] + more);
         if (beside && height > radii) {
             float ux = a.velocity[0] - a.omega * py - b.velocity[0] + b.omega * (d[1] + py);
@@ -208,7 +216,7 @@ final class RigidContact {
 
     private static float inverseMass(RigidThing t, float armX, float armY, float x, float y) {
         float arm = armX * y - armY * x;
-        return t.w + t.i * arm * arm;
+        return t.ownW + t.ownI * arm * arm;
     }
 
     /** One over the effective mass of A, or B, alone, along the normal. */
@@ -253,7 +261,7 @@ final class RigidContact {
 
     /** R of both: the sum of the half thicknesses, of which that of what does not move counts as the other's. */
     private float radii() {
-        return a.w == 0f ? 2f * b.thin : b.w == 0f ? 2f * a.thin : a.thin + b.thin;
+        return a.ownW == 0f ? 2f * b.thin : b.ownW == 0f ? 2f * a.thin : a.thin + b.thin;
     }
 
     private void apply(float x, float y, boolean summing) {
@@ -367,8 +375,8 @@ final class RigidContact {
         if (friction > 0f) {
             float armA = ax * nx + ay * ny;
             float armB = bx * nx + by * ny;
-            float m = massOf(
-                    shareOf(a, summing) * (a.w + a.i * armA * armA) + shareOf(b, summing) * (b.w + b.i * armB * armB));
+            float m = massOf(shareOf(a, summing) * (a.ownW + a.ownI * armA * armA)
+                    + shareOf(b, summing) * (b.ownW + b.ownI * armB * armB));
             float[] u = speed();
             float slip = u[1] * nx - u[0] * ny - (a.belt + b.belt);
             float next = held(grip - m * slip, friction * impulse);
@@ -377,7 +385,7 @@ final class RigidContact {
             apply(-ny * gained, nx * gained, summing);
         }
         float resistance = max(a.rolling, b.rolling);
-        float turns = a.i + b.i;
+        float turns = a.ownI + b.ownI;
         if (resistance > 0f && turns > 0f) {
             float next = held(roll - massOf(turns) * (a.omega - b.omega), resistance * impulse);
             float gained = next - roll;

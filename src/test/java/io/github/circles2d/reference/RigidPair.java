@@ -38,7 +38,7 @@ final class RigidPair {
         this.offset = offset;
         this.k = k;
         float both = 2f * (a.near + b.near);
-        margin = b.w == 0f && b.type != RigidThing.BODY ? both + 2f * Circle.MARGIN * a.thin : both;
+        margin = b.ownW == 0f && b.type != RigidThing.BODY ? both + 2f * Circle.MARGIN * a.thin : both;
     }
 
     boolean hasCircle() {
@@ -53,6 +53,19 @@ final class RigidPair {
         h ^= h >>> 12;
         h *= 0x297A2D39;
         return h ^ h >>> 15;
+    }
+
+    /** A contact of the step before, as it lies. */
+    RigidContact measured(RigidContact.Saved saved) {
+        int ofA = saved.first() & 0xFFFF;
+        RigidContact c = saved.form() == RigidContact.SWAPPED
+                ? new RigidContact(this, b, a, saved.second(), ofA, true, true, k)
+                : new RigidContact(
+                        this, a, b, ofA, saved.second(), saved.form() == RigidContact.CORNER_ON_LINE, false, k);
+        c.measure();
+        c.impulse = saved.impulse();
+        c.grip = saved.grip();
+        return c;
     }
 
     /** Finds contacts, with what the pair had in the step before. */
@@ -138,7 +151,7 @@ final class RigidPair {
     /** Corners of t with lines of o, from which t is (x, y) away. */
     private void cornersOnLines(RigidThing t, RigidThing o, float x, float y, boolean swapped) {
         float tolerance = TOLERANCE + Math.abs(t.omega - o.omega) * k.dt();
-        boolean fast = margin > (t.w > 0f ? t.thin : o.thin);
+        boolean fast = margin > (t.ownW > 0f ? t.thin : o.thin);
         for (int c = 0; c < t.corners.size(); c++) {
             float[] corner = t.corners.get(c);
             float px = x + corner[0];

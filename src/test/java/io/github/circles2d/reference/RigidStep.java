@@ -42,6 +42,9 @@ final class RigidStep {
     /** Those with contacts, in the order of the types and the ids. */
     private List<RigidPair> pairs = new ArrayList<>();
 
+    /** Contacts that stay as they are. */
+    private List<RigidContact.Saved> resting = List.of();
+
     /** Those without circles, in the order in which a pass visits them. */
     private List<RigidPair> coloured = List.of();
 
@@ -65,6 +68,8 @@ final class RigidStep {
         t.omega = body.omega;
         t.w = 1f / body.mass;
         t.i = 1f / body.inertia;
+        t.ownW = t.w;
+        t.ownI = t.i;
         t.restitution = body.restitution;
         takeSurface(t, body.kind);
         float scale = kinds.getFloat(body.kind, Kinds.GRAVITY_SCALE);
@@ -73,11 +78,20 @@ final class RigidStep {
             t.gain[a] = gain(limitSpeed(k.gravity()[a] * scale) * k.h(), body.force(a), t.w);
         }
         t.angularGain = gain(0f, body.torque(), t.i);
+        t.ownGain = t.gain.clone();
+        t.ownAngularGain = t.angularGain;
         t.turnBody();
         float speed = length(t.velocity);
         float spin = (Math.abs(t.omega) + Math.abs(t.angularGain) * k.subSteps()) * t.reach;
         float way = k.dt() * (speed + length(t.gain) * k.subSteps() + spin);
         t.near = Circle.MARGIN * t.thin + 0.5f * (way > t.thin ? 2f * way : way);
+        if (body.isAsleep()) {
+            t.w = 0f;
+            t.i = 0f;
+            t.gain[0] = 0f;
+            t.gain[1] = 0f;
+            t.angularGain = 0f;
+        }
         t.given = new FixedSum(t.reach * k.inverseH());
         t.givenSpin = new FixedSum(k.inverseH());
         return t;
@@ -104,6 +118,8 @@ final class RigidStep {
         t.reach = c.radius;
         t.w = c.inverseMass();
         t.i = c.turn.inverseInertia / (c.radius * c.radius);
+        t.ownW = c.ownInverseMass();
+        t.ownI = c.turn.ownInverseInertia / (c.radius * c.radius);
         t.restitution = c.restitution;
         t.friction = c.turn.friction;
         t.rolling = c.turn.rollingResistance;
@@ -112,7 +128,8 @@ final class RigidStep {
             t.gain[a] = c.gain[a];
         }
         float speed = length(c.velocity);
-        t.near = Circle.MARGIN * c.radius + 0.5f * k.dt() * (speed + length(t.gain) * k.subSteps());
+        float gain = c.hasInfiniteMass() ? 0f : length(c.gain);
+        t.near = Circle.MARGIN * c.radius + 0.5f * k.dt() * (speed + gain * k.subSteps());
         return t;
     }
 
@@ -258,7 +275,11 @@ final class RigidStep {
     private void findPairs() {
         for (RigidThing t : bodies) {
             for (RigidThing o : bodies) {
-                if (o.id > t.id && meets(t, o.kind) && !areOfOneGroup(t, o.body.group) && meet(box(t), box(o))) {
+                if (o.id > t.id
+                        && (t.gives() || o.gives())
+                        && meets(t, o.kind)
+                        && !areOfOneGroup(t, o.body.group)
+                        && meet(box(t), box(o))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
             }
@@ -270,7 +291,7 @@ final class RigidStep {
         for (RigidThing t : bodies) {
             for (RigidThing o : pieces) {
                 float[] box = wider(box(t), 2f * Circle.MARGIN * t.thin);
-                if (meets(t, o.kind) && meet(box, box(o.piece))) {
+                if (t.gives() && meets(t, o.kind) && meet(box, box(o.piece))) {
                     pairs.add(new RigidPair(t, o, wayFromPiece(o, t), k));
                 }
             }
@@ -283,7 +304,7 @@ final class RigidStep {
                 float behind = Numbers.max(in(o.id), 0f);
                 boolean near =
                         o.id % 2 == 0 ? box[axis] - behind < k.min()[axis] : box[2 + axis] + behind > k.max()[axis];
-                if (near) {
+                if (near && t.gives()) {
                     pairs.add(new RigidPair(t, o, Numbers.minus(t.place, o.place), k));
                 }
             }
@@ -293,7 +314,8 @@ final class RigidStep {
             for (RigidThing o : discs) {
                 float m = o.reach + 2.25f * o.near;
                 float[] box = wider(new float[] {o.place[0], o.place[1], o.place[0], o.place[1]}, m);
-                if (meets(t, o.kind) && !areOfOneGroup(t, o.circle.group) && meet(box, box(t))) {
+                boolean moves = t.gives() || !isStill(o.circle);
+                if (moves && meets(t, o.kind) && !areOfOneGroup(t, o.circle.group) && meet(box, box(t))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
             }
@@ -305,14 +327,102 @@ final class RigidStep {
                 .toList());
     }
 
-    /** Begins the step: finds the contacts. */
-    void begin(List<RigidContact.Saved> saved, float warmScale) {
+    /** Whether a circle gives way to nobody and has no velocity. */
+    private static boolean isStill(Circle c) {
+        return c.isStatic() && c.velocity[0] == 0f && c.velocity[1] == 0f;
+    }
+
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    List<RigidThing> bodies() {
+        return bodies;
+    }
+
+    private boolean isAsleep(int id) {
+        return bodies.stream().anyMatch(t -> t.id == id && t.isAsleep());
+    }
+
+    /** Whether both things of a contact of the step before rest: it stays as it is. */
+    private boolean rests(RigidContact.Saved saved) {
+        return isAsleep(saved.body())
+                && switch (saved.type()) {
+                    case RigidThing.BODY -> isAsleep(saved.other());
+                    case RigidThing.CIRCLE -> circles.stream().anyMatch(c -> c.id == saved.other() && isStill(c));
+                    default -> true;
+                };
+    }
+
+    /** What of contacts stays. */
+    List<RigidContact.Saved> resting(List<RigidContact.Saved> saved, float warmScale) {
+        return saved.stream()
+                .filter(this::rests)
+                .map(each -> each.times(warmScale))
+                .toList();
+    }
+
+    /** A contact that stays, as it lies. */
+    RigidContact measured(RigidContact.Saved saved) {
+        RigidThing t = bodyOf(saved.body());
+        RigidThing o =
+                switch (saved.type()) {
+                    case RigidThing.BODY -> bodyOf(saved.other());
+                    case RigidThing.PIECE ->
+                        thing(terrain.pieces().stream()
+                                .filter(piece -> piece.id == saved.other())
+                                .findFirst()
+                                .orElseThrow());
+                    case RigidThing.WALL -> wall(saved.other());
+                    default ->
+                        thing(circles.stream()
+                                .filter(c -> c.id == saved.other())
+                                .findFirst()
+                                .orElseThrow());
+                };
+        float[] offset =
+                switch (saved.type()) {
+                    case RigidThing.PIECE -> wayFromPiece(o, t);
+                    case RigidThing.WALL -> Numbers.minus(t.place, o.place);
+                    default -> way(o, t);
+                };
+        return new RigidPair(t, o, offset, k).measured(saved);
+    }
+
+    private RigidThing bodyOf(int id) {
+        return bodies.stream().filter(t -> t.id == id).findFirst().orElseThrow();
+    }
+
+    /** Whether a wall or a piece moves near to a body that sleeps. */
+    boolean movesNear(RigidThing t) {
+        float[] box = wider(box(t), 2f * Circle.MARGIN * t.thin);
+        boolean near = false;
+        for (int wall = 0; wall < 4; wall++) {
+            int axis = wall / 2;
+            float travel = Math.abs(in(wall));
+            near |= in(wall) != 0f
+                    && (wall % 2 == 0 ? box[axis] - travel < k.min()[axis] : box[2 + axis] + travel > k.max()[axis]);
+        }
+        for (Piece piece : terrain.pieces()) {
+            near |= piece.body.motion != null && meets(t, piece.kind) && meet(box, box(piece));
+        }
+        return near;
+    }
+
+    /** Finds the contacts as all lies now, with what they have accumulated. */
+    List<RigidContact> find(List<RigidContact.Saved> saved, float warmScale) {
         findPairs();
         for (RigidPair pair : pairs) {
             Predicate<RigidContact.Saved> itsOwn =
                     s -> s.type() == pair.b.type && s.body() == pair.a.id && s.other() == pair.b.id;
             pair.find(saved.stream().filter(itsOwn).toList(), warmScale);
         }
+        return contacts();
+    }
+
+    /** Begins the step. */
+    void begin(List<RigidContact.Saved> saved, float warmScale) {
+        resting = resting(saved, warmScale);
+        find(saved, warmScale);
         leaveOutCovered();
         pairs = pairs.stream().filter(pair -> !pair.contacts.isEmpty()).toList();
         colour();
@@ -324,7 +434,7 @@ final class RigidStep {
             for (RigidContact c : pair.contacts) {
                 if (pair.hasCircle()) {
                     float kb = c.inverseMassOf(c.a == pair.a);
-                    pair.a.share += kb / (kb + pair.b.w);
+                    pair.a.share += kb / (kb + pair.b.ownW);
                 }
             }
         }
@@ -350,6 +460,7 @@ final class RigidStep {
     private static boolean isCovered(RigidContact c, RigidThing t, List<RigidContact> all) {
         float slack = COVER * t.thin;
         return t.type == RigidThing.BODY
+                && t.w > 0f
                 && all.stream()
                         .anyMatch(p -> p != c
                                 && (p.a == t || p.b == t)
@@ -421,9 +532,8 @@ final class RigidStep {
     private static boolean isTaken(RigidPair pair, List<RigidPair> chosen) {
         return chosen.stream()
                 .anyMatch(other -> other.colour == pair.colour
-                        && (other.a == pair.a
-                                || other.b == pair.a
-                                || pair.b.type == RigidThing.BODY && (other.a == pair.b || other.b == pair.b)));
+                        && (pair.a.gives() && (other.a == pair.a || other.b == pair.a)
+                                || pair.b.gives() && (other.a == pair.b || other.b == pair.b)));
     }
 
     // ---- passes
@@ -556,7 +666,7 @@ final class RigidStep {
                 pairs.stream().filter(RigidPair::hasCircle).toList();
         for (RigidPair pair : withCircles) {
             for (RigidContact c : pair.contacts) {
-                if (relaxes && c.isIdle()) {
+                if (relaxes && c.isIdle() || !pair.a.gives() && !pair.b.gives()) {
                     continue;
                 }
                 if (relaxes) {
@@ -603,13 +713,24 @@ final class RigidStep {
     /** Bodies take what they have become; returns the contacts that the next step starts from. */
     List<RigidContact.Saved> end() {
         for (RigidThing t : bodies) {
+            if (t.isAsleep()) {
+                t.body.release();
+                continue;
+            }
+            float[] moved = Numbers.minus(t.way, t.body.rest);
+            int turned = t.angle() - t.body.angle;
             t.body.arrive(t.way, k.arena(), k.min(), k.max());
             t.body.angle = t.angle();
             for (int a = 0; a < 2; a++) {
                 t.body.velocity[a] = limitSpeed(t.velocity[a]);
             }
             t.body.omega = limitSpeed(t.omega);
+            if (k.sleep()) {
+                RigidSleep.rest(t, moved, turned, k, kinds);
+            }
         }
-        return contacts().stream().map(RigidContact::save).toList();
+        List<RigidContact.Saved> kept = new ArrayList<>(resting);
+        contacts().forEach(c -> kept.add(c.save()));
+        return kept;
     }
 }

@@ -42,6 +42,11 @@ final class RigidThing {
 
     float i;
 
+    /** The same, also of what sleeps. */
+    float ownW;
+
+    float ownI;
+
     /** Half the thickness, and how far from the place a point of it is at most. */
     float thin;
 
@@ -52,6 +57,11 @@ final class RigidThing {
     float belt;
     final float[] gain = new float[2];
     float angularGain;
+
+    /** The same, also of a body that sleeps. */
+    float[] ownGain = new float[2];
+
+    float ownAngularGain;
     int kind;
     boolean oneWay;
 
@@ -66,6 +76,9 @@ final class RigidThing {
 
     /** Of a circle. */
     Circle circle;
+
+    /** Of a body that wakes, the speed that woke it. */
+    float wakingSpeed;
 
     /** As how many a body counts where circles push it at once. */
     float share;
@@ -86,6 +99,15 @@ final class RigidThing {
         this.type = type;
         this.id = id;
         this.place = place;
+    }
+
+    /** Whether contacts move or turn it. */
+    boolean gives() {
+        return w > 0f || i > 0f;
+    }
+
+    boolean isAsleep() {
+        return body != null && body.isAsleep();
     }
 
     void addCorner(float x, float y, float r, float fromX, float fromY, float toX, float toY) {

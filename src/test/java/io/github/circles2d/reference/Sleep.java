@@ -19,61 +19,61 @@ import java.util.Map;
  */
 final class Sleep {
     /** Seconds for which a circle is where it was before it falls asleep. */
-    private static final float TIME = 1f;
+    static final float TIME = 1f;
 
     /** How far it may drift meanwhile: in radii, and by how far it would fall. */
-    private static final float DRIFT = 0.003f;
+    static final float DRIFT = 0.003f;
 
-    private static final float SHARE_OF_FALL = 0.001f;
+    static final float SHARE_OF_FALL = 0.001f;
 
     // how far a circle may be out of balance, in what gravity adds to its speed in a sub-step
-    private static final float FLOOR = 0.01f;
-    private static final float STRICT = 0.0005f;
+    static final float FLOOR = 0.01f;
+    static final float STRICT = 0.0005f;
     /** By how much gravity and a force change, of what they are, until a circle gets to know. */
-    private static final float CHANGE = 0.001f;
+    static final float CHANGE = 0.001f;
 
     // what a circle was out of balance as it fell asleep, in parts of its gain, along x in the lower half of a number
     // and y in the upper
-    private static final float PARTS = 16384f;
-    private static final float MOST_PARTS = 328f;
-    private static final int NO_OFFSET = Integer.MIN_VALUE;
+    static final float PARTS = 16384f;
+    static final float MOST_PARTS = 328f;
+    static final int NO_OFFSET = Integer.MIN_VALUE;
 
     /** In radians. */
-    private static final float TURN_OF_STEP = 1f;
+    static final float TURN_OF_STEP = 1f;
 
-    private static final float MOST_BY_LOAD = 1f;
+    static final float MOST_BY_LOAD = 1f;
 
     /** By what presses it, beyond so many weights. */
-    private static final float SHARE_OF_LOAD = 0.05f;
+    static final float SHARE_OF_LOAD = 0.05f;
 
-    private static final float FREE_WEIGHTS = 2f;
+    static final float FREE_WEIGHTS = 2f;
 
     /** How many times what a spring carries counts. */
     private static final float SPRING_LOADS = 4f;
 
     /** How much the balance of its surface counts if joints turn it. */
-    private static final float SHARE_OF_SPIN = 0.5f;
+    static final float SHARE_OF_SPIN = 0.5f;
 
     /** Radii a step. */
-    private static final float ROUNDING = 1e-7f;
+    static final float ROUNDING = 1e-7f;
 
     /** A circle out of balance by b wakes once b times the square of the steps in a row is this many gains. */
-    private static final float PATIENCE = 2f;
+    static final float PATIENCE = 2f;
 
     // how fast somebody has to push it, in what gravity adds to its speed in a step
-    private static final float PUSH = 0.5f;
-    private static final float HIT = 0.02f;
+    static final float PUSH = 0.5f;
+    static final float HIT = 0.02f;
 
     /** Radii a step. */
-    private static final float LEAST_HIT = 1e-6f;
+    static final float LEAST_HIT = 1e-6f;
 
-    private static final float LEAST_WAKING = 2e-6f;
+    static final float LEAST_WAKING = 2e-6f;
 
     /** How far a step wakes from circle to circle. */
     private static final int RINGS = 16;
 
     private static final float COINCIDENT = 1e-6f;
-    private static final float RADIANS = (float) (Math.PI / (1L << 31));
+    static final float RADIANS = (float) (Math.PI / (1L << 31));
 
     /** How a circle that sleeps meets another one. The normal points from the one of lower id to the other. */
     private record Meeting(float[] normal, float separation, float radii, Impulses impulses) {}
@@ -90,6 +90,9 @@ final class Sleep {
     /** The impulses of the step before, as this step goes on from them. */
     private final Map<Contact.Pair, Impulses> impulses = new HashMap<>();
 
+    /** Contacts with bodies as the step begins. */
+    private List<RigidContact> ofBodies = List.of();
+
     private float warmScale;
 
     Sleep(List<Circle> circles, ReferenceTerrain terrain, ReferenceJoints joints, StepParameters k, Kinds kinds) {
@@ -104,8 +107,9 @@ final class Sleep {
     // ---------------------------------------------------------------------------------------------------
 
     /** Wakes circles before anything else of the step. */
-    void wake(Map<Contact.Pair, Impulses> impulseCache, float scale) {
+    void wake(Map<Contact.Pair, Impulses> impulseCache, RigidSleep bodies, float scale) {
         warmScale = scale;
+        ofBodies = bodies.contacts();
         impulseCache.forEach((pair, each) -> impulses.put(pair, each.times(warmScale)));
         Map<Circle, Pressed> pressed = new HashMap<>();
         for (Circle c : circles) {
@@ -124,8 +128,10 @@ final class Sleep {
             }
         }
         woken.forEach(Circle::wake);
-        for (int ring = 1; ring < RINGS && !woken.isEmpty(); ring++) {
+        List<RigidThing> wokenBodies = bodies.firstWoken();
+        for (int ring = 1; ring < RINGS && !(woken.isEmpty() && wokenBodies.isEmpty()); ring++) {
             List<Circle> next = new ArrayList<>();
+            List<RigidThing> nextBodies = bodies.reached(woken, wokenBodies);
             for (Circle c : pressed.keySet()) {
                 float speed = 0f;
                 for (Circle o : c.isAsleep() ? woken : List.<Circle>of()) {
@@ -137,6 +143,12 @@ final class Sleep {
                         }
                     }
                 }
+                for (RigidThing o : c.isAsleep() ? wokenBodies : List.<RigidThing>of()) {
+                    for (RigidContact contact : bodies.between(c, o)) {
+                        speed = max(
+                                speed, passedBy(contact, c, o, pressed.get(c).load()));
+                    }
+                }
                 if (speed > LEAST_HIT * c.radius / k.dt()) {
                     c.wakingSpeed = speed;
                     next.add(c);
@@ -144,7 +156,9 @@ final class Sleep {
             }
             next.forEach(Circle::wake);
             woken = next;
+            wokenBodies = nextBodies;
         }
+        bodies.wake();
     }
 
     private float gain(Circle c) {
@@ -192,6 +206,11 @@ final class Sleep {
                 speed = max(speed, pulledBy(c, o, joint));
             }
         }
+        for (RigidContact contact : ofBodies) {
+            if (contact.isOf(c)) {
+                speed = max(speed, hitBy(c, contact));
+            }
+        }
         return woken ? max(speed, strong(c)) : speed;
     }
 
@@ -233,11 +252,28 @@ final class Sleep {
                 m.impulses().normal());
     }
 
+    /** The same of a body. */
+    private float hitBy(Circle c, RigidContact contact) {
+        boolean isA = contact.a.circle == c;
+        RigidThing body = isA ? contact.b : contact.a;
+        float armX = isA ? contact.bx : contact.ax;
+        float armY = isA ? contact.by : contact.ay;
+        float vx = body.velocity[0] - body.omega * armY;
+        float vy = body.velocity[1] + body.omega * armX;
+        float v = (isA ? 1f : -1f) * (vx * contact.nx + vy * contact.ny);
+        float restitution = max(contact.a.restitution, contact.b.restitution);
+        return hit(c, contact.inverseMassOf(!isA), v, contact.gap, restitution, contact.impulse);
+    }
+
     private float hit(Circle c, Circle o, float v, float separation, float restitution, float impulse) {
+        return hit(c, o.ownInverseMass(), v, separation, restitution, impulse);
+    }
+
+    private float hit(Circle c, float itsInverseMass, float v, float separation, float restitution, float impulse) {
         if (!(v > 0f) || !(separation < v * k.dt())) {
             return 0f;
         }
-        float share = c.ownInverseMass() / (c.ownInverseMass() + o.ownInverseMass());
+        float share = c.ownInverseMass() / (c.ownInverseMass() + itsInverseMass);
         float speed = share * (1f + restitution) * v;
         float most = (impulse > 0f ? PUSH : HIT) * gainOfStep(c);
         return speed > most && speed > LEAST_HIT * c.radius / k.dt() ? speed : 0f;
@@ -351,6 +387,17 @@ final class Sleep {
             sum.add(2, j);
             sum.add(3, (contact.rolling - contact.friction) / w);
         }
+        for (RigidContact contact : ofBodies) {
+            if (contact.isOf(c)) {
+                float side = contact.a.circle == c ? 1f : -1f;
+                float j = contact.impulse;
+                float f = contact.grip;
+                sum.add(0, side * (contact.nx * j - contact.ny * f));
+                sum.add(1, side * (contact.ny * j + contact.nx * f));
+                sum.add(2, j);
+                sum.add(3, -f);
+            }
+        }
         joints.of(c).forEach(joint -> add(sum, c, joint));
         float[] taken = sum.take();
         return new Pressed(taken[0], taken[1], taken[2], taken[3]);
@@ -379,14 +426,30 @@ final class Sleep {
     }
 
     private float passedOn(Circle c, Circle o, float j, float load) {
-        float speed = o.wakingSpeed * min(2f * j / load, 1f) * min(c.ownInverseMass() / o.ownInverseMass(), 1f);
-        return speed > PUSH * gainOfStep(c) ? speed : 0f;
+        return passedOn(o.wakingSpeed, j, load, c.ownInverseMass(), o.ownInverseMass(), gainOfStep(c));
     }
 
     private float passedFreely(Circle c, Circle o, float separation) {
-        float w = c.ownInverseMass();
-        float speed = o.wakingSpeed * (2f * w / (w + o.ownInverseMass()));
-        return separation < o.wakingSpeed * k.dt() && speed > HIT * gainOfStep(c) ? speed : 0f;
+        return passedFreely(o.wakingSpeed, separation, c.ownInverseMass(), o.ownInverseMass(), gainOfStep(c), k.dt());
+    }
+
+    /** By a body. */
+    private float passedBy(RigidContact contact, Circle c, RigidThing o, float load) {
+        float own = c.ownInverseMass();
+        float its = contact.inverseMassOf(contact.a == o);
+        return contact.impulse > 0f
+                ? passedOn(o.wakingSpeed, contact.impulse, load, own, its, gainOfStep(c))
+                : passedFreely(o.wakingSpeed, contact.gap, own, its, gainOfStep(c), k.dt());
+    }
+
+    static float passedOn(float from, float j, float load, float own, float its, float gainOfStep) {
+        float speed = from * min(2f * j / load, 1f) * min(own / its, 1f);
+        return speed > PUSH * gainOfStep ? speed : 0f;
+    }
+
+    static float passedFreely(float from, float separation, float own, float its, float gainOfStep, float dt) {
+        float speed = from * (2f * own / (own + its));
+        return separation < from * dt && speed > HIT * gainOfStep ? speed : 0f;
     }
 
     /** The same by a joint. */

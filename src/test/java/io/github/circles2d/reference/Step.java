@@ -51,7 +51,9 @@ final class Step {
         if (k.sleep()) {
             circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
             circles.forEach(this::planMotion);
-            new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, warmScale);
+            RigidStep lying = new RigidStep(rigids.all(), circles, terrain, k, kinds);
+            RigidSleep bodies = new RigidSleep(lying, rigids.contacts(), k, warmScale);
+            new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, bodies, warmScale);
         }
         Grid grid = new Grid(circles, k);
         circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));

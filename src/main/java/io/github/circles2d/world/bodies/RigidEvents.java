@@ -24,6 +24,10 @@ public final class RigidEvents implements RigidStep.Listener {
     private int[] nextKeys = new int[0];
     private long[] nextHandles = new long[0];
 
+    // within a step: how many touch now, and the first pair at rest that is not before what is looked at
+    private int count;
+    private int rest;
+
     /** Tells of nothing yet. */
     RigidEvents(RigidStep step, IdTable bodies, HandleTable circles, IdTable pieces) {
         this.step = step;
@@ -109,30 +113,33 @@ public final class RigidEvents implements RigidStep.Listener {
     @Override
     public void stepped() {
         int next = step.touches;
-        ensureNext(next);
+        ensureNext(next + touching);
         told.ensure(2 * (touching + next));
-        System.arraycopy(step.touchKeys, 0, nextKeys, 0, RigidStep.TOUCH_KEYS * next);
         int before = 0;
+        rest = 0;
+        count = 0;
         for (int k = 0; k < next; k++) {
             int at = RigidStep.TOUCH_KEYS * k;
-            while (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, nextKeys, at) < 0) {
-                end(before++);
+            while (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, step.touchKeys, at) < 0) {
+                leave(before++);
             }
-            nextHandles[HANDLES * k] = bodies.handle(nextKeys[at + RigidStep.A]);
-            nextHandles[HANDLES * k + 1] = other(nextKeys, at);
-            if (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, nextKeys, at) == 0) {
+            System.arraycopy(step.touchKeys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
+            nextHandles[HANDLES * count] = bodies.handle(step.touchKeys[at + RigidStep.A]);
+            nextHandles[HANDLES * count + 1] = other(step.touchKeys, at);
+            if (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, step.touchKeys, at) == 0) {
                 before++;
             } else {
                 told.begin(
-                        nextKeys[at + RigidStep.TYPE],
-                        nextHandles[HANDLES * k],
-                        nextHandles[HANDLES * k + 1],
+                        step.touchKeys[at + RigidStep.TYPE],
+                        nextHandles[HANDLES * count],
+                        nextHandles[HANDLES * count + 1],
                         step.touchValues,
                         RigidStep.TOUCH_VALUES * k);
             }
+            count++;
         }
         while (before < touching) {
-            end(before++);
+            leave(before++);
         }
         int[] ofKeys = keys;
         long[] ofHandles = handles;
@@ -140,7 +147,22 @@ public final class RigidEvents implements RigidStep.Listener {
         handles = nextHandles;
         nextKeys = ofKeys;
         nextHandles = ofHandles;
-        touching = next;
+        touching = count;
+    }
+
+    /** A pair has not touched in the step: it goes on to do so without an event if both rest, else it ends. */
+    private void leave(int pair) {
+        int at = RigidStep.TOUCH_KEYS * pair;
+        while (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) < 0) {
+            rest++;
+        }
+        if (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0) {
+            System.arraycopy(keys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
+            System.arraycopy(handles, HANDLES * pair, nextHandles, HANDLES * count, HANDLES);
+            count++;
+        } else {
+            end(pair);
+        }
     }
 
     private void end(int pair) {

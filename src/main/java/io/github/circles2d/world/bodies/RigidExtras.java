@@ -15,8 +15,19 @@ public final class RigidExtras {
     /** The exclusion group; 0 for none. */
     public static final int GROUP = 3;
 
+    // how a body comes to rest, and sleeps, by Sleep: its rest; the units by which it has turned, or its offset; how
+    // far it has drifted, or the
+    // acceleration that it knows, as bits of floats; of one that sleeps also the angular acceleration that it knows,
+    // and the offset of its turning
+    public static final int REST = 4;
+    public static final int TURNED = 5;
+    public static final int DRIFT_X = 6;
+    public static final int DRIFT_Y = 7;
+    public static final int KNOWN_SPIN = 8;
+    public static final int SPIN_OFFSET = 9;
+
     /** Ints of a body. */
-    static final int COUNT = 4;
+    static final int COUNT = 10;
 
     private int[] values = new int[0];
 

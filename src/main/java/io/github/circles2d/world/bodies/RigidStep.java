@@ -1,5 +1,7 @@
 package io.github.circles2d.world.bodies;
 
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Sleep;
 import java.util.Arrays;
 
 /**
@@ -120,6 +122,55 @@ public final class RigidStep {
 
     public int[] touchKeys = new int[0];
     public float[] touchValues = new float[0];
+
+    /** Counts changes by calls and states, behind which the balance of a body that sleeps may be another. */
+    public int changes;
+
+    /** Contacts of the last step whose things rested, by {@link #TOUCH_KEYS}, in ascending order. */
+    public int resting;
+
+    public int[] restingKeys = new int[0];
+
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    public boolean isAsleep(int body) {
+        return Sleep.isAsleep(extras.get(body, RigidExtras.REST));
+    }
+
+    /** A body that is awake begins anew to come to rest. */
+    public void wake(int body) {
+        setRest(body, 0, 0, 0f, 0f);
+        setSpinOfRest(body, 0f, 0);
+    }
+
+    /** Sets how a body rests; there is room unless all is 0. */
+    public void setRest(int body, int rest, int turned, float driftX, float driftY) {
+        extras.set(body, RigidExtras.REST, rest);
+        extras.set(body, RigidExtras.TURNED, turned);
+        extras.set(body, RigidExtras.DRIFT_X, Float.floatToRawIntBits(driftX));
+        extras.set(body, RigidExtras.DRIFT_Y, Float.floatToRawIntBits(driftY));
+    }
+
+    /** The same of what turns a body that sleeps. */
+    public void setSpinOfRest(int body, float known, int offset) {
+        extras.set(body, RigidExtras.KNOWN_SPIN, Float.floatToRawIntBits(known));
+        extras.set(body, RigidExtras.SPIN_OFFSET, offset);
+    }
+
+    /** Wakes the bodies that sleep near to a place, by {@link Sleep#NEIGHBOURS}, from which something reaches so far; not itself. */
+    public void wakeNear(int itself, float atX, float atY, float itsReach, float periodX, float periodY) {
+        for (int body = 0; body < end; body++) {
+            if (body != itself && outline[body] != null && isAsleep(body)) {
+                float far = Sleep.NEIGHBOURS * (outline[body].reach() + itsReach);
+                if (Math.abs(CircleMath.shortWay(atX - x[body], periodX)) <= far
+                        && Math.abs(CircleMath.shortWay(atY - y[body], periodY)) <= far) {
+                    wake(body);
+                }
+            }
+        }
+        changes++;
+    }
 
     /** Whether there are bodies. */
     public boolean isThere() {

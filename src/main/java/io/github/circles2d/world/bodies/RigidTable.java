@@ -152,6 +152,7 @@ public final class RigidTable {
 
     private void count() {
         version++;
+        step.changes++;
         step.end = ids.end();
         step.count = ids.size();
     }
@@ -192,11 +193,13 @@ public final class RigidTable {
     }
 
     public void setVelocity(int body, float vx, float vy) {
+        step.wake(body);
         step.vx[body] = vx + 0f;
         step.vy[body] = vy + 0f;
     }
 
     public void setOmega(int body, float to) {
+        step.wake(body);
         step.omega[body] = to + 0f;
     }
 
@@ -208,6 +211,7 @@ public final class RigidTable {
         step.restX[body] = 0f;
         step.restY[body] = 0f;
         step.angle[body] = angle;
+        step.wake(body);
         dropContactsOf(body);
     }
 
@@ -230,11 +234,13 @@ public final class RigidTable {
     }
 
     public void pushAround(int body, float impulse) {
+        step.wake(body);
         step.omega[body] = Velocity.afterImpulse(step.omega[body], step.inverseInertia[body], impulse) + 0f;
     }
 
     /** The restitution is that which the body has from now on. */
     public void setKind(int body, int kind, float restitution) {
+        step.wake(body);
         step.kind[body] = kind;
         step.restitution[body] = restitution;
     }
@@ -271,6 +277,7 @@ public final class RigidTable {
 
     /** A body is to be in an exclusion group; 0 for none. There is room. */
     public void setGroup(int body, int group) {
+        step.wake(body);
         step.extras.set(body, RigidExtras.GROUP, group);
     }
 
@@ -306,6 +313,19 @@ public final class RigidTable {
         }
     }
 
+    /** Whether a body would be somewhere else within bounds. */
+    public boolean moveIn(Bounds bounds) {
+        Bounds walls = bounds.walls();
+        boolean move = false;
+        for (int body = 0; body < ids.end(); body++) {
+            move |= ids.lives(body)
+                    && (bounds.placeX(CircleMath.clamp(step.x[body], walls.minX(), walls.maxX())) != step.x[body]
+                            || bounds.placeY(CircleMath.clamp(step.y[body], walls.minY(), walls.maxY()))
+                                    != step.y[body]);
+        }
+        return move;
+    }
+
     /** Brings bodies inside new bounds. */
     public void confine(Bounds bounds) {
         version++;
@@ -326,8 +346,11 @@ public final class RigidTable {
     // ----------------------------------------------------------------------------------------------------
 
     /** Makes room to note what goes after the next step: circles and pieces of ids below limits. If there is none, nothing has changed. */
-    public void makeRoom(int circles, int pieces) {
+    public void makeRoom(int circles, int pieces, boolean sleeps) {
         if (isThere()) {
+            if (sleeps) {
+                ensureExtras();
+            }
             long[] newCircles = goneCircles.length * 64 < circles ? new long[circles / 32 + 1] : goneCircles;
             long[] newPieces = gonePieces.length * 64 < pieces ? new long[pieces / 32 + 1] : gonePieces;
             settle();
@@ -407,6 +430,7 @@ public final class RigidTable {
             }
         }
         step.contacts = kept;
+        step.changes++;
     }
 
     private boolean isGone(int[] keys, int at, int body) {

@@ -11,6 +11,7 @@ import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.joints.JointTable;
+import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
@@ -174,6 +175,12 @@ public final class JointCalls implements Calls.Effects {
             if (table.b(joint) != JointRow.NONE) {
                 world.commands.set(Commands.WAKE, table.b(joint), 0, 0);
             }
+            for (int end = RigidEnds.A; end <= RigidEnds.B; end++) {
+                if (table.rigid.body(joint, end) != JointRow.NONE) {
+                    world.rigids.step.wake(table.rigid.body(joint, end));
+                }
+            }
+            world.rigids.step.changes++;
         }
     }
 

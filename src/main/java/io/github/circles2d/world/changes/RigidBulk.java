@@ -89,13 +89,14 @@ public final class RigidBulk {
                 world.needs.prepareRigids();
             }
             table.ensure(n);
+            single.makeRoomToWake(n);
             for (int i = 0; i < n; i++) {
                 table.prepare(outlines[areEach ? i : 0]);
             }
             int at = 0;
             for (int i = 0; i < n; i++) {
                 at = take(Call.RIGID, at);
-                long handle = single.addPrepared(outlines[areEach ? i : 0], words, i == 0);
+                long handle = single.addPrepared(outlines[areEach ? i : 0], words);
                 if (to != null) {
                     to[i] = handle;
                 }
@@ -256,7 +257,7 @@ public final class RigidBulk {
     private void make(Call[] calls) {
         try {
             if (preparedWords > 0) {
-                single.makeRoom(calls[0]);
+                single.makeRoom(calls[0], preparedWords / calls[0].words);
             }
             int at = 0;
             while (at < preparedWords) {

@@ -53,7 +53,8 @@ public final class RigidCalls implements Calls.Effects {
                 Call.RIGID_FORCE_AT,
                 Call.RIGID_LASTING_FORCE,
                 Call.RIGID_LASTING_TORQUE,
-                Call.RIGID_GROUP);
+                Call.RIGID_GROUP,
+                Call.WAKE_RIGID);
     }
 
     /** Adds a body at rest, at an angle in radians, with the restitution of its kind, else the world's, and returns its handle. */
@@ -87,23 +88,45 @@ public final class RigidCalls implements Calls.Effects {
         }
         table.ensure(1);
         table.prepare(outline);
-        return addPrepared(outline, w, true);
+        makeRoomToWake(1);
+        return addPrepared(outline, w);
     }
 
-    /** Adds a body that has been checked, and for which there is room, by the words behind the first one; wakes: whether it wakes circles. */
-    long addPrepared(OutlineShape outline, int[] w, boolean wakes) {
+    /** Adds a body that has been checked, and for which there is room, by the words behind the first one. */
+    long addPrepared(OutlineShape outline, int[] w) {
         w[0] = world.log.outline(outline);
-        world.calls.begin(Call.RIGID, w, wakes);
+        world.calls.begin(Call.RIGID, w);
         Bounds bounds = world.settings.bounds();
         int kind = w[1];
-        return table.ids.handle(table.add(
+        int body = table.add(
                 outline,
                 bounds.placeX(real(w[2])),
                 bounds.placeY(real(w[3])),
                 Surface.units(real(w[4])),
                 real(w[5]),
                 kind,
-                kinds.newRestitution(kind)));
+                kinds.newRestitution(kind));
+        wakeNear(body);
+        return table.ids.handle(body);
+    }
+
+    /** Makes room for so many bodies to wake what is near to them. */
+    void makeRoomToWake(int bodies) {
+        if (world.settings.sleeps()) {
+            world.commands.ensureAreas(2 * bodies);
+        }
+    }
+
+    /** Wakes the circles near to a body that comes, goes or changes. There is room. */
+    private void wakeNear(int body) {
+        if (world.settings.sleeps()) {
+            float x = table.step.x[body];
+            float y = table.step.y[body];
+            float reach = table.step.outline[body].reach();
+            Bounds bounds = world.settings.bounds();
+            world.commands.wakeAround(x, y, reach);
+            table.step.wakeNear(body, x, y, reach, bounds.periodX(), bounds.periodY());
+        }
     }
 
     public void remove(long body) {
@@ -194,6 +217,11 @@ public final class RigidCalls implements Calls.Effects {
         world.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0);
     }
 
+    /** Wakes a body, if it sleeps; one that is awake begins anew to come to rest. */
+    public void wake(long body) {
+        world.calls.change(Call.WAKE_RIGID, body, 0, 0, 0);
+    }
+
     /** Puts a body at a place at once. */
     public void teleport(long body, float x, float y, float angle) {
         world.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle);
@@ -229,21 +257,27 @@ public final class RigidCalls implements Calls.Effects {
                 return add(told.get(w[0]), words);
             }
             case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
-            default -> makeRoom(call);
+            default -> makeRoom(call, 1);
         }
         world.calls.begin(call, w);
         change(call, w);
         return 0;
     }
 
-    /** Makes room for calls on bodies that are there. */
-    void makeRoom(Call call) {
+    /** Makes room for calls on so many bodies that are there. */
+    void makeRoom(Call call, int bodies) {
         switch (call) {
+            case RIGID_KIND, TELEPORT_RIGID -> makeRoomToWake(bodies);
             case REMOVE_RIGID, CLEAR_RIGIDS -> {
+                makeRoomToWake(bodies);
                 world.pending.settleJoints();
                 world.joints.departures().ensure(world.joints.table.rigid.count());
             }
-            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE, RIGID_GROUP -> table.ensureExtras();
+            case RIGID_GROUP -> {
+                makeRoomToWake(bodies);
+                table.ensureExtras();
+            }
+            case RIGID_LASTING_FORCE, RIGID_LASTING_TORQUE -> table.ensureExtras();
             default -> {
                 // it needs none
             }
@@ -252,13 +286,16 @@ public final class RigidCalls implements Calls.Effects {
 
     /** Changes a body as a call says, which has been checked and begun. There is room. */
     void change(Call call, int[] w) {
+        table.step.changes++;
         switch (call) {
             case REMOVE_RIGID -> {
                 world.joints.departures().removeOfRigid(w[0]);
+                wakeNear(w[0]);
                 table.remove(w[0]);
             }
             case CLEAR_RIGIDS -> {
                 world.joints.departures().removeOfRigids();
+                wakeAll();
                 table.clear();
             }
             case RIGID_VELOCITY -> table.setVelocity(w[0], real(w[1]), real(w[2]));
@@ -271,15 +308,36 @@ public final class RigidCalls implements Calls.Effects {
                 table.applyForceAt(w[0], real(w[1]), real(w[2]), real(w[3]), real(w[4]), world.settings.bounds());
             case RIGID_LASTING_FORCE -> table.setForce(w[0], real(w[1]), real(w[2]));
             case RIGID_LASTING_TORQUE -> table.setTorque(w[0], real(w[1]));
-            case RIGID_GROUP -> table.setGroup(w[0], w[1]);
-            case RIGID_KIND -> table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
+            case RIGID_GROUP -> {
+                wakeNear(w[0]);
+                table.setGroup(w[0], w[1]);
+            }
+            case RIGID_KIND -> {
+                wakeNear(w[0]);
+                table.setKind(w[0], w[1], kinds.restitution(w[1], table.step.restitution[w[0]]));
+            }
             case RIGID_TAG -> table.setTag(w[0], Call.value(w[1], w[2]));
-            case RIGID_RESTITUTION -> table.step.restitution[w[0]] = real(w[1]) + 0f;
-            case RIGID_INERTIA -> table.setInertia(w[0], real(w[1]));
+            case RIGID_RESTITUTION -> {
+                table.step.wake(w[0]);
+                table.step.restitution[w[0]] = real(w[1]) + 0f;
+            }
+            case RIGID_INERTIA -> {
+                table.step.wake(w[0]);
+                table.setInertia(w[0], real(w[1]));
+            }
+            case WAKE_RIGID -> table.step.wake(w[0]);
             default -> {
                 Bounds bounds = world.settings.bounds();
+                wakeNear(w[0]);
                 table.teleport(w[0], bounds.placeX(real(w[1])), bounds.placeY(real(w[2])), Surface.units(real(w[3])));
+                wakeNear(w[0]);
             }
+        }
+    }
+
+    private void wakeAll() {
+        if (world.settings.sleeps()) {
+            world.commands.wakeAll();
         }
     }
 

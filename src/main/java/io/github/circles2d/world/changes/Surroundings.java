@@ -88,7 +88,8 @@ public final class Surroundings implements Calls.Effects {
         float greatest = hasCircles ? world.handles.greatestRadius() : 0f;
         Bounds start = WallMotion.start(world.settings.wallStart(), next, greatest);
         world.calls.begin(Call.BOUNDS, w);
-        if (world.settings.sleeps() && WallMotion.jumps(world.settings.wallStart(), start)) {
+        if (world.settings.sleeps()
+                && (WallMotion.jumps(world.settings.wallStart(), start) || world.rigids.moveIn(next))) {
             world.commands.wakeAll();
         }
         Bounds calm = Bounds.EVERYWHERE;

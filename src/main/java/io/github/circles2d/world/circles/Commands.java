@@ -66,6 +66,9 @@ public final class Commands {
     /** A circle wakes, if it sleeps; and begins anew to come to rest. */
     public static final int WAKE = 16;
 
+    /** Floats of a place around which circles wake. */
+    public static final int AREA = 3;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -129,6 +132,11 @@ public final class Commands {
 
     private boolean wakes;
 
+    /** Places around which circles wake: x, y and how far of each. */
+    private float[] areas = new float[0];
+
+    private int areaCount;
+
     public Commands() {}
 
     public int count() {
@@ -175,6 +183,33 @@ public final class Commands {
             wallsToWake = 0;
             wakes = false;
         }
+        areaCount = 0;
+    }
+
+    /** Makes room: the next places around which circles wake cannot fail for want of memory. */
+    public void ensureAreas(int more) {
+        int need = AREA * (areaCount + more);
+        if (need > areas.length) {
+            areas = Arrays.copyOf(areas, Math.max(need, 2 * areas.length));
+        }
+    }
+
+    /** Circles wake that sleep near to a place, as {@link #wakeAll} has it: within some distance of it by {@code Sleep}. There is room. */
+    public void wakeAround(float x, float y, float distance) {
+        int at = AREA * areaCount++;
+        areas[at] = x;
+        areas[at + 1] = y;
+        areas[at + 2] = distance;
+    }
+
+    /** How many places there are around which circles wake. */
+    public int areas() {
+        return areaCount;
+    }
+
+    /** x, y and the distance of such places; valid until the next change. */
+    public float[] areaValues() {
+        return areas;
     }
 
     /** All circles that sleep wake with these changes, before them or behind them: no change puts any to sleep. */
@@ -218,7 +253,7 @@ public final class Commands {
 
     /** Whether there is nothing to do. */
     public boolean isEmpty() {
-        return count == 0 && !wakes;
+        return count == 0 && !wakes && areaCount == 0;
     }
 
     /** Makes room: the next records cannot fail for want of memory. */

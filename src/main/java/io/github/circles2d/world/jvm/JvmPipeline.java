@@ -79,6 +79,9 @@ public final class JvmPipeline implements Pipeline {
 
     private RigidPasses rigidPasses;
 
+    /** Whether rigid bodies have no part in the step: all sleep, and nothing moves. */
+    private boolean rigidIdle;
+
     /** Null if circles never sleep. */
     private Waking waking;
 
@@ -161,6 +164,7 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void prepare(RigidStep bodies) {
         rigids = bodies;
+        state.rigids = bodies;
         if (rigidPasses == null) {
             rigidPasses = new RigidPasses(state, team, leastShare);
         }
@@ -263,7 +267,10 @@ public final class JvmPipeline implements Pipeline {
     private void makeStep() {
         begin();
         grid.build(constants);
-        boolean found = state.sleepers != null && state.sleepers.count > 0 && !wake();
+        rigidIdle = false;
+        boolean sleep = state.sleepers != null
+                && (state.sleepers.count > 0 || constants.rigid && rigidPasses.anySleeps(rigids));
+        boolean found = sleep && !wake();
         times.end(GRID);
         if (recorder != null) {
             recorder.begin();
@@ -296,12 +303,17 @@ public final class JvmPipeline implements Pipeline {
         }
         contacts.settleResting();
         if (constants.rigid) {
-            boolean joined = constants.joints && jointStep.rigidCount > 0;
-            rigidPasses.begin(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
+            solver.push(rigidIdle ? null : rigidPasses);
+        }
+        if (constants.rigid && !rigidIdle) {
+            if (!found || grid.anyFast()) { // continuous collision has changed how fast circles are
+                findRigid();
+            }
+            rigidPasses.begin(constants.sleeping ? kindSleep : null);
         }
         times.end(CONTACTS);
         solver.solve();
-        if (constants.rigid) {
+        if (constants.rigid && !rigidIdle) {
             rigidPasses.end();
         }
         if (constants.joints) {
@@ -319,12 +331,30 @@ public final class JvmPipeline implements Pipeline {
     /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
     private boolean wake() {
         contacts.findResting();
-        boolean some = waking.wake(constants, terrain, pieces, constants.joints ? joints.resting : null);
+        RestingJoints held = constants.joints ? joints.resting : null;
+        rigidIdle = constants.rigid
+                && waking.isIdle(held)
+                && rigidPasses.isIdle(rigids, constants, terrain, joinsRigids() ? jointStep : null);
+        WakingByBodies bodies = constants.rigid && !rigidIdle ? rigidPasses.waking : null;
+        if (bodies != null) {
+            findRigid();
+            bodies.begin(rigids, constants);
+        }
+        boolean some = waking.wake(constants, terrain, pieces, held, bodies);
         if (some) {
             makeRoom();
             grid.build(constants);
         }
         return some;
+    }
+
+    private boolean joinsRigids() {
+        return constants.joints && jointStep.rigidCount > 0;
+    }
+
+    private void findRigid() {
+        boolean joined = joinsRigids();
+        rigidPasses.find(rigids, constants, terrain, joined ? jointStep : null, joined ? joints.states : null);
     }
 
     private void fallAsleep() {

@@ -405,6 +405,12 @@ final class RestingJoints {
         for (int k = 0; k < tornCount; k++) {
             driven[torn[k]] = as;
         }
+        for (int n = 0; n < all.rigidCount; n++) {
+            if (!as || isThere(all.rigidOrder[n])) {
+                mark(a(all.rigidOrder[n]), as);
+                mark(b(all.rigidOrder[n]), as);
+            }
+        }
         for (int k = 0; k < drivingCount; k++) {
             if (!as || isThere(driving[k])) {
                 mark(a(driving[k]), as);

@@ -308,11 +308,29 @@ final class RigidContacts {
         used[old] = true;
     }
 
-    /** Keeps the contacts for the next step. */
-    void keep() {
-        step.ensureContacts(count);
-        step.contacts = count;
-        team.together(keep);
+    /** Keeps the contacts for the next step, and those of what rests. */
+    void keep(RigidResting rests) {
+        step.ensureContacts(count + rests.count);
+        if (rests.count == 0) {
+            step.contacts = count;
+            team.together(keep);
+        } else {
+            keepAmong(rests);
+        }
+    }
+
+    private void keepAmong(RigidResting rests) {
+        step.contacts = 0;
+        int rest = 0;
+        for (int p = 0; p < pairCount; p++) {
+            int t = pairs.a[pair[p]];
+            int other = pairs.b[pair[p]];
+            rest = rests.keepBefore(step, rest, things.type[other], things.id[t], things.id[other]);
+            for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
+                keep(c, t, other, step.contacts++);
+            }
+        }
+        rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
     }
 
     private void keep(int worker) {
@@ -321,16 +339,75 @@ final class RigidContacts {
             int t = pairs.a[pair[p]];
             int other = pairs.b[pair[p]];
             for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
-                int at = RigidStep.KEYS * c;
-                step.contactKeys[at + RigidStep.TYPE] = things.type[other];
-                step.contactKeys[at + RigidStep.A] = things.id[t];
-                step.contactKeys[at + RigidStep.B] = things.id[other];
-                step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first[c];
-                step.contactKeys[at + RigidStep.FEATURE_OF_B] = second[c];
-                int to = RigidStep.IMPULSES * c + RigidStep.NORMAL;
-                step.contactImpulses[to] = rows[RigidRow.of(c) + RigidRow.IMPULSE];
-                step.contactImpulses[to + 1] = rows[RigidRow.of(c) + RigidRow.GRIP];
+                keep(c, t, other, c);
             }
+        }
+    }
+
+    private void keep(int c, int t, int other, int place) {
+        int at = RigidStep.KEYS * place;
+        step.contactKeys[at + RigidStep.TYPE] = things.type[other];
+        step.contactKeys[at + RigidStep.A] = things.id[t];
+        step.contactKeys[at + RigidStep.B] = things.id[other];
+        step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first[c];
+        step.contactKeys[at + RigidStep.FEATURE_OF_B] = second[c];
+        int to = RigidStep.IMPULSES * place + RigidStep.NORMAL;
+        step.contactImpulses[to] = rows[RigidRow.of(c) + RigidRow.IMPULSE];
+        step.contactImpulses[to + 1] = rows[RigidRow.of(c) + RigidRow.GRIP];
+    }
+
+    /** Measures a contact of the step before that no pair has now, behind all others, without counting it; false if a thing has no such feature. */
+    boolean probe(RigidStep of, int o) {
+        int at = RigidStep.KEYS * o;
+        int form = RigidFeatures.form(of.contactKeys[at + RigidStep.FORM_AND_FEATURE]);
+        int ofBody = of.contactKeys[at + RigidStep.FORM_AND_FEATURE] & FEATURE;
+        int ofOther = of.contactKeys[at + RigidStep.FEATURE_OF_B];
+        pairs.probe(
+                of.contactKeys[at + RigidStep.A],
+                of.contactKeys[at + RigidStep.TYPE],
+                of.contactKeys[at + RigidStep.B]);
+        int t = pairs.a[pairs.count];
+        int other = pairs.b[pairs.count];
+        int there = form == CORNER_ON_LINE ? things.lines[other] : things.corners[other];
+        if (ofOther < 0 || ofOther >= there) {
+            return false;
+        }
+        int c = count;
+        grow(c + 1);
+        boolean swapped = form == SWAPPED;
+        boolean line = form == CORNER_ON_LINE;
+        int itsCorner = things.firstCorner[t] + ofBody;
+        a[c] = swapped ? other : t;
+        b[c] = swapped ? t : other;
+        corner[c] = swapped ? things.firstCorner[other] + ofOther : itsCorner;
+        feature[c] = swapped
+                ? things.firstLine[t] + ofBody
+                : (line ? things.firstLine[other] : things.firstCorner[other]) + ofOther;
+        isLine[c] = swapped || line;
+        ox[c] = swapped ? -pairs.ox[pairs.count] : pairs.ox[pairs.count];
+        oy[c] = swapped ? -pairs.oy[pairs.count] : pairs.oy[pairs.count];
+        Arrays.fill(rows, RigidRow.of(c), RigidRow.of(c + 1), 0f);
+        measures.measure(c);
+        int from = RigidStep.IMPULSES * o + RigidStep.NORMAL;
+        rows[RigidRow.of(c) + RigidRow.IMPULSE] = of.contactImpulses[from];
+        rows[RigidRow.of(c) + RigidRow.GRIP] = of.contactImpulses[from + 1];
+        return true;
+    }
+
+    /** Makes room for contacts behind those that are there. */
+    private void grow(int needed) {
+        if (a.length < needed) {
+            int n = needed + (needed >> 1);
+            a = Arrays.copyOf(a, n);
+            b = Arrays.copyOf(b, n);
+            corner = Arrays.copyOf(corner, n);
+            feature = Arrays.copyOf(feature, n);
+            isLine = Arrays.copyOf(isLine, n);
+            first = Arrays.copyOf(first, n);
+            second = Arrays.copyOf(second, n);
+            ox = Arrays.copyOf(ox, n);
+            oy = Arrays.copyOf(oy, n);
+            rows = Arrays.copyOf(rows, RigidRow.of(n));
         }
     }
 

@@ -149,7 +149,7 @@ final class RigidFeatures {
     private void cornersOnLines(int t, int other, float x, float y, float m, boolean swapped) {
         float spin = Math.abs(things.omega[t] - things.omega[other]) * dt;
         float tolerance = TOLERANCE + spin;
-        boolean fast = m > (things.w[t] > 0f ? things.thin[t] : things.thin[other]);
+        boolean fast = m > (things.ownW[t] > 0f ? things.thin[t] : things.thin[other]);
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float px = x + things.turnedCorner[at];

@@ -57,6 +57,11 @@ final class RigidJointEnds {
 
     float[] i = new float[0];
 
+    /** The same, also of a body that sleeps, which is pulled as if it would give way. */
+    float[] ownW = new float[0];
+
+    float[] ownI = new float[0];
+
     // within a step
     private JointStep joints;
     private StepConstants k;
@@ -82,6 +87,8 @@ final class RigidJointEnds {
             arm[1] = Arrays.copyOf(arm[1], c);
             i = Arrays.copyOf(i, c);
             w = Arrays.copyOf(w, c);
+            ownW = Arrays.copyOf(ownW, c);
+            ownI = Arrays.copyOf(ownI, c);
         }
     }
 
@@ -100,6 +107,8 @@ final class RigidJointEnds {
             thing[e] = pairs.bodyThing(body);
             w[e] = things.w[thing[e]];
             i[e] = things.i[thing[e]];
+            ownW[e] = things.ownW[thing[e]];
+            ownI[e] = things.ownI[thing[e]];
             localX[e] = joints.rigidPoints[4 * joint + 2 * side];
             localY[e] = joints.rigidPoints[4 * joint + 2 * side + 1];
         } else if (id != JointRow.NONE) {
@@ -110,6 +119,10 @@ final class RigidJointEnds {
                 float r = state.circle[circle[e] + RADIUS];
                 i[e] = state.turning.spin[circle[e] + INVERSE_INERTIA] / (r * r);
             }
+        }
+        if (thing[e] == NONE) {
+            ownW[e] = w[e];
+            ownI[e] = i[e];
         }
         turn(e);
     }
@@ -251,7 +264,7 @@ final class RigidJointEnds {
 
     /** Push-outs are measured by it; infinite of what does not give way. */
     float size(int e) {
-        if (w[e] == 0f && i[e] == 0f) {
+        if (ownW[e] == 0f && ownI[e] == 0f) {
             return Float.POSITIVE_INFINITY;
         }
         return thing[e] != NONE ? things.reach[thing[e]] : state.circle[circle[e] + RADIUS];
@@ -299,6 +312,6 @@ final class RigidJointEnds {
     }
 
     long bytes() {
-        return 36L * w.length;
+        return 44L * w.length;
     }
 }

@@ -199,10 +199,10 @@ final class RigidJointVisits {
         float ay = ends.arm[1][a];
         float bx = ends.arm[0][b];
         float by = ends.arm[1][b];
-        float w = ends.w[a] + ends.w[b];
-        kxx = w + (ends.i[a] * (ay * ay) + ends.i[b] * (by * by));
-        kxy = -1f * (ends.i[a] * (ax * ay) + ends.i[b] * (bx * by));
-        kyy = w + (ends.i[a] * (ax * ax) + ends.i[b] * (bx * bx));
+        float w = ends.ownW[a] + ends.ownW[b];
+        kxx = w + (ends.ownI[a] * (ay * ay) + ends.ownI[b] * (by * by));
+        kxy = -1f * (ends.ownI[a] * (ax * ay) + ends.ownI[b] * (bx * by));
+        kyy = w + (ends.ownI[a] * (ax * ax) + ends.ownI[b] * (bx * bx));
     }
 
     private void lookBack(int boundary) {
@@ -439,7 +439,7 @@ final class RigidJointVisits {
                 ends.turned(b));
         float before = states.rows[kept + ANGULAR];
         Softness soft = k.jointSoftness;
-        float m = JointMath.jointMass(ends.i[a] + ends.i[b]);
+        float m = JointMath.jointMass(ends.ownI[a] + ends.ownI[b]);
         float omega = ends.omega(a) - ends.omega(b);
         if (angular() == JointRow.TURN_RIGID) {
             turnBy(
@@ -472,7 +472,7 @@ final class RigidJointVisits {
         clear();
         if (angular() == JointRow.TURN_RIGID || angular() == JointRow.TURN_SPEED) {
             float before = states.rows[kept + ANGULAR];
-            float m = JointMath.jointMass(ends.i[a] + ends.i[b]);
+            float m = JointMath.jointMass(ends.ownI[a] + ends.ownI[b]);
             float speed = angular() == JointRow.TURN_SPEED ? value(JointRow.SPEED) : 0f;
             turnBy(before, JointMath.relaxedImpulse(before, m, (ends.omega(a) - ends.omega(b)) - speed));
             giveTwist();

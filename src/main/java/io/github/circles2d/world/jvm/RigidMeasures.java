@@ -140,7 +140,7 @@ final class RigidMeasures {
         float reach = r + things.turnedLine[line + THICKNESS];
         float height = rx * lx + ry * ly;
         float along = ry * lx - rx * ly;
-        float more = GOES_ON * (things.w[t] > 0f || things.w[other] == 0f ? things.thin[t] : things.thin[other]);
+        float more = GOES_ON * (things.ownW[t] > 0f || things.ownW[other] == 0f ? things.thin[t] : things.thin[other]);
         boolean beside = !(along >= -more && along <= length + more);
         if (beside && height > reach) {
             // a fast one that will be over the line as it meets it

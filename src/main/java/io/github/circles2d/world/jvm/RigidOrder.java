@@ -101,7 +101,7 @@ final class RigidOrder {
             int p = numbers[k];
             int a = first(p);
             int b = second(p);
-            colour[p] = least(words, things.moves(a), a, things.moves(b), b);
+            colour[p] = least(words, things.gives(a), a, things.gives(b), b);
             colours = Math.max(colours, colour[p] + 1);
         }
         byColours();

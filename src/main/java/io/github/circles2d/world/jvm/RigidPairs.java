@@ -44,6 +44,7 @@ final class RigidPairs {
     private long[] keysOfCircles = new long[0];
 
     int count;
+    private int awakeBodies;
 
     /** Things of each pair; the first is a body. */
     int[] a = new int[0];
@@ -109,10 +110,12 @@ final class RigidPairs {
         if (thingOfBody.length < step.end) {
             thingOfBody = new int[step.room()];
         }
+        awakeBodies = 0;
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null) {
                 thingOfBody[id] = things.add(BODY_BODY, id, step.x[id], step.y[id]);
                 things.setShape(step.outline[id]);
+                awakeBodies += step.isAsleep(id) ? 0 : 1;
             }
         }
         things.bodies = things.count;
@@ -140,10 +143,12 @@ final class RigidPairs {
         things.omega[t] = step.omega[id];
         things.w[t] = step.inverseMass[id];
         things.i[t] = step.inverseInertia[id];
+        things.ownW[t] = things.w[t];
+        things.ownI[t] = things.i[t];
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
-        if (things.w[t] > 0f) {
+        if (things.ownW[t] > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
             if (state.kindMotion != null) {
@@ -151,10 +156,19 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.w[t], k.h);
-            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.w[t], k.h);
+            things.ownGainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
+            things.ownGainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
         }
-        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.i[t], k.h);
+        things.ownGainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
+        things.asleep[t] = step.isAsleep(id);
+        if (things.asleep[t]) {
+            things.w[t] = 0f;
+            things.i[t] = 0f;
+        } else {
+            things.gainX[t] = things.ownGainX[t];
+            things.gainY[t] = things.ownGainY[t];
+            things.gainOmega[t] = things.ownGainOmega[t];
+        }
         things.turn(t);
     }
 
@@ -188,8 +202,8 @@ final class RigidPairs {
     /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
     private float way(int t) {
         float speed = CircleMath.length(things.vx[t], things.vy[t]);
-        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
-        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
+        float gain = CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
+        float spin = (Math.abs(things.omega[t]) + Math.abs(things.ownGainOmega[t]) * k.subSteps) * things.reach[t];
         float way = k.dt * (speed + gain * k.subSteps + spin);
         return way > things.thin[t] ? 2f * way : way;
     }
@@ -200,6 +214,7 @@ final class RigidPairs {
     private void findNear(int worker) {
         RigidSearch search = searches[worker];
         search.begin(step, k, terrain);
+        int slots = awakeBodies > 0 ? state.n : state.awake; // what rests has contacts with what is awake alone
         for (int round = 0; round < team.rounds(); round++) {
             int piece = team.piece(worker, round);
             mark(search, piece, 0);
@@ -207,8 +222,8 @@ final class RigidPairs {
             for (int t = team.from(things.bodies, worker, round); t < end; t++) {
                 search.findNear(t);
             }
-            int endSlot = team.to(state.n, worker, round);
-            for (int slot = team.from(state.n, worker, round); slot < endSlot; slot++) {
+            int endSlot = team.to(slots, worker, round);
+            for (int slot = team.from(slots, worker, round); slot < endSlot; slot++) {
                 search.findBodiesNear(slot);
             }
             mark(search, piece, 1);
@@ -219,6 +234,94 @@ final class RigidPairs {
         for (int type = 0; type < found.length; type++) {
             found[type][2 * piece + end] = search.keys[type].count;
         }
+    }
+
+    /** Whether a circle gives way to nobody, and stays where it is: it sleeps, or is static and has no velocity. */
+    boolean isStill(int slot) {
+        return searches[0].isStill(slot);
+    }
+
+    // ---- what moves near to bodies that sleep
+    // ----------------------------------------------------------------------------
+
+    /** Whether a wall moves near to a body. */
+    boolean wallsMoveNear(int t) {
+        float[] travel = k.walls.travel;
+        float m = 2f * Tuning.MARGIN * things.thin[t];
+        float[] box = candidates.box;
+        return travel[0] != 0f && box[4 * t] - m - Math.abs(travel[0]) < k.bounds.minX()
+                || travel[1] != 0f && box[4 * t + 2] + m + Math.abs(travel[1]) > k.bounds.maxX()
+                || travel[2] != 0f && box[4 * t + 1] - m - Math.abs(travel[2]) < k.bounds.minY()
+                || travel[3] != 0f && box[4 * t + 3] + m + Math.abs(travel[3]) > k.bounds.maxY();
+    }
+
+    /** Whether terrain has pieces that may move. */
+    boolean piecesMove() {
+        return piecesMove(terrain);
+    }
+
+    static boolean piecesMove(TerrainStep of) {
+        return of != null && of.groundNodes < of.nodes;
+    }
+
+    /** Whether a piece that moves is near to a body, which meets it. */
+    boolean piecesMoveNear(int t) {
+        float m = 2f * Tuning.MARGIN * things.thin[t];
+        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        boolean near = false;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                float ax = u == 0 ? 0f : u * state.periodX;
+                float ay = v == 0 ? 0f : v * state.periodY;
+                near |= piecesMoveIn(
+                        t,
+                        candidates.box[4 * t] - m + ax,
+                        candidates.box[4 * t + 1] - m + ay,
+                        candidates.box[4 * t + 2] + m + ax,
+                        candidates.box[4 * t + 3] + m + ay);
+            }
+        }
+        return near;
+    }
+
+    private boolean piecesMoveIn(int t, float minX, float minY, float maxX, float maxY) {
+        float[] boxes = terrain.boxes;
+        for (int node = terrain.groundNodes; node < terrain.nodes; node++) {
+            int piece = terrain.links[2 * node + 1];
+            int n = 4 * node;
+            if (piece >= 0
+                    && terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0
+                    && boxes[n] <= maxX
+                    && boxes[n + 1] <= maxY
+                    && boxes[n + 2] >= minX
+                    && boxes[n + 3] >= minY
+                    && searches[0].meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Puts a pair of a body and what has a type and an id behind all others, without counting it. */
+    void probe(int body, int type, int id) {
+        ensurePairs(count + 1);
+        a[count] = thingOfBody[body];
+        b[count] = thing(type, id);
+        measurePair(count);
+    }
+
+    /** Forgets what pairs have been put behind all others, and their things, of which there were so many before. */
+    void forgetProbes(int thingsBefore) {
+        things.truncate(thingsBefore);
+        for (int wall = 0; wall < thingOfWall.length; wall++) {
+            thingOfWall[wall] = thingOfWall[wall] >= thingsBefore ? -1 : thingOfWall[wall];
+        }
+    }
+
+    /** How many bodies are awake. */
+    int awake() {
+        return awakeBodies;
     }
 
     /** The box of a body, with its part of margins. */
@@ -298,14 +401,18 @@ final class RigidPairs {
                 before = key;
                 int id = RigidKeys.other(key);
                 a[count] = thingOfBody[RigidKeys.body(key)];
-                b[count++] = switch (type) {
-                    case BODY_BODY -> thingOfBody[id];
-                    case BODY_PIECE -> pieceThing(id);
-                    case BODY_WALL -> wallThing(id);
-                    default -> circleThing(id);
-                };
+                b[count++] = thing(type, id);
             }
         }
+    }
+
+    private int thing(int type, int id) {
+        return switch (type) {
+            case BODY_BODY -> thingOfBody[id];
+            case BODY_PIECE -> pieceThing(id);
+            case BODY_WALL -> wallThing(id);
+            default -> circleThing(id);
+        };
     }
 
     private void ensurePairs(int needed) {
@@ -313,9 +420,9 @@ final class RigidPairs {
             int n = Math.max(64, needed + (needed >> 1));
             a = Arrays.copyOf(a, n);
             b = Arrays.copyOf(b, n);
-            ox = new float[n];
-            oy = new float[n];
-            margin = new float[n];
+            ox = Arrays.copyOf(ox, n);
+            oy = Arrays.copyOf(oy, n);
+            margin = Arrays.copyOf(margin, n);
         }
     }
 
@@ -339,7 +446,7 @@ final class RigidPairs {
             oy[p] = near ? CircleMath.shortWay(y, state.periodY) : y + 0f;
         }
         margin[p] = 2f * (near[t] + near[other]);
-        if (things.w[other] == 0f && things.shape[other] == null) {
+        if (things.ownW[other] == 0f && things.shape[other] == null) {
             margin[p] += 2f * Tuning.MARGIN * things.thin[t];
         }
     }
@@ -416,23 +523,41 @@ final class RigidPairs {
         things.thin[t] = r;
         things.reach[t] = r;
         things.w[t] = state.traits[s + CircleRow.INVERSE_MASS];
+        things.ownW[t] = state.ownInverseMass(slot);
         things.restitution[t] = state.traits[s + CircleRow.RESTITUTION];
         things.kind[t] = searches[0].kindOf(slot);
         if (things.w[t] > 0f) {
             things.gainX[t] = state.gainX(slot, k);
             things.gainY[t] = state.gainY(slot, k);
         }
-        if (k.turning && slot < state.awake) {
-            takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
-            things.i[t] = things.w[t] == 0f ? 0f : state.turning.spin[s + CircleRow.INVERSE_INERTIA] / (r * r);
-        } else if (k.turning) {
-            takeSurfaceAtRest(t, id);
-        }
         things.place(t);
         ensureNear();
         near[t] = searches[0].nearOf(slot);
         thingOfCircle[id] = t;
         return t;
+    }
+
+    /** What surfaces circles touch with, once a step has begun to turn them. */
+    void takeCircleSurfaces() {
+        for (int t = things.bodies; t < things.count && k.turning; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                takeCircleSurface(t, state.slotOf[things.id[t]]);
+            }
+        }
+    }
+
+    private void takeCircleSurface(int t, int slot) {
+        float r = things.thin[t];
+        if (slot < state.awake) {
+            takeSurface(t, state.turning.circleSurfaces, KindSurface.of(slot));
+            things.i[t] = things.w[t] == 0f
+                    ? 0f
+                    : state.turning.spin[CircleRow.of(slot) + CircleRow.INVERSE_INERTIA] / (r * r);
+            things.ownI[t] = things.i[t];
+        } else {
+            takeSurfaceAtRest(t, things.id[t]);
+            things.ownI[t] = things.ownW[t] == 0f ? 0f : state.turning.ownInverseInertia(slot) / (r * r);
+        }
     }
 
     long bytes() {

@@ -4,6 +4,7 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
 import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 
+import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.AxisEdge;
@@ -11,7 +12,9 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
 import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainStep;
@@ -41,6 +44,16 @@ final class RigidPasses {
     private final RigidOrder order;
     private final RigidVisits visits;
     private final RigidJoints joints;
+    private final RigidResting resting;
+
+    /** Null if nobody sleeps. */
+    private float[] kindSleep;
+
+    /** Whether all contacts stay as they are, and no body touches something else. */
+    private boolean allRest;
+
+    /** Whom bodies are about to push. */
+    final WakingByBodies waking;
 
     // within a step
     private RigidStep step;
@@ -63,6 +76,8 @@ final class RigidPasses {
         order = new RigidOrder(contacts, pairs);
         visits = new RigidVisits(contacts, pairs, order, team, leastShare / PAIRS);
         joints = new RigidJoints(state, pairs);
+        resting = new RigidResting(state, pairs);
+        waking = new WakingByBodies(state, contacts, pairs, visits, resting, joints);
     }
 
     /** How many workers are worth their while. */
@@ -70,19 +85,59 @@ final class RigidPasses {
         return bodies.count / leastBodies;
     }
 
-    /** Begins a step, in which circles have begun theirs. Without joints of bodies, theirs are null. */
-    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
+    /**
+     * Finds the contacts of a step, as all lies now. Without joints of bodies, theirs are null. Before circles wake, and again if some have: who
+     * sleeps is another thing in contacts.
+     */
+    void find(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
         step = bodies;
         k = constants;
         terrain = ground;
-        joints.findPartners(jointStep, states);
+        joints.findPartners(bodies, jointStep, states);
         pairs.find(bodies, constants, ground);
         contacts.find(bodies, constants);
+    }
+
+    /** Whether a body sleeps. */
+    boolean anySleeps(RigidStep bodies) {
+        for (int id = 0; id < bodies.end; id++) {
+            if (bodies.outline[id] != null && bodies.isAsleep(id)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a step changes nothing of bodies, nor they of circles. Without joints of bodies, theirs are null. */
+    boolean isIdle(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep) {
+        return jointStep == null
+                && !RigidPairs.piecesMove(constants.terrain ? ground : null)
+                && waking.isIdle(bodies, constants)
+                && areStill();
+    }
+
+    /** Whether no circle moves. */
+    private boolean areStill() {
+        boolean still = true;
+        for (int slot = 0; slot < state.awake; slot++) {
+            still &= pairs.isStill(slot);
+        }
+        return still;
+    }
+
+    /** Begins a step, of which contacts have been found, and in which circles have begun theirs. kinds: by which bodies fall asleep, or null. */
+    void begin(float[] kinds) {
+        kindSleep = kinds;
+        allRest = pairs.awake() == 0 && contacts.count == 0 && k.warmScale == 1f && resting.areAll(step);
+        if (!allRest) {
+            resting.take(step, k.warmScale);
+        }
         cover.apply();
         order.find();
+        pairs.takeCircleSurfaces();
         takeCircles(false);
-        visits.begin(constants);
-        joints.begin(constants);
+        visits.begin(k);
+        joints.begin(k);
         pushCircles();
     }
 
@@ -159,7 +214,11 @@ final class RigidPasses {
                     things.dx[t] = state.motion[m + CircleRow.DX];
                     things.dy[t] = state.motion[m + CircleRow.DY];
                 }
-                default -> moveBody(t);
+                default -> {
+                    if (!things.asleep[t]) {
+                        moveBody(t);
+                    }
+                }
             }
         }
     }
@@ -271,6 +330,11 @@ final class RigidPasses {
     void end() {
         for (int t = 0; t < things.bodies; t++) {
             int id = things.id[t];
+            if (things.asleep[t]) {
+                continue;
+            }
+            float movedX = things.dx[t] - step.restX[id];
+            float movedY = things.dy[t] - step.restY[id];
             float x = things.x[t] + things.dx[t];
             float y = things.y[t] + things.dy[t];
             step.restX[id] = CircleMath.lostByRounding(things.x[t], things.dx[t], x);
@@ -283,10 +347,47 @@ final class RigidPasses {
             step.vx[id] = Velocity.limitSpeed(things.vx[t]);
             step.vy[id] = Velocity.limitSpeed(things.vy[t]);
             step.omega[id] = Velocity.limitSpeed(things.omega[t]);
+            if (kindSleep != null) {
+                rest(t, id, movedX, movedY);
+            }
         }
-        contacts.keep();
-        joints.end();
-        tell();
+        if (joints.end()) {
+            step.changes++;
+        }
+        if (!allRest) {
+            contacts.keep(resting);
+            resting.publish(step);
+            tell();
+        }
+    }
+
+    /** A body that has moved by so much comes to rest, or begins anew to do so. */
+    private void rest(int t, int id, float movedX, float movedY) {
+        float driftX = step.extras.real(id, RigidExtras.DRIFT_X) + movedX;
+        float driftY = step.extras.real(id, RigidExtras.DRIFT_Y) + movedY;
+        int turned = step.extras.get(id, RigidExtras.TURNED) + (step.angle[id] - things.angle[t]);
+        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
+        int kind = KindSleep.of(things.kind[t]);
+        float damping = kindSleep[kind + KindSleep.DAMPING];
+        float most = Sleep.drift(things.thin[t], gain, k.inverseH, damping);
+        boolean rests = (gain > 0f || damping > 0f)
+                && kindSleep[kind + KindSleep.AWAKE] == 0f
+                && Math.abs(step.omega[id]) * k.dt < Sleep.TURN_OF_STEP
+                && Sleep.rests(driftX, driftY, turned, things.reach[t], most)
+                && !joints.drive(id);
+        if (!rests) {
+            step.wake(id);
+            return;
+        }
+        int rest = step.extras.get(id, RigidExtras.REST) + 1;
+        step.setRest(id, rest, turned, driftX, driftY);
+        if (Sleep.fallsAsleep(rest, k.dt)) {
+            step.setRest(id, Sleep.ASLEEP, Sleep.NO_OFFSET, things.gainX[t] * k.inverseH, things.gainY[t] * k.inverseH);
+            step.setSpinOfRest(id, things.gainOmega[t] * k.inverseH, 0);
+            step.vx[id] = 0f;
+            step.vy[id] = 0f;
+            step.omega[id] = 0f;
+        }
     }
 
     private void keepInsideX(int id) {
@@ -356,6 +457,13 @@ final class RigidPasses {
     }
 
     long bytes() {
-        return pairs.bytes() + contacts.bytes() + cover.bytes() + order.bytes() + visits.bytes() + joints.bytes();
+        return resting.bytes()
+                + waking.bytes()
+                + pairs.bytes()
+                + contacts.bytes()
+                + cover.bytes()
+                + order.bytes()
+                + visits.bytes()
+                + joints.bytes();
     }
 }

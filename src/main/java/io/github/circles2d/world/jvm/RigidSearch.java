@@ -61,7 +61,7 @@ final class RigidSearch {
     /** Finds what is near to a body, of two bodies by that of the lower id. */
     void findNear(int t) {
         findBodies(t);
-        if (things.moves(t)) {
+        if (things.gives(t)) {
             // what does not move has no thickness of its own
             float m = 2f * Tuning.MARGIN * things.thin[t];
             int at = 4 * t;
@@ -84,7 +84,7 @@ final class RigidSearch {
         for (int k = candidates.first(t); k < last; k++) {
             int other = of[k];
             if (candidates.meet(t, other)
-                    && (things.moves(t) || things.moves(other))
+                    && (things.gives(t) || things.gives(other))
                     && meets(things.kind[t], things.kind[other])
                     && !areOfOneGroup(t, other)) {
                 add(BODY_BODY, things.id[t], things.id[other]);
@@ -92,7 +92,7 @@ final class RigidSearch {
         }
     }
 
-    private boolean meets(int kind, int other) {
+    boolean meets(int kind, int other) {
         return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
     }
 
@@ -170,11 +170,17 @@ final class RigidSearch {
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
         for (int f = 0; f < found.count; f++) {
             int t = found.box[f];
-            boolean moves = things.moves(t) || !state.isStatic(slot);
+            boolean moves = things.gives(t) || !isStill(slot);
             if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
                 add(BODY_CIRCLE, things.id[t], state.id[slot]);
             }
         }
+    }
+
+    /** Whether a circle gives way to nobody, and stays where it is: it sleeps, or is static and has no velocity. */
+    boolean isStill(int slot) {
+        int s = CircleRow.of(slot);
+        return state.isStatic(slot) && state.motion[s + CircleRow.VX] == 0f && state.motion[s + CircleRow.VY] == 0f;
     }
 
     int kindOf(int slot) {
@@ -185,7 +191,8 @@ final class RigidSearch {
     float nearOf(int slot) {
         int s = CircleRow.of(slot);
         float speed = CircleMath.length(state.motion[s + CircleRow.VX], state.motion[s + CircleRow.VY]);
-        float gain = state.isStatic(slot) ? 0f : CircleMath.length(state.gainX(slot, k), state.gainY(slot, k));
+        float own = state.ownInverseMass(slot);
+        float gain = own == 0f ? 0f : CircleMath.length(state.gainX(slot, own, k), state.gainY(slot, own, k));
         return Tuning.MARGIN * state.circle[s + CircleRow.RADIUS] + 0.5f * k.dt * (speed + gain * k.subSteps);
     }
 

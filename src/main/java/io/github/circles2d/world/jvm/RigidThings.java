@@ -48,6 +48,11 @@ final class RigidThings {
 
     float[] i = new float[0];
 
+    /** The same, also of what sleeps, which moves others as if it would give way. */
+    float[] ownW = new float[0];
+
+    float[] ownI = new float[0];
+
     /** Lengths of contacts are measured by it. */
     float[] thin = new float[0];
 
@@ -63,6 +68,15 @@ final class RigidThings {
     float[] gainY = new float[0];
     float[] gainOmega = new float[0];
     int[] kind = new int[0];
+
+    /** The same of a body, also of one that sleeps. */
+    float[] ownGainX = new float[0];
+
+    float[] ownGainY = new float[0];
+    float[] ownGainOmega = new float[0];
+
+    /** Of a body: whether it sleeps. */
+    boolean[] asleep = new boolean[0];
 
     /** Of a piece that lets pass what comes from behind. */
     boolean[] oneWay = new boolean[0];
@@ -89,6 +103,15 @@ final class RigidThings {
         count = 0;
         cornerCount = 0;
         lineCount = 0;
+    }
+
+    /** Forgets the things from one on, which have been added last. */
+    void truncate(int from) {
+        if (from < count) {
+            cornerCount = firstCorner[from];
+            lineCount = firstLine[from];
+            count = from;
+        }
     }
 
     static int corner(int c) {
@@ -123,6 +146,8 @@ final class RigidThings {
         beforeOmega[t] = 0f;
         w[t] = 0f;
         i[t] = 0f;
+        ownW[t] = 0f;
+        ownI[t] = 0f;
         thin[t] = 0f;
         reach[t] = Float.POSITIVE_INFINITY;
         restitution[t] = 0f;
@@ -132,6 +157,10 @@ final class RigidThings {
         gainX[t] = 0f;
         gainY[t] = 0f;
         gainOmega[t] = 0f;
+        ownGainX[t] = 0f;
+        ownGainY[t] = 0f;
+        ownGainOmega[t] = 0f;
+        asleep[t] = false;
         kind[t] = 0;
         oneWay[t] = false;
         shape[t] = null;
@@ -161,6 +190,8 @@ final class RigidThings {
         beforeOmega = Arrays.copyOf(beforeOmega, n);
         w = Arrays.copyOf(w, n);
         i = Arrays.copyOf(i, n);
+        ownW = Arrays.copyOf(ownW, n);
+        ownI = Arrays.copyOf(ownI, n);
         thin = Arrays.copyOf(thin, n);
         reach = Arrays.copyOf(reach, n);
         restitution = Arrays.copyOf(restitution, n);
@@ -170,6 +201,10 @@ final class RigidThings {
         gainX = Arrays.copyOf(gainX, n);
         gainY = Arrays.copyOf(gainY, n);
         gainOmega = Arrays.copyOf(gainOmega, n);
+        ownGainX = Arrays.copyOf(ownGainX, n);
+        ownGainY = Arrays.copyOf(ownGainY, n);
+        ownGainOmega = Arrays.copyOf(ownGainOmega, n);
+        asleep = Arrays.copyOf(asleep, n);
         kind = Arrays.copyOf(kind, n);
         oneWay = Arrays.copyOf(oneWay, n);
         shape = Arrays.copyOf(shape, n);
@@ -190,6 +225,11 @@ final class RigidThings {
             line = Arrays.copyOf(line, 2 * l);
             turnedLine = Arrays.copyOf(turnedLine, 2 * l);
         }
+    }
+
+    /** Whether contacts move or turn a thing. */
+    boolean gives(int t) {
+        return w[t] > 0f || i[t] > 0f;
     }
 
     /** Gives the last thing the outline of a body. */
@@ -240,11 +280,6 @@ final class RigidThings {
         line[l + OutlineShape.LENGTH] = length;
         line[l + OutlineShape.THICKNESS] = thickness;
         lines[count - 1]++;
-    }
-
-    /** Whether contacts move a thing. */
-    boolean moves(int t) {
-        return w[t] > 0f || i[t] > 0f;
     }
 
     boolean isBent(int c) {
@@ -407,6 +442,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 120L * type.length + 8L * (corner.length + line.length);
+        return 141L * type.length + 8L * (corner.length + line.length);
     }
 }

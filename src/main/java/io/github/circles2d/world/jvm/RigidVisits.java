@@ -90,7 +90,7 @@ final class RigidVisits {
                 int circle = pairs.b[contacts.pair[p]];
                 float kb = contacts.a[c] == body ? massOfA(c) : massOfB(c);
                 if (kb > 0f) {
-                    share[body] += kb / (kb + things.w[circle]);
+                    share[body] += kb / (kb + things.ownW[circle]);
                 }
             }
         }
@@ -112,9 +112,9 @@ final class RigidVisits {
             rows[row + RigidRow.ROLLING] = CircleMath.max(things.rolling[a], things.rolling[b]);
             rows[row + RigidRow.BELTS] = things.belt[a] + things.belt[b];
             rows[row + RigidRow.RESTITUTION] = CircleMath.max(things.restitution[a], things.restitution[b]);
-            rows[row + RigidRow.LENGTH] = things.w[a] == 0f
+            rows[row + RigidRow.LENGTH] = things.ownW[a] == 0f
                     ? 2f * things.thin[b]
-                    : things.w[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+                    : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
             setMasses(c);
         }
     }
@@ -148,22 +148,22 @@ final class RigidVisits {
     }
 
     /** One over the effective mass of A alone along the normal. */
-    private float massOfA(int c) {
+    float massOfA(int c) {
         int t = contacts.a[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float arm =
                 rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
-        return things.w[t] + things.i[t] * arm * arm;
+        return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
-    private float massOfB(int c) {
+    float massOfB(int c) {
         int t = contacts.b[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float arm =
                 rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
-        return things.w[t] + things.i[t] * arm * arm;
+        return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
     /** What is accumulated acts again; on circles it has acted before. */
@@ -188,7 +188,7 @@ final class RigidVisits {
     }
 
     private void push(int t, float x, float y, float armX, float armY) {
-        if (fixed && !things.moves(t)) {
+        if (fixed && !things.gives(t)) {
             return;
         }
         gain(t, things.w[t] * x, things.w[t] * y, things.i[t] * (armX * y - armY * x));
@@ -266,7 +266,7 @@ final class RigidVisits {
                     && (isMinusZero(things.vx[t])
                             || isMinusZero(things.vy[t])
                             || isMinusZero(things.omega[t])
-                            || !things.moves(t) && !isLimited(t))) {
+                            || !things.gives(t) && !isLimited(t))) {
                 return false;
             }
         }
@@ -479,7 +479,7 @@ final class RigidVisits {
             pushBoth(c, -ny * (next - before), nx * (next - before));
         }
         float resistance = rows[row + RigidRow.ROLLING];
-        float turns = resistance > 0f ? things.i[a] + things.i[b] : 0f;
+        float turns = resistance > 0f ? things.ownI[a] + things.ownI[b] : 0f;
         if (turns > 0f) {
             float before = rows[row + RigidRow.ROLL];
             float next = Surface.rolling(
@@ -509,8 +509,8 @@ final class RigidVisits {
         float ny = rows[row + RigidRow.NY];
         float armA = rows[row + RigidRow.AX] * nx + rows[row + RigidRow.AY] * ny;
         float armB = rows[row + RigidRow.BX] * nx + rows[row + RigidRow.BY] * ny;
-        return massOf(shareA * (things.w[a] + things.i[a] * armA * armA)
-                + shareB * (things.w[b] + things.i[b] * armB * armB));
+        return massOf(shareA * (things.ownW[a] + things.ownI[a] * armA * armA)
+                + shareB * (things.ownW[b] + things.ownI[b] * armB * armB));
     }
 
     /** An effective mass, from one over it. No impulse moves what has none. */
@@ -562,7 +562,7 @@ final class RigidVisits {
         float shareA = contacts.a[c] == body ? share[body] : 1f;
         float shareB = contacts.b[c] == body ? share[body] : 1f;
         int row = RigidRow.of(c);
-        if (withoutBias && isIdle(row)) {
+        if (withoutBias && isIdle(row) || !isVisited(c)) {
             return;
         }
         float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
@@ -571,6 +571,11 @@ final class RigidVisits {
         if (withoutBias || contacts.rows[row + RigidRow.BOUNCE] > 0f) {
             solveGrip(c, gripMass(c, shareA, shareB));
         }
+    }
+
+    /** Whether one of both gives. What sleeps on what moves by itself keeps its impulses. */
+    private boolean isVisited(int c) {
+        return things.gives(contacts.a[c]) || things.gives(contacts.b[c]);
     }
 
     long bytes() {

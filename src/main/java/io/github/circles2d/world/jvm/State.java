@@ -13,6 +13,7 @@ import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
@@ -135,6 +136,9 @@ public final class State implements ContactEvents.Sleepers {
     private int[] drowsy = new int[16];
 
     private int drowsyCount;
+
+    /** Null as long as there has been no rigid body. */
+    RigidStep rigids;
 
     /** What circles give back that wake; {@link #startSleep} sets it. */
     private ImpulseCache impulseCache;
@@ -314,6 +318,11 @@ public final class State implements ContactEvents.Sleepers {
         if (commands.wakesSome()) {
             wakeBy(commands);
         }
+        for (int k = 0; k < commands.areas(); k++) {
+            float[] area = commands.areaValues();
+            int at = Commands.AREA * k;
+            wakeNear(-1, area[at], area[at + 1], area[at + 2]);
+        }
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
             int k = c * Commands.STRIDE;
@@ -422,15 +431,19 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Wakes circles that sleep and may touch one that changes. */
     private void wakeNear(int changed) {
+        int s = CircleRow.of(changed);
+        wakeNear(id[changed], circle[s + X], circle[s + Y], circle[s + RADIUS]);
+        if (sleepers != null && rigids != null) {
+            rigids.wakeNear(-1, circle[s + X], circle[s + Y], circle[s + RADIUS], periodX, periodY);
+        }
+    }
+
+    /** The same of what is at a place, and reaches so far; itself: the circle that it is, or -1. */
+    private void wakeNear(int itself, float x, float y, float r) {
         if (sleepers == null || sleepers.count == 0) {
             return;
         }
-        int s = CircleRow.of(changed);
-        float x = circle[s + X];
-        float y = circle[s + Y];
-        float r = circle[s + RADIUS];
         float far = Sleep.NEIGHBOURS * r;
-        int itself = id[changed];
         resting.find(near, arena, x - far, x + far, y - far, y + far, Sleep.NEIGHBOURS);
         for (int k = 0; k < near.count; k++) {
             near.slots[k] = id[near.slots[k]]; // slots change as circles wake
@@ -459,6 +472,9 @@ public final class State implements ContactEvents.Sleepers {
 
     /** Wakes circles by their kinds, and at walls. */
     private void wakeBy(Commands commands) {
+        if (sleepers != null && rigids != null) {
+            wakeBodiesBy(commands);
+        }
         for (int slot = n - 1; slot >= 0 && sleepers != null && sleepers.count > 0; slot--) {
             int s = CircleRow.of(slot);
             if (sleepers.isAsleep(id[slot])
@@ -468,6 +484,27 @@ public final class State implements ContactEvents.Sleepers {
                 slot = Math.min(slot + 1, n); // another one has come to the place
             }
         }
+    }
+
+    /** The same of bodies. */
+    private void wakeBodiesBy(Commands commands) {
+        for (int body = 0; body < rigids.end; body++) {
+            if (rigids.outline[body] != null && rigids.isAsleep(body) && commands.wakes(rigids.kind[body], 0f, 0f)) {
+                rigids.wake(body);
+            }
+        }
+        for (int k = 0; k < rigids.contacts; k++) {
+            int at = RigidStep.KEYS * k;
+            int body = rigids.contactKeys[at + RigidStep.A];
+            boolean presses = rigids.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_WALL
+                    && rigids.contactImpulses[RigidStep.IMPULSES * k + RigidStep.NORMAL] > 0f;
+            if (presses
+                    && rigids.isAsleep(body)
+                    && (commands.wallsToWake() & 1 << rigids.contactKeys[at + RigidStep.B]) != 0) {
+                rigids.wake(body);
+            }
+        }
+        rigids.changes++;
     }
 
     /** The inverse mass of a circle, also of one that sleeps. */

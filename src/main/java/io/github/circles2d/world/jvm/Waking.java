@@ -90,6 +90,9 @@ final class Waking {
     /** Null without joints. */
     private RestingJoints joints;
 
+    /** Null without bodies. */
+    private WakingByBodies bodies;
+
     // the normal between two circles, and how far their surfaces are apart
     private float nx;
     private float ny;
@@ -146,11 +149,20 @@ final class Waking {
     // -------------------------------------------------------------------------------------------------------
 
     /** Wakes circles; returns whether there are any. */
-    boolean wake(StepConstants constants, TerrainStep terrain, PieceSearch pieces, RestingJoints held) {
+    boolean wake(
+            StepConstants constants,
+            TerrainStep terrain,
+            PieceSearch pieces,
+            RestingJoints held,
+            WakingByBodies pushed) {
         k = constants;
         joints = held;
+        bodies = pushed;
         begin();
         lookAtBorder();
+        if (bodies != null) {
+            lookAtPushed();
+        }
         if (joints != null) {
             lookAtPulled();
         }
@@ -187,12 +199,16 @@ final class Waking {
         for (int n = 0; n < count; n++) {
             judge(list[n]);
         }
+        if (bodies != null) {
+            bodies.findWoken();
+        }
         wakeRings();
+        boolean some = bodies != null && bodies.end() || wokenCount > 0;
         for (int n = 0; n < wokenCount; n++) {
             sleepers().restart(state.wake(state.slotOf[woken[n]]));
         }
         sleepers().scale(k.warmScale);
-        return wokenCount > 0;
+        return some;
     }
 
     private void begin() {
@@ -313,6 +329,20 @@ final class Waking {
         push(state.id[slot], hit(slot, awake, isLower ? -v : v, separation, restitution, j));
     }
 
+    /** Circles near to bodies: these may hit them, and press them. */
+    private void lookAtPushed() {
+        for (int c = bodies.first(); c < bodies.count(); c++) {
+            int id = bodies.circle(c);
+            if (look(id)) {
+                int slot = state.slotOf[id];
+                float j = bodies.impulse(c);
+                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                float v = bodies.approach(c);
+                push(id, hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
+            }
+        }
+    }
+
     private float ofEntry(int entry, int row) {
         return state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
     }
@@ -323,8 +353,12 @@ final class Waking {
 
     /** Adds the impulses of a contact, along the normal that has been found and its tangent, to the sums of a circle. */
     private void press(int slot, boolean isLower, float j, float f, float rolling) {
-        float side = isLower ? -1f : 1f;
-        add(slot, side * (nx * j - ny * f), side * (ny * j + nx * f), j, -f + side * rolling / radius(slot));
+        press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
+    }
+
+    /** The same along a normal, which goes towards the circle if the side is 1. */
+    private void press(int slot, float side, float x, float y, float j, float f, float rolling) {
+        add(slot, side * (x * j - y * f), side * (y * j + x * f), j, -f + side * rolling / radius(slot));
     }
 
     private void add(int slot, float x, float y, float load, float spin) {
@@ -377,11 +411,15 @@ final class Waking {
     }
 
     private float hit(int slot, int awake, float approach, float gap, float restitution, float j) {
+        return hit(slot, state.ownInverseMass(awake), approach, gap, restitution, j);
+    }
+
+    private float hit(int slot, float itsInverseMass, float approach, float gap, float restitution, float j) {
         return Sleep.hit(
                 approach,
                 gap,
                 state.ownInverseMass(slot),
-                state.ownInverseMass(awake),
+                itsInverseMass,
                 restitution,
                 j,
                 gainOfStep(slot),
@@ -523,6 +561,14 @@ final class Waking {
                 addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
             }
         }
+        for (int e = bodies == null ? -1 : bodies.firstOf(id); e >= 0; e = bodies.next(e)) {
+            int c = bodies.measure(e);
+            if (c >= 0) {
+                float j = bodies.impulse(c) * k.warmScale;
+                float f = bodies.grip(c) * k.warmScale;
+                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+            }
+        }
         for (int entry = joints == null ? 0 : joints.first(id);
                 joints != null && entry < joints.first(id + 1);
                 entry++) {
@@ -634,11 +680,18 @@ final class Waking {
     /** Passes on what has woken circles, from ring to ring; all of a ring wake at once. */
     private void wakeRings() {
         int from = 0;
-        for (int ring = 1; ring < Sleep.RINGS && from < wokenCount; ring++) {
+        for (int ring = 1; ring < Sleep.RINGS && (from < wokenCount || bodies != null && bodies.hasRing()); ring++) {
             int end = wokenCount;
             count = 0;
+            if (bodies != null) {
+                bodies.beginRing();
+                bodies.passOn(this);
+            }
             for (int n = from; n < end; n++) {
                 passOn(woken[n]);
+                if (bodies != null) {
+                    bodies.passOnFrom(woken[n], speed[woken[n]]);
+                }
                 if (joints != null) {
                     passOnByJoints(woken[n]);
                 }
@@ -652,7 +705,30 @@ final class Waking {
                 }
             }
             from = end;
+            if (bodies != null) {
+                bodies.endRing();
+            }
         }
+    }
+
+    /** What has woken a body reaches a circle that it touches, with an impulse or a gap. own: the inverse mass of the circle. */
+    void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own) {
+        int slot = state.slotOf[id];
+        if (sleepers().isAsleep(id) && wokenIn[id] != step) {
+            reach(
+                    id,
+                    j > 0f
+                            ? Sleep.passedOn(itsSpeed, j, loadOf(id, slot), own, itsInverseMass, gainOfStep(slot))
+                            : Sleep.passedFreely(itsSpeed, gap, own, itsInverseMass, gainOfStep(slot), k.dt));
+        }
+    }
+
+    /** Whether there is no circle to look at but those near to circles and bodies that are awake. */
+    boolean isIdle(RestingJoints held) {
+        return borderCount == 0
+                && sleepers().suspects() == 0
+                && !sleepers().suspectsAll()
+                && jointOrder == (held == null ? NO_JOINTS : held.order());
     }
 
     private void passOn(int id) {

@@ -15,7 +15,6 @@ public final class KindSleep {
     public int version;
 
     private int kindsVersion = -1;
-    private boolean allAwake;
 
     public interface Values {
         /** 1/s */
@@ -28,17 +27,16 @@ public final class KindSleep {
         return STRIDE * kind;
     }
 
-    /** Does nothing if nothing has changed. allStayAwake: whatever their kinds say. */
-    public void update(Values kinds, int ofVersion, boolean allStayAwake) {
-        if (kindsVersion == ofVersion && allAwake == allStayAwake) {
+    /** Does nothing if nothing has changed. */
+    public void update(Values kinds, int ofVersion) {
+        if (kindsVersion == ofVersion) {
             return;
         }
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             rows[of(kind) + DAMPING] = kinds.damping(kind);
-            rows[of(kind) + AWAKE] = kinds.sleeps(kind) && !allStayAwake ? 0f : 1f;
+            rows[of(kind) + AWAKE] = kinds.sleeps(kind) ? 0f : 1f;
         }
         kindsVersion = ofVersion;
-        allAwake = allStayAwake;
         version++;
     }
 }

@@ -113,7 +113,8 @@ public final class Sleep {
         return change > CHANGE * gain + ROUNDING * radius / dt;
     }
 
-    private static int parts(float x, float gain) {
+    /** A speed in parts of the gain. */
+    public static int parts(float x, float gain) {
         return (int) CircleMath.clamp(x / gain * PARTS, -MOST_PARTS, MOST_PARTS);
     }
 

@@ -99,6 +99,33 @@ public final class RigidReads {
         return bodies.kind[require(handle)];
     }
 
+    /** Whether a body does not sleep. */
+    public boolean isAwake(long handle) {
+        world.guard.enter();
+        try {
+            int body = world.rigid(handle);
+            world.pending.settle();
+            return !bodies.isAsleep(body);
+        } finally {
+            world.guard.leave();
+        }
+    }
+
+    /** How many bodies do not sleep. */
+    public int awake() {
+        world.guard.enter();
+        try {
+            world.pending.settle();
+            int count = 0;
+            for (int body = 0; body < table.ids.end(); body++) {
+                count += table.ids.lives(body) && !bodies.isAsleep(body) ? 1 : 0;
+            }
+            return count;
+        } finally {
+            world.guard.leave();
+        }
+    }
+
     /** The exclusion group; 0 for none. */
     public int group(long handle) {
         return bodies.extras.get(require(handle), RigidExtras.GROUP);

@@ -282,7 +282,10 @@ public enum Call {
             137, 2, Named.RIGID, (w, settings) -> Limits.within("torque", real(w[1]), -Limits.TORQUE, Limits.TORQUE)),
 
     /** A rigid body is in an exclusion group: the body, the group. */
-    RIGID_GROUP(138, 2, Named.RIGID);
+    RIGID_GROUP(138, 2, Named.RIGID),
+
+    /** A rigid body wakes: the body. */
+    WAKE_RIGID(139, 1, Named.RIGID);
 
     /** What the first word of a call may be the id of. */
     public enum Named {
@@ -305,7 +308,7 @@ public enum Call {
     private static final Call[] BY_NUMBER = new Call[256];
 
     private static final Set<Call> WAKING = EnumSet.of(
-            SEGMENT, ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN, REMOVE_BODY, TELEPORT_BODY, WAKE_ALL, RIGID);
+            SEGMENT, ARC, CHAIN, REMOVE_PIECE, PIECE_KIND, CLEAR_TERRAIN, REMOVE_BODY, TELEPORT_BODY, WAKE_ALL);
 
     static {
         for (Call call : values()) {

@@ -8,6 +8,7 @@ import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.WallMotion;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
@@ -255,6 +256,49 @@ final class RigidSection {
                 r.real(body, SavedRigids.EXTRAS + RigidExtras.FORCE_X),
                 r.real(body, SavedRigids.EXTRAS + RigidExtras.FORCE_Y));
         Limits.within("torque", r.real(body, SavedRigids.EXTRAS + RigidExtras.TORQUE), -Limits.TORQUE, Limits.TORQUE);
+    }
+
+    /** Checks how bodies sleep. It is known whether they do. */
+    static void checkSleep(SavedState s) {
+        SavedRigids r = s.rigids;
+        for (int body = 0; body < r.ids; body++) {
+            if (r.lives(body)) {
+                checkSleep(r, body, s.parameters().sleeps());
+            }
+        }
+    }
+
+    private static void checkSleep(SavedRigids r, int body, boolean sleeps) {
+        int first = SavedRigids.VALUES * body + SavedRigids.EXTRAS;
+        int bits = 0;
+        for (int k = RigidExtras.REST; k <= RigidExtras.SPIN_OFFSET; k++) {
+            bits |= r.values[first + k];
+        }
+        int rest = r.values[first + RigidExtras.REST];
+        SnapshotCodec.require(bits == 0 || sleeps && rest != 0, "a body comes to rest that never does");
+        if (bits == 0) {
+            return;
+        }
+        boolean asleep = Sleep.isAsleep(rest);
+        float most = asleep ? Float.MAX_VALUE : Limits.COORDINATE;
+        Limits.within("a drift of a body", r.real(body, SavedRigids.EXTRAS + RigidExtras.DRIFT_X), -most, most);
+        Limits.within("a drift of a body", r.real(body, SavedRigids.EXTRAS + RigidExtras.DRIFT_Y), -most, most);
+        Limits.within(
+                "a known angular acceleration",
+                r.real(body, SavedRigids.EXTRAS + RigidExtras.KNOWN_SPIN),
+                -Float.MAX_VALUE,
+                Float.MAX_VALUE);
+        int spinOffset = r.values[first + RigidExtras.SPIN_OFFSET];
+        int moves = r.values[SavedRigids.VALUES * body + SavedRigids.VX]
+                | r.values[SavedRigids.VALUES * body + SavedRigids.VY]
+                | r.values[SavedRigids.VALUES * body + SavedRigids.OMEGA];
+        SnapshotCodec.require(!asleep || moves == 0, "a body sleeps that moves");
+        SnapshotCodec.require(
+                asleep
+                        ? SleepSection.isOffset(r.values[first + RigidExtras.TURNED])
+                                && Math.abs((long) spinOffset) <= Sleep.MOST_PARTS
+                        : spinOffset == 0 && r.values[first + RigidExtras.KNOWN_SPIN] == 0,
+                "a body sleeps that is far out of balance");
     }
 
     private static void readContacts(ByteBuffer in, SavedState s) {

@@ -31,15 +31,6 @@ final class SleepSection {
         return bits == 0;
     }
 
-    /** Whether some circle sleeps. */
-    static boolean hasSleepers(SavedState s) {
-        boolean some = false;
-        for (int k = 0; s.parameters().sleeps() && k < s.circles; k++) {
-            some |= Sleep.isAsleep(s.rest[k]);
-        }
-        return some;
-    }
-
     private static int key(int rest) {
         return Sleep.isAsleep(rest) ? 1 + 2 * (Sleep.ASLEEP - rest) : 2 * rest;
     }
@@ -125,7 +116,7 @@ final class SleepSection {
         return Limits.within("a known acceleration", in.getFloat(), -Float.MAX_VALUE, Float.MAX_VALUE);
     }
 
-    private static boolean isOffset(int offset) {
+    static boolean isOffset(int offset) {
         return offset == Sleep.NO_OFFSET
                 || Math.abs((short) offset) <= Sleep.MOST_PARTS && Math.abs(offset >> 16) <= Sleep.MOST_PARTS;
     }

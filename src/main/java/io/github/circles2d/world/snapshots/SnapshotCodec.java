@@ -239,7 +239,7 @@ public final class SnapshotCodec {
         TerrainSection.checkChains(s.terrain);
         JointSection.checkColours(s);
         JointSection.checkRigids(s);
-        require(!s.rigids.hasBodies() || !SleepSection.hasSleepers(s), "circles sleep beside bodies");
+        RigidSection.checkSleep(s);
         return length;
     }
 

@@ -14,7 +14,6 @@ import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJoints;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.Sleep;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
@@ -134,14 +133,32 @@ class RigidSectionTest {
         refused("at no part", s -> s.rigids.contactKeys[RigidStep.FORM_AND_FEATURE] += 1 << RigidStep.FORM_SHIFT - 1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[1] = Float.NaN);
-        refused("circles sleep beside bodies", s -> {
-            s.setParameters(s.parameters().sleeping(true));
-            s.setSleeps(true);
-            Arrays.fill(s.rest, 0);
-            Arrays.fill(s.drift, 0);
-            Arrays.fill(s.turned, 0);
-            Arrays.fill(s.motion, 0);
-            s.rest[0] = Sleep.ASLEEP;
+        refused("never does", s -> rest(s, RigidExtras.REST, 3));
+        refused("never does", s -> {
+            sleep(s);
+            rest(s, RigidExtras.REST, 0);
+            rest(s, RigidExtras.TURNED, 3);
+        });
+        refused("a body sleeps that moves", s -> {
+            sleep(s);
+            set(s, SavedRigids.VX, 1);
+        });
+        refused("far out of balance", s -> {
+            sleep(s);
+            rest(s, RigidExtras.SPIN_OFFSET, 8193);
+        });
+        refused("far out of balance", s -> {
+            sleep(s);
+            rest(s, RigidExtras.REST, 1);
+            rest(s, RigidExtras.SPIN_OFFSET, 1);
+        });
+        refused("a drift", s -> {
+            sleep(s);
+            set(s, SavedRigids.EXTRAS + RigidExtras.DRIFT_X, Float.NaN);
+        });
+        refused("angular acceleration", s -> {
+            sleep(s);
+            set(s, SavedRigids.EXTRAS + RigidExtras.KNOWN_SPIN, Float.NaN);
         });
     }
 
@@ -184,6 +201,24 @@ class RigidSectionTest {
 
     private static void set(SavedState s, int value, float to) {
         s.rigids.values[value] = Float.floatToRawIntBits(to);
+    }
+
+    /** Sets a value of how the first body rests. */
+    private static void rest(SavedState s, int which, int to) {
+        s.rigids.values[SavedRigids.EXTRAS + which] = to;
+    }
+
+    /** The first body sleeps, and no circle does. */
+    private static void sleep(SavedState s) {
+        s.setParameters(s.parameters().sleeping(true));
+        s.setSleeps(true);
+        Arrays.fill(s.rest, 0);
+        Arrays.fill(s.drift, 0f);
+        Arrays.fill(s.turned, 0);
+        set(s, SavedRigids.VX, 0);
+        set(s, SavedRigids.VY, 0);
+        set(s, SavedRigids.OMEGA, 0);
+        rest(s, RigidExtras.REST, -1);
     }
 
     private static void refused(String message, Consumer<SavedState> forge) {
