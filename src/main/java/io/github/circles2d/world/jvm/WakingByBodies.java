@@ -145,7 +145,8 @@ final class WakingByBodies {
             x = state.motion[s + CircleRow.VX];
             y = state.motion[s + CircleRow.VY];
         }
-        return (ofA ? -1f : 1f) * (x * contacts.rows[RigidRow.of(c) + RigidRow.NX] + y * contacts.rows[RigidRow.of(c) + RigidRow.NY]);
+        return (ofA ? -1f : 1f)
+                * (x * contacts.rows[RigidRow.of(c) + RigidRow.NX] + y * contacts.rows[RigidRow.of(c) + RigidRow.NY]);
     }
 
     /** One over the effective mass of the body alone. */
@@ -327,7 +328,16 @@ final class WakingByBodies {
         float own = asA ? visits.massOfA(c) : visits.massOfB(c);
         if (things.gives(other)) {
             float its = asA ? visits.massOfB(c) : visits.massOfA(c);
-            push(id, hit(t, own, its, approach(c, !asA), contacts.rows[RigidRow.of(c) + RigidRow.GAP], restitution(c), contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]));
+            push(
+                    id,
+                    hit(
+                            t,
+                            own,
+                            its,
+                            approach(c, !asA),
+                            contacts.rows[RigidRow.of(c) + RigidRow.GAP],
+                            restitution(c),
+                            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]));
         } else {
             push(id, strong(t)); // it moves by itself
         }
@@ -337,8 +347,12 @@ final class WakingByBodies {
     private void press(int c, boolean asA) {
         int t = asA ? contacts.a[c] : contacts.b[c];
         float side = asA ? 1f : -1f;
-        float x = side * (contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] - contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
-        float y = side * (contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] + contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
+        float x = side
+                * (contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]
+                        - contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
+        float y = side
+                * (contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]
+                        + contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
         float armX = asA ? contacts.rows[RigidRow.of(c) + RigidRow.AX] : contacts.rows[RigidRow.of(c) + RigidRow.BX];
         float armY = asA ? contacts.rows[RigidRow.of(c) + RigidRow.AY] : contacts.rows[RigidRow.of(c) + RigidRow.BY];
         add(t, x, y, armX * y - armY * x, contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]);
@@ -481,7 +495,12 @@ final class WakingByBodies {
                     passOn(speed[id], c, !asA, own);
                 } else if (things.type[other] == RigidStep.BODY_CIRCLE) {
                     circles.reachFromBody(
-                            things.id[other], speed[id], contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE], contacts.rows[RigidRow.of(c) + RigidRow.GAP], own, things.ownW[other]);
+                            things.id[other],
+                            speed[id],
+                            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
+                            contacts.rows[RigidRow.of(c) + RigidRow.GAP],
+                            own,
+                            things.ownW[other]);
                 }
             }
             joints.passOn(pairs.bodyThing(id), speed[id], this);
@@ -504,7 +523,13 @@ final class WakingByBodies {
     private void passOn(float itsSpeed, int c, boolean toA, float its) {
         int t = toA ? contacts.a[c] : contacts.b[c];
         float own = toA ? visits.massOfA(c) : visits.massOfB(c);
-        passOn(t, itsSpeed, contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE], contacts.rows[RigidRow.of(c) + RigidRow.GAP], own, its);
+        passOn(
+                t,
+                itsSpeed,
+                contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
+                contacts.rows[RigidRow.of(c) + RigidRow.GAP],
+                own,
+                its);
     }
 
     /** What woke the other end of a contact or joint reaches a body, if that sleeps. */
