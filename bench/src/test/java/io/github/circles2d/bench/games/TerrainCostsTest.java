@@ -45,7 +45,8 @@ class TerrainCostsTest {
             String level = TerrainLevels.level(name, N);
             try (World world = TerrainLevels.load(level, World.builder().backend(Backend.JVM), 1)) {
                 assertThat(world.size()).as(name).isEqualTo(N);
-                assertThat(world.terrain().size()).as(name).isGreaterThan(20);
+                boolean hasTerrain = !name.equals("pile");
+                assertThat(world.terrain().size() > 20).as(name).isEqualTo(hasTerrain);
                 float[] circles = new float[4 * N];
                 world.read(circles);
                 double before = meanHeight(circles);
