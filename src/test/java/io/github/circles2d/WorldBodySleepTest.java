@@ -429,4 +429,66 @@ class WorldBodySleepTest {
             assertThat(bodies.events().size()).isEqualTo(2);
         }
     }
+
+    @Test
+    void theEndOfForcesOfAStepIsNoticed() {
+        try (World world = box().bounds(0, 0, 20, 10).build()) {
+            long crate = world.bodies().add(CRATE, 5, 9.5f, 0, 2);
+            for (int k = 0; k < 240; k++) {
+                world.bodies().applyForce(crate, 0, 40);
+                world.step(DT);
+            }
+            assertThat(world.bodies().isAwake(crate)).isFalse();
+            world.step(DT, 60);
+            assertThat(world.bodies().y(crate)).isLessThan(6);
+        }
+    }
+
+    @Test
+    void aCrateThatTumblesIsFeltByACrateThatSleeps() {
+        double most = 0;
+        try (World world = box().build()) {
+            long crate = world.bodies().add(CRATE, 10, 0.5f, 0, 2);
+            world.step(DT, 100);
+            assertThat(world.bodies().isAwake(crate)).isFalse();
+            long tumbling = world.bodies().add(CRATE, 7, 1.73f, 4.46f, 2);
+            world.bodies().setVelocity(tumbling, 7.6f, 0);
+            world.bodies().setAngularVelocity(tumbling, 10);
+            for (int k = 0; k < 90; k++) {
+                world.step(DT);
+                most = Math.max(most, world.bodies().vx(crate));
+            }
+        }
+        assertThat(most).isGreaterThan(2);
+    }
+
+    @Test
+    void whatAWallTakesAlongWakesABodyThatLiesOnIt() {
+        try (World world = box().build()) {
+            long post = world.add(10, 0.8f, 0.8f, Float.POSITIVE_INFINITY);
+            long plank = world.bodies().add(Outline.box(6, 0.3f), 10, 1.75f, 0, 3);
+            world.step(DT, 120);
+            assertThat(world.bodies().isAwake(plank)).isFalse();
+            for (int k = 0; k <= 140; k++) {
+                world.setBounds(0, k * 0.01f, 20, 20);
+                world.step(DT);
+            }
+            assertThat(world.y(post)).isGreaterThan(1.3f);
+            assertThat(world.bodies().y(plank)).isCloseTo(world.y(post) + 0.95f, within(0.15f));
+        }
+    }
+
+    @Test
+    void iceUnderACrateLetsItGo() {
+        for (boolean sleeps : new boolean[] {false, true}) {
+            try (World world = box().sleep(sleeps).build()) {
+                long crate = world.bodies().add(CRATE, 5, 0.5f, 0, 2);
+                world.bodies().setForce(crate, 5, 0);
+                world.step(DT, 240);
+                world.setWallSurface(Wall.MIN_Y, 0, 0, 0);
+                world.step(DT, 60);
+                assertThat(world.bodies().x(crate)).isCloseTo(6.25f, within(0.05f));
+            }
+        }
+    }
 }

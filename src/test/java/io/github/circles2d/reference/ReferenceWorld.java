@@ -1192,6 +1192,14 @@ public final class ReferenceWorld implements WorldCalls {
                     c.wake();
                 }
             }
+            for (Rigid body : rigids.all()) {
+                float reach = WAKING_NEIGHBOURS * body.outline.reach;
+                boolean near = min[a] > oldMin[a] && body.base[a] - reach < min[a] + far
+                        || max[a] < oldMax[a] && body.base[a] + reach > max[a] - far;
+                if (near && body.isAsleep()) {
+                    body.wake();
+                }
+            }
         }
         if (movesIn) {
             still.forEach(this::wakeHeldBy);

@@ -372,7 +372,7 @@ final class RigidContact {
     /** Friction, then rolling resistance, as far as the normal impulse allows. */
     void solveGrip(boolean summing) {
         float friction = sqrt(a.friction * b.friction);
-        if (friction > 0f) {
+        if (friction > 0f || grip != 0f) {
             float armA = ax * nx + ay * ny;
             float armB = bx * nx + by * ny;
             float m = massOf(shareOf(a, summing) * (a.ownW + a.ownI * armA * armA)

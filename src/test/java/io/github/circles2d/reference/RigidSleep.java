@@ -93,6 +93,9 @@ final class RigidSleep {
             vy = o.circle.velocity[1];
         }
         float v = (isA ? 1f : -1f) * (vx * c.nx + vy * c.ny);
+        if (o.circle == null && turnsFar(o, k)) {
+            v = farSpeed(o, isA ? 1f : -1f, c);
+        }
         if (!(v > 0f) || !(c.gap < v * k.dt())) {
             return 0f;
         }
@@ -101,6 +104,17 @@ final class RigidSleep {
         float speed = share * (1f + max(c.a.restitution, c.b.restitution)) * v;
         float most = (c.impulse > 0f ? Sleep.PUSH : Sleep.HIT) * gainOfStep(t);
         return speed > most && speed > Sleep.LEAST_HIT * t.thin / k.dt() ? speed : 0f;
+    }
+
+    /** Whether another corner may arrive than the one that is near. */
+    static boolean turnsFar(RigidThing body, StepParameters k) {
+        return Math.abs(body.omega) * k.dt() > 0.02f;
+    }
+
+    /** How fast a body comes that turns far. */
+    static float farSpeed(RigidThing body, float side, RigidContact c) {
+        float along = body.velocity[0] * c.nx + body.velocity[1] * c.ny;
+        return side * along + Math.abs(body.omega) * body.reach;
     }
 
     private Pressed pressed(RigidThing t) {

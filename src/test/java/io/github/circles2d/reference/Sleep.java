@@ -261,6 +261,9 @@ final class Sleep {
         float vx = body.velocity[0] - body.omega * armY;
         float vy = body.velocity[1] + body.omega * armX;
         float v = (isA ? 1f : -1f) * (vx * contact.nx + vy * contact.ny);
+        if (RigidSleep.turnsFar(body, k)) {
+            v = RigidSleep.farSpeed(body, isA ? 1f : -1f, contact);
+        }
         float restitution = max(contact.a.restitution, contact.b.restitution);
         return hit(c, contact.inverseMassOf(!isA), v, contact.gap, restitution, contact.impulse);
     }

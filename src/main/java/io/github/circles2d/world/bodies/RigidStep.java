@@ -1,5 +1,6 @@
 package io.github.circles2d.world.bodies;
 
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Sleep;
 import java.util.Arrays;
@@ -136,6 +137,22 @@ public final class RigidStep {
 
     public boolean isAsleep(int body) {
         return Sleep.isAsleep(extras.get(body, RigidExtras.REST));
+    }
+
+    /** Wakes those that sleep and reach out of bounds, or nearly. */
+    public void wakeOutside(Bounds calm) {
+        for (int body = 0; body < end; body++) {
+            if (outline[body] != null && isAsleep(body)) {
+                float far = Sleep.NEIGHBOURS * outline[body].reach();
+                if (x[body] - far < calm.minX()
+                        || x[body] + far > calm.maxX()
+                        || y[body] - far < calm.minY()
+                        || y[body] + far > calm.maxY()) {
+                    wake(body);
+                }
+            }
+        }
+        changes++;
     }
 
     /** A body that is awake begins anew to come to rest. */

@@ -301,6 +301,7 @@ public final class RigidTable {
         for (int body = 0; pushed && body < ids.end(); body++) {
             release(body);
         }
+        step.changes += pushed ? 1 : 0; // who sleeps in a force notices its end
         pushed = false;
     }
 

@@ -97,6 +97,7 @@ public final class Surroundings implements Calls.Effects {
             wakeHeldByStatics();
             float far = Sleep.NEIGHBOURS * greatestStaticRadius();
             calm = WallMotion.calm(world.settings.bounds(), next, far);
+            world.rigids.step.wakeOutside(calm);
         }
         world.pipeline.confine(start.walls(), next.walls(), calm);
         nextStep.confine(next.walls());

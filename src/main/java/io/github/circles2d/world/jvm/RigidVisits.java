@@ -467,7 +467,7 @@ final class RigidVisits {
             return;
         }
         float friction = rows[row + RigidRow.FRICTION];
-        if (friction > 0f) {
+        if (friction > 0f || rows[row + RigidRow.GRIP] != 0f) { // it may have gone since
             float before = rows[row + RigidRow.GRIP];
             float nx = rows[row + RigidRow.NX];
             float ny = rows[row + RigidRow.NY];

@@ -20,6 +20,9 @@ final class WakingByBodies {
     private static final int SUM_SPIN = 2;
     private static final int SUM_LOAD = 3;
 
+    /** Of what turns by more in a step, in radians, another corner may arrive than the one that is near. */
+    private static final float FAR_TURN = 0.02f;
+
     private final State state;
     private final RigidContacts contacts;
     private final RigidPairs pairs;
@@ -145,8 +148,14 @@ final class WakingByBodies {
             x = state.motion[s + CircleRow.VX];
             y = state.motion[s + CircleRow.VY];
         }
-        return (ofA ? -1f : 1f)
-                * (x * contacts.rows[RigidRow.of(c) + RigidRow.NX] + y * contacts.rows[RigidRow.of(c) + RigidRow.NY]);
+        float spin = Math.abs(things.omega[t]);
+        boolean turnsFar = things.shape[t] != null && spin * k.dt > FAR_TURN;
+        if (turnsFar) {
+            x = things.vx[t];
+            y = things.vy[t];
+        }
+        float speed = x * contacts.rows[RigidRow.of(c) + RigidRow.NX] + y * contacts.rows[RigidRow.of(c) + RigidRow.NY];
+        return (ofA ? -1f : 1f) * speed + (turnsFar ? spin * things.reach[t] : 0f);
     }
 
     /** One over the effective mass of the body alone. */
