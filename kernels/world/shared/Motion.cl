@@ -14,7 +14,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
         *before = (float2)(m->VX, m->VY);
         *bounce = (float2)(0.0f);
         *loaded = false;
-#if defined(TURNING) && defined(RECORDING)
+#if defined(TURNING) && (defined(RECORDING) || defined(BODIES))
         w->spinImpulse[slot] = turning->s;
 #endif
         return;
@@ -88,8 +88,8 @@ bool hasWalls(const World *w, float4 c, float2 walls) {
 }
 
 INLINE float allowanceOf(const World *w, int slot, float r) {
-#ifdef JOINTS
-    return w->motionClamp[slot].ALLOWANCE; // of one that a joint holds it is infinite
+#if defined(JOINTS) || defined(BODIES)
+    return w->motionClamp[slot].ALLOWANCE; // of one that a joint holds, or a body has pushed, it is infinite
 #else
     return w->k.sweeping ? w->motionClamp[slot].ALLOWANCE : CLAMP_ALLOWANCE * r;
 #endif

@@ -22,7 +22,7 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
 }
 
 // The surface speed s of a circle that is not static, as it starts into a sub-step: a torque, damping, the impulses of the one before.
-// Until the move, their place has the speed before impulses, for those who record touches.
+// Until the move, their place has the speed before impulses, for bodies and those who record touches.
 float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     float inertia = w->inverseInertia[slot];
     float before = s + 0.0f;
@@ -30,7 +30,7 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
         float torque = w->surfaces[SURFACE_OWN] != 0.0f ? w->own[slot].OWN_TORQUE : 0.0f;
         before = beforeImpulse(s, torqueGain(torque, inertia, r, w->k.h), surfaceOfCircle(w, slot)[SURFACE_DAMPING_FACTOR]);
     }
-#ifdef RECORDING
+#if defined(RECORDING) || defined(BODIES)
     w->spinImpulse[slot] = before;
 #endif
     return afterImpulse(before, inertia, impulse);

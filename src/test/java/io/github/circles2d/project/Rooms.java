@@ -136,6 +136,7 @@ final class Rooms {
                     "world.shared",
                     "world.circles",
                     "world.events",
+                    "world.jvm",
                     "world.model",
                     "world.device.plan",
                     "world.device.queries",
@@ -147,7 +148,7 @@ final class Rooms {
                     "world.bodies",
                     "world.joints"),
             entry("world.device.queries", "world.device.memory", "world.queries", "opencl"),
-            entry("world.device.plan", "world.device.memory", "world.model", "opencl"),
+            entry("world.device.plan", "world.device.memory", "world.jvm", "world.model", "opencl"),
             entry("world.device.memory", "world.events", "world.circles", "world.model", "opencl"),
             entry(
                     "world.jvm",

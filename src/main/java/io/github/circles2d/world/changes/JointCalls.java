@@ -222,6 +222,9 @@ public final class JointCalls implements Calls.Effects {
                             ? "the body with the handle " + world.rigids.ids.handle(w[1])
                             : "the circle with the handle " + world.handles.handle(w[1])));
         }
+        if (table.rigid.count() == 0) {
+            world.needs.prepareRigids(true);
+        }
     }
 
     /** Adds a joint of bodies that are pushed, and returns its id. */

@@ -8,6 +8,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
@@ -19,6 +20,7 @@ import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.joints.BrokenJoints;
 import io.github.circles2d.world.joints.SavedJointStates;
+import io.github.circles2d.world.jvm.HostBodies;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
@@ -44,6 +46,10 @@ import java.util.function.Consumer;
  * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
+    /** Threads that make what bodies do on the host. */
+    private static final int MOST_THREADS =
+            Math.min(8, Runtime.getRuntime().availableProcessors());
+
     private final Session session;
     private final DeviceArrays arrays;
     private StageKernels kernels;
@@ -79,6 +85,14 @@ public final class DevicePipeline implements Pipeline {
     private final Home home = new Home();
     private final JointTransfer joints;
     private final StepQueue queue;
+
+    /** Null, as their arrays, as long as there have been no bodies that are pushed. */
+    private HostBodies hostBodies;
+
+    private BodyArrays bodyArrays;
+
+    /** The bodies that steps change. */
+    private RigidStep rigids;
 
     /** Whether circles may have come to rest, in a pipeline that is ready for that. */
     private boolean sleeps;
@@ -173,12 +187,17 @@ public final class DevicePipeline implements Pipeline {
         readBackWith(loading);
         if (steps) {
             stages =
-                    stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loading, arrays, parameters));
+                    stagesOf.computeIfAbsent(variant, key -> newStages(loading));
             queue.use(stages, reader);
             stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
             ready.use(stages, loading);
         }
         bind(loading);
+    }
+
+    private Stages newStages(StageKernels loading) {
+        HostBodies bodies = loaded.bodies() ? hostBodies : null;
+        return new Stages(session, loading, arrays, parameters, bodies, bodyArrays);
     }
 
     /** Reads back what circles with the features that are loaded have besides. */
@@ -208,7 +227,13 @@ public final class DevicePipeline implements Pipeline {
     /** Those that there is memory for. */
     private Features features(boolean edges) {
         return Features.of(
-                edges, arrays.turning(), arrays.terrain(), arrays.joints(), arrays.sleeping(), arrays.ownMotion());
+                edges,
+                arrays.turning(),
+                arrays.terrain(),
+                arrays.joints(),
+                arrays.sleeping(),
+                arrays.ownMotion(),
+                arrays.bodies());
     }
 
     private StageKernels kernelsOf(Readiness variant) {
@@ -224,6 +249,7 @@ public final class DevicePipeline implements Pipeline {
         source = features.terrain() ? source.define("TERRAIN", 1) : source;
         source = features.joints() ? source.define("JOINTS", 1) : source;
         source = features.sleeping() ? source.define("SLEEPING", 1) : source;
+        source = features.bodies() ? source.define("BODIES", 1) : source;
         source = features.ownMotion() ? source.define("OWN_MOTION", 1) : source;
         return new StageKernels(
                 session,
@@ -280,14 +306,22 @@ public final class DevicePipeline implements Pipeline {
                 tuned || wanted.tuned(), loaded.and(wanted.features()), wanted.reporting(), wanted.recording());
     }
 
-    /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
     @Override
-    public void prepare(RigidStep bodies) {
-        throw new UnsupportedOperationException(
-                "bodies that are pushed are only on the JVM yet, and this World runs on " + device()
-                        + ": build it with Backend.JVM or Backend.AUTO");
+    public void prepare(RigidStep bodies, boolean sleeping, boolean joined) {
+        if (sleeping || joined) {
+            throw new UnsupportedOperationException("bodies that are pushed "
+                    + (sleeping ? "in a world whose circles sleep" : "and that joints hold")
+                    + " are only on the JVM yet, and this World runs on " + device()
+                    + ": build it with Backend.JVM or Backend.AUTO");
+        }
+        if (hostBodies == null) {
+            bodyArrays = new BodyArrays(session);
+            hostBodies = new HostBodies(MOST_THREADS);
+        }
+        rigids = bodies;
     }
 
+    /** Compiles the plans anew if contacts or features need what the kernels do not have, which is rare. */
     @Override
     public void prepare(ContactSettings contacts, Features features) {
         boolean tunes = tuned || contacts.areTuned();
@@ -366,6 +400,9 @@ public final class DevicePipeline implements Pipeline {
         if (features.ownMotion()) {
             arrays.ensureOwnMotion();
         }
+        if (features.bodies()) {
+            arrays.ensureBodies();
+        }
     }
 
     @Override
@@ -413,6 +450,9 @@ public final class DevicePipeline implements Pipeline {
             settle();
             home.slots = 0;
             commands.slotsInOrder();
+            if (input.constants.rigid) {
+                stepBodiesAlone(input, count);
+            }
             return;
         }
         prepareSteps(input.reports);
@@ -435,9 +475,22 @@ public final class DevicePipeline implements Pipeline {
                 reader.prepare(input.reports, stages, queue.status());
             }
         }
+        if (input.constants.rigid) {
+            hostBodies.use(input, rigids);
+        }
         queue.add(count);
+        if (input.constants.rigid) {
+            settle(); // calls change bodies at once
+        }
         if (reader != null && !reader.isActive()) {
             reader.publishSilent(queue.enqueued());
+        }
+    }
+
+    private void stepBodiesAlone(StepInput input, int count) {
+        hostBodies.use(input, rigids);
+        for (int step = 0; step < count; step++) {
+            hostBodies.stepAlone(step == 0 ? input.constants.warmScale : 1f, input.constants.subSteps);
         }
     }
 
@@ -724,7 +777,7 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public long bytesHeld() {
-        return session.allocatedBytes();
+        return session.allocatedBytes() + (hostBodies == null ? 0 : hostBodies.bytes());
     }
 
     @Override
@@ -759,5 +812,8 @@ public final class DevicePipeline implements Pipeline {
     public void close() {
         ready.close();
         session.close();
+        if (hostBodies != null) {
+            hostBodies.close();
+        }
     }
 }

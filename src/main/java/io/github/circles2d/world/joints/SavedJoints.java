@@ -111,6 +111,16 @@ public final class SavedJoints {
         return false;
     }
 
+    /** Whether any joint holds a body that is pushed. */
+    public boolean holdBodies() {
+        for (int joint = 0; joint < ids; joint++) {
+            if (lives(joint) && holdsRigid(joint)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** The part of the joints in the hash of the state. */
     public long hash(SavedJointStates states) {
         long sum = 0;

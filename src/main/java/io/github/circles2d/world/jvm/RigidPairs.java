@@ -86,12 +86,21 @@ final class RigidPairs {
         }
     }
 
-    void find(RigidStep bodies, StepConstants constants, TerrainStep ground) {
+    /** Makes things of the bodies. */
+    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground) {
         step = bodies;
         k = constants;
         terrain = constants.terrain ? ground : null;
         things.clear();
         addBodies();
+    }
+
+    /** Of the bodies, with their parts of margins. */
+    float[] boxes() {
+        return candidates.box;
+    }
+
+    void find() {
         candidates.update(near);
         for (int type = 0; type < found.length; type++) {
             if (found[type] == null || found[type].length < 2 * team.pieces()) {

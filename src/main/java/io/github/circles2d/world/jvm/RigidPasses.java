@@ -90,12 +90,45 @@ final class RigidPasses {
      * sleeps is another thing in contacts.
      */
     void find(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
+        findBodies(bodies, constants, ground, jointStep, states);
+        findContacts();
+    }
+
+    /** The first half, which looks at no circle: where bodies are. */
+    void findBodies(
+            RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
         step = bodies;
         k = constants;
         terrain = ground;
         joints.findPartners(bodies, jointStep, states);
-        pairs.find(bodies, constants, ground);
-        contacts.find(bodies, constants);
+        pairs.begin(bodies, constants, ground);
+    }
+
+    /** The boxes in which bodies may meet something in the step, of four floats each: least x and y, greatest x and y. */
+    float[] boxes() {
+        return pairs.boxes();
+    }
+
+    /** How many boxes there are. */
+    int boxCount() {
+        return things.bodies;
+    }
+
+    /** The second half. */
+    void findContacts() {
+        pairs.find();
+        contacts.find(step, k);
+    }
+
+    /** Puts down the slots of the circles that passes look at, since bodies are near, of which there is room for all; returns how many. */
+    int circles(int[] slots) {
+        int n = 0;
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                slots[n++] = state.slotOf[things.id[t]];
+            }
+        }
+        return n;
     }
 
     /** Whether a body sleeps. */
@@ -147,7 +180,6 @@ final class RigidPasses {
     /** What drives bodies, and the impulses of the sub-step before. */
     void integrateVelocities() {
         team.together(gain);
-        takeCircles(true);
         for (int t = 0; t < things.count; t++) {
             if (things.type[t] != BODY_CIRCLE) {
                 things.beforeX[t] = things.vx[t];
@@ -189,7 +221,7 @@ final class RigidPasses {
 
     /** The biased pass over circles, after which bounces are over. */
     void solveCircles() {
-        takeCircles(false);
+        takeCircles(true);
         visits.passOverCircles(false);
         giveCircles();
         freeCircles();

@@ -52,8 +52,8 @@ public final class Moves {
 
     /** Before so many steps, once all changes have been applied and it is known what the steps report. */
     public void beforeSteps(int steps) {
-        if (mover == null || world.rigids.isThere()) {
-            return; // bodies are only where the world is at home
+        if (mover == null || !world.needs.mayMove()) {
+            return;
         }
         Readiness now = wanted(world.settings.contacts(), world.needs.features());
         if (mover.settles()) {
@@ -137,7 +137,7 @@ public final class Moves {
     public void leaveFailed() {
         if (world.pipeline == failed) {
             Pipeline next = mover.home();
-            next.prepare(world.settings.contacts(), world.needs.features());
+            world.needs.prepare(next);
             report(next);
             world.use(next);
             mover.moved(failed, next, 0, null);
@@ -155,10 +155,7 @@ public final class Moves {
         world.events.bringHere();
         RemotePairs remote = world.events.remote();
         try {
-            next.prepare(world.settings.contacts(), world.needs.features());
-            if (world.rigids.isThere()) {
-                next.prepare(world.rigids.step);
-            }
+            world.needs.prepare(next);
             next.makeRoom(carried);
             next.load(carried);
             report(next);

@@ -3,6 +3,7 @@ package io.github.circles2d.world.shared;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.snapshots.SavedState;
 
@@ -46,7 +47,8 @@ public final class Needs {
                 hasTerrain,
                 hasJoints,
                 world.settings.sleeps(),
-                hasOwnMotion);
+                hasOwnMotion,
+                world.rigids.isThere());
     }
 
     /** A call makes a circle turn, or gives it a surface or a torque. */
@@ -87,7 +89,28 @@ public final class Needs {
                 turns || beginsToTurn(),
                 hasTerrain || world.terrain.isThere(),
                 hasJoints || world.joints.isThere(),
-                hasOwnMotion || ownMotion());
+                hasOwnMotion || ownMotion(),
+                world.rigids.isThere(),
+                joinsRigids());
+    }
+
+    /** Makes the pipeline ready for rigid bodies, and for joints that hold them. If it cannot be made so, nothing has changed. */
+    public void prepareRigids(boolean joined) {
+        world.pending.finish();
+        boolean before = turns;
+        prepare(
+                world.settings.parameters(),
+                true,
+                hasTerrain || world.terrain.isThere(),
+                hasJoints || world.joints.isThere(),
+                hasOwnMotion || ownMotion(),
+                true,
+                joined);
+        turns = before; // until there are some
+    }
+
+    private boolean joinsRigids() {
+        return world.joints.table.rigid.count() > 0;
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
@@ -98,20 +121,28 @@ public final class Needs {
                 turns || turns(next),
                 hasTerrain || next.terrain.hasPieces(),
                 hasJoints || next.joints.hasJoints(),
-                hasOwnMotion || ownMotion(next));
+                hasOwnMotion || ownMotion(next),
+                next.rigids.hasBodies(),
+                next.joints.holdBodies());
         turns = before;
     }
 
     private void prepare(
-            WorldParameters p, boolean turning, boolean withTerrain, boolean withJoints, boolean withOwnMotion) {
-        Features features =
-                Features.of(!p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps(), withOwnMotion);
+            WorldParameters p,
+            boolean turning,
+            boolean withTerrain,
+            boolean withJoints,
+            boolean withOwnMotion,
+            boolean withBodies,
+            boolean joined) {
+        Features features = Features.of(
+                !p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps(), withOwnMotion, withBodies);
         world.moves.beforeFeatures(p.contacts(), features);
         try {
-            world.pipeline.prepare(p.contacts(), features);
+            prepare(p.contacts(), features, joined);
         } catch (RuntimeException e) {
             world.moves.goHome(e);
-            world.pipeline.prepare(p.contacts(), features);
+            prepare(p.contacts(), features, joined);
         }
         turns = turning;
         hasTerrain = withTerrain;
@@ -119,15 +150,24 @@ public final class Needs {
         hasOwnMotion = withOwnMotion;
     }
 
-    /** Makes the pipeline ready for rigid bodies, which a device refuses; then the world goes home, or the refusal is thrown. */
-    public void prepareRigids() {
-        world.pending.finish();
-        try {
-            world.pipeline.prepare(world.rigids.step);
-        } catch (RuntimeException e) {
-            world.moves.goHome(e);
-            world.pipeline.prepare(world.rigids.step);
+    private void prepare(ContactSettings contacts, Features features, boolean joined) {
+        if (features.bodies()) {
+            world.pipeline.prepare(world.rigids.step, features.sleeping(), joined);
         }
+        world.pipeline.prepare(contacts, features);
+    }
+
+    /** The same of a pipeline that the world is to move to. */
+    void prepare(Pipeline next) {
+        if (world.rigids.isThere()) {
+            next.prepare(world.rigids.step, world.settings.sleeps(), joinsRigids());
+        }
+        next.prepare(world.settings.contacts(), features());
+    }
+
+    /** Whether all pipelines take the rigid bodies that there are: those on devices neither sleep nor have joints. */
+    boolean mayMove() {
+        return !world.rigids.isThere() || !world.settings.sleeps() && !joinsRigids();
     }
 
     private static boolean turns(SavedState s) {

@@ -40,10 +40,13 @@ public interface Pipeline extends AutoCloseable {
     default void prepare(ContactSettings contacts, Features features) {}
 
     /**
-     * Makes ready for rigid bodies, which steps change from now on. Throws {@link UnsupportedOperationException} if there can be none here; nothing
-     * has changed then.
+     * Makes ready for rigid bodies, which steps change from now on. Throws {@link UnsupportedOperationException} if there can be none such here;
+     * nothing has changed then.
+     *
+     * @param sleeps whether they sleep
+     * @param joined whether joints hold some
      */
-    void prepare(RigidStep bodies);
+    void prepare(RigidStep bodies, boolean sleeps, boolean joined);
 
     /** Whether nothing is compiled for such worlds any more, nor beside their steps. */
     default boolean isReady(Readiness wanted) {

@@ -112,9 +112,6 @@ public final class WorldState {
         world.terrain.makeRoom(saved.terrain);
         world.joints.makeRoom(saved.joints, saved.ids);
         world.rigids.makeRoom(saved.rigids);
-        if (saved.rigids.hasBodies()) {
-            world.needs.prepareRigids();
-        }
         world.needs.prepare(saved); // first, since the room depends on it
         makePipelineRoom(saved);
         world.events.makeRoom(saved.touches, saved.ids, saved.terrain.pieceIds);

@@ -325,6 +325,15 @@ public final class DeviceArrays {
         }
     }
 
+    public boolean bodies() {
+        return features.bodies();
+    }
+
+    /** Bodies that are pushed have their memory elsewhere. */
+    public void ensureBodies() {
+        set(features.and(Features.of(false, false, false, false, false, false, true)));
+    }
+
     public boolean joints() {
         return features.joints();
     }

@@ -35,6 +35,7 @@ public final class ByColours implements Plan {
                 "world/stages/Touches.cl",
                 "world/stages/CrossSolver.cl",
                 "world/stages/Joints.cl",
+                "world/stages/Bodies.cl",
                 "world/stages/Sleeping.cl");
     }
 
@@ -65,6 +66,7 @@ public final class ByColours implements Plan {
 
     private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
+        BodyStage bodies = stages.findBodies(steps);
         runByColour(levels, fill);
         if (joints != null) {
             joints.prepare();
@@ -72,6 +74,9 @@ public final class ByColours implements Plan {
         cross.fill(steps);
         if (stages.recording()) {
             stages.record(begin, 0).run(2L * steps.circles());
+        }
+        if (bodies != null) {
+            bodies.begin();
         }
         stages.record(integrateVelocities, 1);
         stages.record(solve, 1);
@@ -84,6 +89,9 @@ public final class ByColours implements Plan {
                 joints.solve(sub);
             }
             cross.solve(steps);
+            if (bodies != null) {
+                bodies.solve(sub);
+            }
             integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
             boolean last = sub == steps.subSteps() - 1;
             relax.arg(StageKernels.own(1), last ? 1 : 0);
@@ -92,8 +100,14 @@ public final class ByColours implements Plan {
                 joints.relax(sub, last);
             }
             cross.relax(steps, last);
+            if (bodies != null) {
+                bodies.relax(sub, last);
+            }
         }
         finalizePositions.run(steps.circles());
+        if (bodies != null) {
+            bodies.end();
+        }
     }
 
     @Override

@@ -67,6 +67,7 @@ public final class PersistentGpu implements Plan {
     @Override
     public boolean suits(Steps wanted) {
         return !wanted.sleeping()
+                && !wanted.bodies()
                 && !wanted.thinning()
                 && wanted.circles() <= MOST_CIRCLES
                 && sizes.suitTogether(wanted);

@@ -125,7 +125,7 @@ public enum Plans {
 
     /** The same, with what they must know of a device. */
     public static KernelSource source(List<Plan> plans, Device device) {
-        return JointKernels.define(SleepStage.define(source(plans)))
+        return BodyStage.define(JointKernels.define(SleepStage.define(source(plans))))
                 .define("PTX", ResidentGroups.fit(device))
                 .define("EVENT_GROUP", Tiles.eventGroup(device.maxWorkGroupSize()));
     }

@@ -2,6 +2,8 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
@@ -9,6 +11,7 @@ import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.memory.TouchArrays;
+import io.github.circles2d.world.jvm.HostBodies;
 
 /** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of a step that has one launch per stage. */
 public final class Stages {
@@ -29,6 +32,12 @@ public final class Stages {
     /** Null in a world whose circles never sleep. */
     private final SleepStage sleep;
 
+    /** Null in a world without bodies that are pushed. */
+    private final BodyStage bodies;
+
+    /** What impulses of the step before are multiplied by. */
+    private float warmScale;
+
     /** Whether circles fall asleep in the steps that were enqueued last. */
     private boolean sleeping;
 
@@ -42,8 +51,16 @@ public final class Stages {
     private EventStage events;
     private SensingStage sensing;
 
-    public Stages(Device device, StageKernels kernels, DeviceArrays arrays, StepParameters parameters) {
-        this.device = device;
+    /** Without bodies that are pushed, those and their arrays are null. */
+    public Stages(
+            Session session,
+            StageKernels kernels,
+            DeviceArrays arrays,
+            StepParameters parameters,
+            HostBodies bodies,
+            BodyArrays bodyArrays) {
+        device = session.device();
+        this.bodies = bodies == null ? null : new BodyStage(kernels, session, bodies, bodyArrays);
         this.kernels = kernels;
         this.arrays = arrays;
         this.parameters = parameters;
@@ -90,6 +107,11 @@ public final class Stages {
     /** What makes the passes over joints; null in a world without them. */
     JointKernels joints() {
         return joints;
+    }
+
+    /** The bodies that are pushed in a step whose contacts are listed; null if there are none, or the step is refused. */
+    BodyStage findBodies(Steps steps) {
+        return steps.bodies() && bodies.find(warmScale, steps.circles()) ? bodies : null;
     }
 
     /** Whether the steps to come have joints. */
@@ -143,7 +165,8 @@ public final class Stages {
         int circles = steps.circles();
         sleeping = steps.sleeping();
         for (int step = 0; step < steps.count(); step++) {
-            send(step == 0 ? steps.warmScale() : 1f, slots, circles);
+            warmScale = step == 0 ? steps.warmScale() : 1f;
+            send(warmScale, slots, circles);
             grid.build(steps.levels(), slots, circles, steps.waking());
             if (steps.waking()) {
                 sleep.wake(circles);
@@ -173,8 +196,8 @@ public final class Stages {
         }
     }
 
-    private void send(float warmScale, int slots, int circles) {
-        parameters.setWarmScale(warmScale);
+    private void send(float scale, int slots, int circles) {
+        parameters.setWarmScale(scale);
         parameters.send(arrays);
         kernels.bind(arrays, slots, circles);
     }

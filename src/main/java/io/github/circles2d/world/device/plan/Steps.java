@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.GridLevels;
 /**
  * Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles.
  *
+ * @param bodies whether there are bodies that are pushed
  * @param waking whether circles that sleep can wake; else steps do not take any
  * @param reportsBehind whether what the step reports is decided behind what its plan enqueues
  */
@@ -22,6 +23,7 @@ public record Steps(
         boolean sensing,
         boolean turning,
         boolean joints,
+        boolean bodies,
         boolean sleeping,
         boolean waking) {
     boolean haveOneLevel() {

@@ -119,7 +119,7 @@ public final class Tiles implements Plan {
 
     @Override
     public boolean suits(Steps steps) {
-        return sizes.suit(steps);
+        return !steps.bodies() && sizes.suit(steps);
     }
 
     @Override

@@ -1,0 +1,297 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.StepInput;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/**
+ * The rigid bodies of a world whose circles are on a device. The same classes make their part of a step as where all is on the JVM; they work on copies
+ * of those circles that are near to bodies. {@code BodyStage} brings these here and back, between the passes of the device.
+ */
+public final class HostBodies implements AutoCloseable {
+    /** Words of a circle as it comes near: see {@link #add}. */
+    public static final int NEAR_WORDS = 40;
+
+    /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance. */
+    public static final int ROW_WORDS = 12;
+
+    // words of a circle as it comes near; what is of four floats is as CircleRow has it
+    private static final int ID = 0;
+    private static final int KIND = 1;
+    private static final int GROUP = 2;
+    private static final int FORCE_X = 3;
+    private static final int FORCE_Y = 4;
+    private static final int SLOT = 5;
+    private static final int SPIN = 6;
+    private static final int INVERSE_INERTIA = 7;
+    private static final int CIRCLE = 8;
+    private static final int MOTION = 12;
+    private static final int TRAITS = 16;
+    private static final int OWN_MOTION = 20;
+    private static final int SURFACE = 24;
+
+    // words of a circle at a body
+    private static final int ROW_MOTION = 0;
+    private static final int ROW_LOAD = 4;
+    private static final int ROW_SPIN = 8;
+    private static final int ROW_SPIN_IMPULSE = 9;
+    private static final int ROW_ALLOWANCE = 10;
+
+    private final Team team;
+    private final State state = new State();
+    private final RigidPasses passes;
+    private StepInput input;
+    private RigidStep bodies;
+    private int workers;
+    private int subStep;
+    private boolean last;
+
+    /** By place among the circles near to bodies: where the device has it. */
+    private int[] deviceSlot = new int[0];
+
+    /** The places of those that passes look at. */
+    private int[] atBodies = new int[0];
+
+    private int atBodiesCount;
+
+    private final Runnable findBodies = this::findBodiesHere;
+    private final Runnable findContacts = this::findContactsHere;
+    private final Runnable begin = this::beginHere;
+    private final Runnable solveBodies = this::solveBodiesHere;
+    private final Runnable solveCircles = this::solveCirclesHere;
+    private final Runnable relax = this::relaxHere;
+    private final Runnable end = this::endHere;
+
+    /** Takes no more threads than that. */
+    public HostBodies(int threads) {
+        team = new Team(threads);
+        state.startTurning();
+        passes = new RigidPasses(state, team, JvmPipeline.LEAST_SHARE);
+    }
+
+    /** Sets what steps are made with, until the next call. */
+    public void use(StepInput of, RigidStep these) {
+        input = of;
+        bodies = these;
+        workers = Math.max(1, Math.min(team.most(), passes.workers(these)));
+    }
+
+    /** Begins a step: finds in which boxes bodies may meet circles. */
+    public void findBoxes(float warmScale) {
+        input.constants.warmScale = warmScale;
+        state.setArena(input.constants.arena);
+        state.filtering = input.constants.filtering;
+        state.responses = input.responses.table;
+        state.kindMotion = input.constants.driving ? input.motion.rows : null;
+        state.ownMotion = input.constants.ownMotion;
+        state.turning.surfaces = input.surfaces.rows;
+        forgetCircles();
+        team.run(workers, findBodies);
+    }
+
+    private void findBodiesHere() {
+        passes.findBodies(bodies, input.constants, input.terrain, null, null);
+    }
+
+    /** How many boxes there are. */
+    public int boxes() {
+        return passes.boxCount();
+    }
+
+    /** Puts four floats for each box: least x and y, greatest x and y. */
+    public void putBoxes(FloatBuffer to) {
+        to.put(passes.boxes(), 0, 4 * passes.boxCount());
+    }
+
+    private void forgetCircles() {
+        for (int k = 0; k < state.n; k++) {
+            state.slotOf[state.id[k]] = -1;
+        }
+        state.n = 0;
+        state.awake = 0;
+    }
+
+    /** Takes copies of so many circles that may be near to bodies, {@link #NEAR_WORDS} each, and finds contacts. */
+    public void findContacts(int circles, IntBuffer words, int at) {
+        state.ensure(circles);
+        if (deviceSlot.length < circles) {
+            deviceSlot = new int[state.capacity()];
+            atBodies = new int[state.capacity()];
+        }
+        for (int k = 0; k < circles; k++) {
+            add(words, at + NEAR_WORDS * k);
+        }
+        team.run(workers, findContacts);
+    }
+
+    private void add(IntBuffer words, int at) {
+        int slot = state.n++;
+        state.awake = state.n;
+        int id = words.get(at + ID);
+        deviceSlot[slot] = words.get(at + SLOT);
+        state.ensureIds(id + 1);
+        state.id[slot] = id;
+        state.slotOf[id] = slot;
+        set(CircleField.KIND, id, words.get(at + KIND));
+        set(CircleField.GROUP, id, words.get(at + GROUP));
+        set(CircleField.FORCE_X, id, words.get(at + FORCE_X));
+        set(CircleField.FORCE_Y, id, words.get(at + FORCE_Y));
+        if (state.ownMotion) {
+            set(CircleField.GRAVITY_SCALE, id, words.get(at + OWN_MOTION));
+            set(CircleField.DAMPING, id, words.get(at + OWN_MOTION + 1));
+            set(CircleField.GREATEST_SPEED, id, words.get(at + OWN_MOTION + 2));
+        }
+        int s = CircleRow.of(slot);
+        for (int e = 0; e < CircleRow.STRIDE; e++) {
+            state.circle[s + e] = real(words, at + CIRCLE + e);
+            state.motion[s + e] = real(words, at + MOTION + e);
+            state.traits[s + e] = real(words, at + TRAITS + e);
+            state.load[s + e] = 0f;
+        }
+        state.turning.spin[s + CircleRow.SURFACE_SPEED] = real(words, at + SPIN);
+        state.turning.spin[s + CircleRow.INVERSE_INERTIA] = real(words, at + INVERSE_INERTIA);
+        for (int e = 0; e < KindSurface.STRIDE; e++) {
+            state.turning.circleSurfaces[KindSurface.of(slot) + e] = real(words, at + SURFACE + e);
+        }
+    }
+
+    /** All values of a circle are set whenever it comes near, so what it had before does not matter. */
+    private void set(CircleField field, int id, int bits) {
+        if (bits != (int) field.initial() || id < state.fields.end(field)) {
+            state.fields.ensure(field, id + 1);
+            state.fields.set(field, id, bits);
+        }
+    }
+
+    private static float real(IntBuffer words, int at) {
+        return Float.intBitsToFloat(words.get(at));
+    }
+
+    private void findContactsHere() {
+        passes.findContacts();
+        atBodiesCount = passes.circles(atBodies);
+    }
+
+    // ---- circles at bodies
+    // -----------------------------------------------------------------------------------------
+
+    /** How many circles may touch bodies in the step, or nearly. */
+    public int circles() {
+        return atBodiesCount;
+    }
+
+    /** Puts where the device has them. */
+    public void putSlots(IntBuffer to) {
+        for (int k = 0; k < atBodiesCount; k++) {
+            to.put(deviceSlot[atBodies[k]]);
+        }
+    }
+
+    /** Takes them as they are now, {@link #ROW_WORDS} floats each. */
+    public void take(FloatBuffer from) {
+        for (int k = 0; k < atBodiesCount; k++) {
+            int at = ROW_WORDS * k;
+            int s = CircleRow.of(atBodies[k]);
+            from.get(at + ROW_MOTION, state.motion, s, CircleRow.STRIDE);
+            from.get(at + ROW_LOAD, state.load, s, CircleRow.STRIDE);
+            state.turning.spin[s + CircleRow.SURFACE_SPEED] = from.get(at + ROW_SPIN);
+            state.turning.spin[s + CircleRow.SPIN_IMPULSE] = from.get(at + ROW_SPIN_IMPULSE);
+            state.motionClamp[s + CircleRow.ALLOWANCE] = from.get(at + ROW_ALLOWANCE);
+        }
+    }
+
+    /** Puts them as they have become. */
+    public void put(FloatBuffer to) {
+        for (int k = 0; k < atBodiesCount; k++) {
+            int at = ROW_WORDS * k;
+            int s = CircleRow.of(atBodies[k]);
+            to.put(at + ROW_MOTION, state.motion, s, CircleRow.STRIDE);
+            to.put(at + ROW_LOAD, state.load, s, CircleRow.STRIDE);
+            to.put(at + ROW_SPIN, state.turning.spin[s + CircleRow.SURFACE_SPEED]);
+            to.put(at + ROW_SPIN_IMPULSE, state.turning.spin[s + CircleRow.SPIN_IMPULSE]);
+            to.put(at + ROW_ALLOWANCE, state.motionClamp[s + CircleRow.ALLOWANCE]);
+        }
+    }
+
+    // ---- passes, as RigidPasses has them
+    // -----------------------------------------------------------------------------
+
+    /** Begins the passes, once circles have what they carry on from the step before. */
+    public void begin() {
+        team.run(workers, begin);
+    }
+
+    private void beginHere() {
+        passes.begin(null);
+    }
+
+    /** Drives bodies, and visits their contacts with each other and with what is no circle, with bias. */
+    public void solveBodies(int sub) {
+        subStep = sub;
+        team.run(workers, solveBodies);
+    }
+
+    private void solveBodiesHere() {
+        passes.integrateVelocities();
+        passes.solve(subStep);
+    }
+
+    /** Visits contacts with circles, which have ended their biased pass. */
+    public void solveCircles() {
+        team.run(workers, solveCircles);
+    }
+
+    private void solveCirclesHere() {
+        passes.solveCircles();
+    }
+
+    /** Moves bodies and visits all their contacts without bias; circles have moved, and have ended their relaxing pass. */
+    public void relax(int sub, boolean ofLast) {
+        subStep = sub;
+        last = ofLast;
+        team.run(workers, relax);
+    }
+
+    private void relaxHere() {
+        passes.integratePositions(subStep);
+        passes.relax(subStep, last);
+        passes.relaxCircles(last);
+    }
+
+    /** Bodies take what they have become. */
+    public void end() {
+        team.run(workers, end);
+    }
+
+    private void endHere() {
+        passes.end();
+    }
+
+    /** Makes a step in which no circle is near. */
+    public void stepAlone(float warmScale, int subSteps) {
+        findBoxes(warmScale);
+        findContacts(0, null, 0);
+        begin();
+        for (int sub = 0; sub < subSteps; sub++) {
+            solveBodies(sub);
+            solveCircles();
+            relax(sub, sub == subSteps - 1);
+        }
+        end();
+    }
+
+    /** Memory of the arrays. */
+    public long bytes() {
+        return state.bytes() + passes.bytes() + 4L * (deviceSlot.length + atBodies.length);
+    }
+
+    @Override
+    public void close() {
+        team.close();
+    }
+}
