@@ -1,4 +1,4 @@
-// uses: world/shared/Drive.cl world/stages/Solver.cl
+// uses: world/shared/Drive.cl world/stages/CrossSolver.cl
 // Circles near to bodies that are pushed, which the host has: it takes copies, and gives them back between the passes. The Java class
 // world.device.plan.BodyStage says what the words are; world.jvm.HostBodies reads and writes them.
 
@@ -67,9 +67,10 @@ kernel void bodies_take(WORLD_PARAMETERS, global const int *slots_, int count, g
     if (k >= count) return;
     int slot = slots_[k];
     global float *row = rows + BODY_ROW_WORDS * k;
+    w = crossWorld(w);
     vstore4(w.motion[slot], 0, row);
     vstore4(w.load[slot], 1, row);
-    vstore4((float4)(w.surfaceSpeed[slot], w.spinImpulse[slot], w.motionClamp[slot].ALLOWANCE, 0.0f), 2, row);
+    vstore4((float4)(crossSpeeds(&w)[slot], w.spinImpulse[slot], w.motionClamp[slot].ALLOWANCE, 0.0f), 2, row);
 }
 
 kernel void bodies_give(WORLD_PARAMETERS, global const int *slots_, int count, global const float *rows) {
@@ -79,9 +80,10 @@ kernel void bodies_give(WORLD_PARAMETERS, global const int *slots_, int count, g
     int slot = slots_[k];
     global const float *row = rows + BODY_ROW_WORDS * k;
     float4 last = vload4(2, row);
+    w = crossWorld(w);
     w.motion[slot] = vload4(0, row);
     w.load[slot] = vload4(1, row);
-    w.surfaceSpeed[slot] = last.x;
+    crossSpeeds(&w)[slot] = last.x;
     w.spinImpulse[slot] = last.y;
     ((global float *) (w.motionClamp + slot))[ALLOWANCE_AT] = last.z;
 }

@@ -314,6 +314,7 @@ kernel void cross_take(WORLD_PARAMETERS, int velocities, int impulses) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w) || !isHeavy(&w, slot)) return;
+    w = crossWorld(w);
     float4 m = w.motion[slot];
     float4 l = w.load[slot];
     takeSums(&w, slot, velocities != 0, impulses != 0, &m, &l);

@@ -228,8 +228,11 @@ int sheetKeyBeside(const World *w, int atLevel, const Sheets *sheets, int overX,
 
 bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 
-// By tiles: whether between passes circles are as Solver.cl has them, since others than like contacts visit them: cross contacts, joints.
+// By tiles: whether between passes circles are as Solver.cl has them, since others than like contacts visit them: cross contacts, joints, bodies.
 bool sharesPasses(const World *w) {
+#ifdef BODIES
+    return true;
+#endif
 #ifdef JOINTS
     if (w->joints->any) return true;
 #endif

@@ -1,12 +1,19 @@
 // uses: world/stages/CrossSolver.cl world/tiles/TileSolver.cl
-// Several levels by tiles, all in one launch, or joints: like contacts, which leave the circles' motion apart; then Joints.cl and CrossSolver.cl; then circles by
-// slots, with the arrays of Solver.cl and not those of TileCircles.cl.
+// Several levels by tiles, all in one launch, or joints, or bodies: like contacts, which leave the circles' motion apart; then Joints.cl,
+// CrossSolver.cl and Bodies.cl; then circles by slots, with the arrays of Solver.cl and not those of TileCircles.cl.
+
+// If bodies come behind a pass, a launch of its own has given circles their sums before.
+void takeOwnSums(const World *w, int slot, bool velocities, bool impulses, float4 *m, float4 *l) {
+#ifndef BODIES
+    takeSums(w, slot, velocities, impulses, m, l);
+#endif
+}
 
 // first: of the step.
 void startSlot(const World *w, int slot, bool first) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
-    takeSums(w, slot, !first, true, &m, &l);
+    takeOwnSums(w, slot, !first, true, &m, &l);
 #ifdef RECORDING
     int group = first && !hasOneLevel(w) ? crossGroupOf(w, slot) : 0;
     int end = group == 0 ? 0 : w->groupStart[group + 1];
@@ -21,7 +28,7 @@ void startSlot(const World *w, int slot, bool first) {
 void moveSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
-    takeSums(w, slot, true, false, &m, &l);
+    takeOwnSums(w, slot, true, false, &m, &l);
 #ifdef TURNING
     w->surfaceSpeed[slot] = w->solvedSpin[slot];
 #endif
@@ -32,7 +39,7 @@ void moveSlot(const World *w, int slot) {
 void finishSlot(const World *w, int slot) {
     float4 m = w->solvedMotion[slot];
     float4 l = w->load[slot];
-    takeSums(w, slot, true, false, &m, &l);
+    takeOwnSums(w, slot, true, false, &m, &l);
 #ifdef TURNING
     w->surfaceSpeed[slot] = w->solvedSpin[slot];
 #endif

@@ -425,9 +425,14 @@ class WorldBodiesTest {
 
     @ParameterizedTest
     @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
-    void aWorldBuiltForADeviceRefusesBodiesAndGoesOn(Backend backend) {
-        try (World world = World.builder().bounds(0, 0, 20, 10).backend(backend).build();
-                World jvm = world()) {
+    void aWorldBuiltForADeviceRefusesBodiesThatSleepAndGoesOn(Backend backend) {
+        try (World world = World.builder()
+                        .bounds(0, 0, 20, 10)
+                        .sleep(true)
+                        .backend(backend)
+                        .build();
+                World jvm =
+                        World.builder().bounds(0, 0, 20, 10).sleep(true).build()) {
             world.add(4, 5, 0.5f, 1);
             long hash = world.hash();
             assertThatThrownBy(() -> world.bodies().add(CRATE, 10, 5, 0, 2))
@@ -443,24 +448,53 @@ class WorldBodiesTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    void aWorldBuiltForADeviceRefusesJointsOfABodyAndACircleAndGoesOn(Backend backend) {
+        try (World world = World.builder().bounds(0, 0, 20, 10).backend(backend).build();
+                World jvm = world()) {
+            long circle = world.add(4, 5, 0.5f, 1);
+            long body = world.bodies().add(CRATE, 10, 5, 0, 2);
+            jvm.joints().add(jvm.bodies().add(CRATE, 10, 5, 0, 2), jvm.add(4, 5, 0.5f, 1), Joint.rope(8));
+            ByteBuffer bytes = snapshot(jvm);
+            long hash = world.hash();
+            assertThatThrownBy(() -> world.joints().add(body, circle, Joint.rope(8)))
+                    .isInstanceOf(UnsupportedOperationException.class)
+                    .hasMessageContaining("only on the JVM yet");
+            assertThatThrownBy(() -> world.restore(bytes)).isInstanceOf(UnsupportedOperationException.class);
+            assertThat(bytes.position()).isZero();
+            assertThat(world.joints().size()).isZero();
+            assertThat(world.hash()).isEqualTo(hash);
+            world.step(1 / 60f);
+        }
+    }
+
     @Test
     @Tag("long")
-    void aWorldThatMovesComesHomeForItsFirstBody() {
+    void aWorldThatMovesTakesItsBodiesAlong() {
         try (World world = world();
                 World stays = world()) {
             RandomMoves moves = RandomMoves.of(world, 1, TestDevices.all().get(0), Integer.MAX_VALUE);
-            world.add(4, 5, 0.5f, 1);
-            stays.add(4, 5, 0.5f, 1);
+            long hinged = 0;
+            for (World each : new World[] {world, stays}) {
+                each.add(4, 5, 0.5f, 1);
+                each.add(9.7f, 7, 0.5f, 1);
+                hinged = each.bodies().add(CRATE, 3, 3, 0, 2);
+                each.joints().add(hinged, 0.3f, 0.2f, 3, 4, Joint.pin());
+            }
             for (int k = 0; k < 60; k++) {
                 for (World each : new World[] {world, stays}) {
                     long body = each.bodies().add(CRATE, 10, 5, 0, 2);
                     each.step(1 / 60f);
-                    each.bodies().remove(body);
+                    if (k % 7 == 3) {
+                        each.bodies().remove(body);
+                    }
                     each.step(1 / 60f, 2);
                 }
                 assertThat(world.hash()).isEqualTo(stays.hash());
             }
-            assertThat(moves.movesOfNeed()).isPositive();
+            assertThat(snapshot(world)).isEqualTo(snapshot(stays));
+            assertThat(moves.moves()).isPositive();
         }
     }
 

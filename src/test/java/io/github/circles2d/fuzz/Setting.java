@@ -42,8 +42,11 @@ final class Setting {
     /** Whether circles fall asleep. */
     final boolean sleeps;
 
-    /** Whether there may be bodies that are pushed, which are on the JVM alone. */
+    /** Whether there may be bodies that are pushed. */
     final boolean bodies;
+
+    /** Whether devices take what there may be: they refuse bodies that sleep, or that joints hold to circles. */
+    final boolean onDevices;
 
     final boolean recorded;
 
@@ -98,13 +101,14 @@ final class Setting {
         }
         call("moving", circles % 2 == 0); // no word on back ends that are named
         bodies = random.nextInt(3) == 0;
+        onDevices = !bodies || !sleeps && random.nextInt(2) == 0;
     }
 
-    /** Whether programs of such a world make a call: devices refuse the first body. */
-    boolean mayHave(Method method) {
-        return bodies
-                || method.getDeclaringClass() != Bodies.class
-                || !method.getName().startsWith("add");
+    /** Whether programs of such a world make a call. */
+    boolean mayHave(Entry entry) {
+        Method method = entry.method();
+        boolean adds = method.getDeclaringClass() == Bodies.class && method.getName().startsWith("add");
+        return (bodies || !adds) && (!onDevices || !JointTable.holdsBodyToCircle(entry));
     }
 
     private static Edge edge(Random random) {

@@ -42,7 +42,7 @@ abstract class Table {
         do {
             int at = Arrays.binarySearch(UP_TO, draw.below(UP_TO[UP_TO.length - 1]) + 1);
             entry = ALL.get(at < 0 ? -at - 1 : at);
-        } while (!draw.setting.mayHave(entry.method()));
+        } while (!draw.setting.mayHave(entry));
         return entry.draw(draw);
     }
 

@@ -64,13 +64,13 @@ class ArchitectureTest {
         source(folder, "attic", "");
         source(folder, "world.model", "import io.github.circles2d.world.Simulation;");
         source(folder, "world.jvm.threads", "import io.github.circles2d.world.jvm.*;");
-        source(folder, "world.device", "class Qualified { io.github.circles2d.world.jvm.Grid grid; }");
+        source(folder, "world.device", "class Qualified { io.github.circles2d.world.changes.Circles circles; }");
         source(folder, "world.device.part", "import io.github.circles2d.thesis.Ranges;");
         assertThat(Rooms.violations(folder))
                 .hasSize(10)
                 .anyMatch(line -> line.endsWith("world.model must not use world"))
                 .anyMatch(line -> line.endsWith("world.jvm.threads must not use world.jvm"))
-                .anyMatch(line -> line.endsWith("world.device must not use world.jvm"))
+                .anyMatch(line -> line.endsWith("world.device must not use world.changes"))
                 .anyMatch(line -> line.endsWith("world.device must not use thesis"))
                 .anyMatch(line -> line.endsWith("opencl must not use api"))
                 .anyMatch(line -> line.endsWith("thesis must not use world.jvm"))

@@ -222,7 +222,7 @@ public final class JointCalls implements Calls.Effects {
                             ? "the body with the handle " + world.rigids.ids.handle(w[1])
                             : "the circle with the handle " + world.handles.handle(w[1])));
         }
-        if (table.rigid.count() == 0) {
+        if (w[0] == JointEndType.CIRCLE || w[4] == JointEndType.CIRCLE) {
             world.needs.prepareRigids(true);
         }
     }

@@ -310,7 +310,7 @@ public final class DevicePipeline implements Pipeline {
     public void prepare(RigidStep bodies, boolean sleeping, boolean joined) {
         if (sleeping || joined) {
             throw new UnsupportedOperationException("bodies that are pushed "
-                    + (sleeping ? "in a world whose circles sleep" : "and that joints hold")
+                    + (sleeping ? "in a world whose circles sleep" : "and that joints hold to circles")
                     + " are only on the JVM yet, and this World runs on " + device()
                     + ": build it with Backend.JVM or Backend.AUTO");
         }
@@ -475,7 +475,7 @@ public final class DevicePipeline implements Pipeline {
                 reader.prepare(input.reports, stages, queue.status());
             }
         }
-        if (input.constants.rigid) {
+        if (hostBodies != null) {
             hostBodies.use(input, rigids);
         }
         queue.add(count);
@@ -680,12 +680,18 @@ public final class DevicePipeline implements Pipeline {
     public void saveJoints(SavedJointStates into) {
         settle();
         joints.save(into);
+        if (hostBodies != null) {
+            hostBodies.saveJoints(into);
+        }
     }
 
     @Override
     public void takeBroken(BrokenJoints into) {
         settle();
         joints.takeBroken(into, queue.status(), queue.seen());
+        if (hostBodies != null) {
+            hostBodies.takeBroken(into);
+        }
     }
 
     @Override
@@ -700,6 +706,9 @@ public final class DevicePipeline implements Pipeline {
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(contacts);
         joints.makeRoom(from.jointStates);
+        if (hostBodies != null) {
+            hostBodies.makeRoomForJoints(from.jointStates.joints);
+        }
         links = links();
         links.ensure(from, arrays);
     }
@@ -720,6 +729,9 @@ public final class DevicePipeline implements Pipeline {
         StateTransfer.load(from, arrays, links);
         links = null;
         joints.load(from.jointStates, queue.status(), queue.seen());
+        if (hostBodies != null) {
+            hostBodies.loadJoints(from.jointStates);
+        }
         sleeps = from.sleeps;
         if (from.parameters() != null) {
             sleeps = from.parameters().sleeps();

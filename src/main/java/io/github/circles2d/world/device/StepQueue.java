@@ -64,9 +64,6 @@ final class StepQueue {
     /** Whether circles fall asleep and wake. */
     private boolean sleeping;
 
-    /** Whether there are bodies that are pushed. */
-    private boolean bodies;
-
     /** For how many more batches steps can wake circles; 0 if they do not take any that sleep. */
     private int waking;
 
@@ -104,7 +101,6 @@ final class StepQueue {
         subSteps = k.subSteps;
         warmScale = k.warmScale;
         sleeping = k.sleeping;
-        bodies = k.rigid;
         quiet = false;
     }
 
@@ -211,7 +207,7 @@ final class StepQueue {
                 reports && reader.isSensing(),
                 arrays.turning(),
                 stages.haveJoints(),
-                bodies,
+                arrays.bodies(),
                 sleeping,
                 sleeping && waking > 0);
     }

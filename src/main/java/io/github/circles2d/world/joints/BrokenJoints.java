@@ -17,6 +17,13 @@ public final class BrokenJoints {
         }
     }
 
+    /** Makes room for so many more. */
+    public void ensure(int more) {
+        if (joint.length < count + more) {
+            joint = Arrays.copyOf(joint, count + more + (more >> 1));
+        }
+    }
+
     public void add(int step, int id) {
         joint[count++] = (long) step << 32 | id;
     }

@@ -111,10 +111,11 @@ public final class SavedJoints {
         return false;
     }
 
-    /** Whether any joint holds a body that is pushed. */
-    public boolean holdBodies() {
+    /** Whether any joint holds a body that is pushed to a circle. */
+    public boolean holdBodiesToCircles() {
         for (int joint = 0; joint < ids; joint++) {
-            if (lives(joint) && holdsRigid(joint)) {
+            boolean holdsCircle = a[joint] != JointRow.NONE || b[joint] != JointRow.NONE;
+            if (lives(joint) && holdsCircle && holdsRigid(joint)) {
                 return true;
             }
         }

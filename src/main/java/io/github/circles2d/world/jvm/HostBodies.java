@@ -2,6 +2,8 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.joints.BrokenJoints;
+import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindSurface;
@@ -45,6 +47,10 @@ public final class HostBodies implements AutoCloseable {
     private final Team team;
     private final State state = new State();
     private final RigidPasses passes;
+
+    /** What joints that hold bodies keep. */
+    private final JointStates states = new JointStates();
+
     private StepInput input;
     private RigidStep bodies;
     private int workers;
@@ -77,8 +83,17 @@ public final class HostBodies implements AutoCloseable {
     /** Sets what steps are made with, until the next call. */
     public void use(StepInput of, RigidStep these) {
         input = of;
-        bodies = these;
+        bodies = of.constants.rigid ? these : null;
+        if (bodies == null) {
+            return;
+        }
+        states.ensure(of.joints.joints);
         workers = Math.max(1, Math.min(team.most(), passes.workers(these)));
+    }
+
+    /** Whether steps have bodies. */
+    public boolean areThere() {
+        return bodies != null;
     }
 
     /** Begins a step: finds in which boxes bodies may meet circles. */
@@ -95,7 +110,13 @@ public final class HostBodies implements AutoCloseable {
     }
 
     private void findBodiesHere() {
-        passes.findBodies(bodies, input.constants, input.terrain, null, null);
+        boolean joined = joined();
+        passes.findBodies(
+                bodies,
+                input.constants,
+                input.terrain,
+                joined ? input.joints : null,
+                joined ? states : null);
     }
 
     /** How many boxes there are. */
@@ -270,6 +291,36 @@ public final class HostBodies implements AutoCloseable {
 
     private void endHere() {
         passes.end();
+        states.endStep();
+    }
+
+    // ---- joints that hold bodies, and no circle
+    // ----------------------------------------------------------------------
+
+    private boolean joined() {
+        return input.constants.joints && input.joints.rigidCount > 0;
+    }
+
+    /** Makes room for what joints keep. */
+    public void makeRoomForJoints(int joints) {
+        states.ensure(joints);
+    }
+
+    /** Takes over what joints keep, for which there is room. */
+    public void loadJoints(SavedJointStates from) {
+        states.load(from);
+    }
+
+    /** Saves what joints keep that hold bodies, in the place of what a device has for them. */
+    public void saveJoints(SavedJointStates into) {
+        for (int n = 0; input != null && n < input.joints.rigidCount; n++) {
+            states.save(input.joints.rigidOrder[n], into);
+        }
+    }
+
+    /** Adds the joints that have broken since the last time. */
+    public void takeBroken(BrokenJoints into) {
+        states.addBroken(into);
     }
 
     /** Makes a step in which no circle is near. */
@@ -287,7 +338,7 @@ public final class HostBodies implements AutoCloseable {
 
     /** Memory of the arrays. */
     public long bytes() {
-        return state.bytes() + passes.bytes() + 4L * (deviceSlot.length + atBodies.length);
+        return state.bytes() + passes.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length);
     }
 
     @Override

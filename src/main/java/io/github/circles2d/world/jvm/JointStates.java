@@ -70,8 +70,14 @@ final class JointStates {
     /** Hands out what has broken since the last time. */
     void takeBroken(BrokenJoints into) {
         into.begin(brokenCount);
-        System.arraycopy(broken, 0, into.joint, 0, brokenCount);
-        into.count = brokenCount;
+        addBroken(into);
+    }
+
+    /** The same, to what is there. */
+    void addBroken(BrokenJoints into) {
+        into.ensure(brokenCount);
+        System.arraycopy(broken, 0, into.joint, into.count, brokenCount);
+        into.count += brokenCount;
         into.sort();
         brokenCount = 0;
         steps = 0;
@@ -81,6 +87,16 @@ final class JointStates {
         into.begin(serial.length);
         System.arraycopy(serial, 0, into.serial, 0, serial.length);
         System.arraycopy(rows, 0, into.rows, 0, rows.length);
+    }
+
+    /** Saves one, if there is room. */
+    void save(int joint, SavedJointStates into) {
+        if (joint >= into.joints || joint >= serial.length) {
+            return;
+        }
+        into.serial[joint] = serial[joint];
+        System.arraycopy(
+                rows, JointState.of(joint), into.rows, JointState.of(joint), JointState.of(joint + 1) - JointState.of(joint));
     }
 
     /** Takes over saved states, for which there is room. */

@@ -91,10 +91,10 @@ public final class Needs {
                 hasJoints || world.joints.isThere(),
                 hasOwnMotion || ownMotion(),
                 world.rigids.isThere(),
-                joinsRigids());
+                world.joints.table.holdsBodiesToCircles());
     }
 
-    /** Makes the pipeline ready for rigid bodies, and for joints that hold them. If it cannot be made so, nothing has changed. */
+    /** Makes the pipeline ready for rigid bodies, and for joints that hold them to circles. If it cannot be made so, nothing has changed. */
     public void prepareRigids(boolean joined) {
         world.pending.finish();
         boolean before = turns;
@@ -109,10 +109,6 @@ public final class Needs {
         turns = before; // until there are some
     }
 
-    private boolean joinsRigids() {
-        return world.joints.table.rigid.count() > 0;
-    }
-
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
         boolean before = turns;
@@ -123,7 +119,7 @@ public final class Needs {
                 hasJoints || next.joints.hasJoints(),
                 hasOwnMotion || ownMotion(next),
                 next.rigids.hasBodies(),
-                next.joints.holdBodies());
+                next.joints.holdBodiesToCircles());
         turns = before;
     }
 
@@ -160,14 +156,14 @@ public final class Needs {
     /** The same of a pipeline that the world is to move to. */
     void prepare(Pipeline next) {
         if (world.rigids.isThere()) {
-            next.prepare(world.rigids.step, world.settings.sleeps(), joinsRigids());
+            next.prepare(world.rigids.step, world.settings.sleeps(), world.joints.table.holdsBodiesToCircles());
         }
         next.prepare(world.settings.contacts(), features());
     }
 
-    /** Whether all pipelines take the rigid bodies that there are: those on devices neither sleep nor have joints. */
+    /** Whether all pipelines take the rigid bodies that there are: those on devices neither sleep nor are held to circles. */
     boolean mayMove() {
-        return !world.rigids.isThere() || !world.settings.sleeps() && !joinsRigids();
+        return !world.rigids.isThere() || !world.settings.sleeps() && !world.joints.table.holdsBodiesToCircles();
     }
 
     private static boolean turns(SavedState s) {

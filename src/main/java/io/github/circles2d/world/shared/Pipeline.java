@@ -44,7 +44,7 @@ public interface Pipeline extends AutoCloseable {
      * nothing has changed then.
      *
      * @param sleeps whether they sleep
-     * @param joined whether joints hold some
+     * @param joined whether joints hold some to circles
      */
     void prepare(RigidStep bodies, boolean sleeps, boolean joined);
 

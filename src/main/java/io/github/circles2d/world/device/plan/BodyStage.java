@@ -47,8 +47,11 @@ final class BodyStage {
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
     }
 
-    /** Finds what touches bodies, once contacts of circles are listed; false if the step is refused: nothing has changed then. */
+    /** Finds what touches bodies, once contacts of circles are listed; false if nothing is there, or the step is refused: nothing has changed then. */
     boolean find(float warmScale, int circles) {
+        if (!bodies.areThere()) {
+            return false;
+        }
         bodies.findBoxes(warmScale);
         int boxes = bodies.boxes();
         int before = BOXES + BOX_WORDS * boxes;

@@ -66,7 +66,6 @@ public final class ByColours implements Plan {
 
     private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
-        BodyStage bodies = stages.findBodies(steps);
         runByColour(levels, fill);
         if (joints != null) {
             joints.prepare();
@@ -75,6 +74,7 @@ public final class ByColours implements Plan {
         if (stages.recording()) {
             stages.record(begin, 0).run(2L * steps.circles());
         }
+        BodyStage bodies = stages.findBodies(steps.circles()); // contacts may have refused the step as they were filled
         if (bodies != null) {
             bodies.begin();
         }

@@ -60,7 +60,8 @@ final class CrossKernels {
         stages.record(relax.arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
     }
 
-    private void take(Steps steps, boolean velocities, boolean impulses) {
+    /** Gives heavy circles what a pass has summed up for them. */
+    void take(Steps steps, boolean velocities, boolean impulses) {
         take.arg(StageKernels.own(0), velocities ? 1 : 0)
                 .arg(StageKernels.own(1), impulses ? 1 : 0)
                 .run(steps.circles());

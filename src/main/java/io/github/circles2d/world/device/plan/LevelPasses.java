@@ -4,7 +4,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 
-/** The sub-steps of {@link Tiles} where there are several levels, or joints; {@code kernels/world/tiles/TileLevels.cl}. */
+/** The sub-steps of {@link Tiles} where there are several levels, or joints, or bodies that are pushed; {@code kernels/world/tiles/TileLevels.cl}. */
 final class LevelPasses {
     private final Stages stages;
     private final CrossKernels cross;
@@ -29,14 +29,18 @@ final class LevelPasses {
         finish = stages.kernel("solver_finishSlots");
     }
 
-    /** Enqueues what follows the arranging of tiles, up to the end of the last sub-step. */
-    void make(Steps steps, int tiles) {
+    /** Enqueues what follows the arranging of tiles, up to the end of the last sub-step. Without bodies that are pushed, they are null. */
+    void make(Steps steps, int tiles, BodyStage bodies) {
         boolean crosses = !steps.haveOneLevel();
         if (joints != null) {
             joints.prepare();
         }
         if (crosses) {
             cross.fillLight(steps);
+            takeBeforeBodies(steps, false, true);
+        }
+        if (bodies != null) {
+            bodies.begin();
         }
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             runEach(start, sub, steps);
@@ -47,6 +51,10 @@ final class LevelPasses {
             }
             if (crosses) {
                 cross.solveLight(steps);
+                takeBeforeBodies(steps, true, false);
+            }
+            if (bodies != null) {
+                bodies.solve(sub);
             }
             runEach(move, sub, steps);
             runTiles(relax, sub, tiles);
@@ -55,9 +63,23 @@ final class LevelPasses {
             }
             if (crosses) {
                 cross.relaxLight(steps, last);
+                takeBeforeBodies(steps, true, !last);
+            }
+            if (bodies != null) {
+                bodies.relax(sub, last);
             }
         }
         finish.run(steps.circles());
+        if (bodies != null) {
+            bodies.end();
+        }
+    }
+
+    /** Kernels that are for bodies, too, do not take the sums of heavy circles as the circles start or move. */
+    private void takeBeforeBodies(Steps steps, boolean velocities, boolean impulses) {
+        if (steps.bodies()) {
+            cross.take(steps, velocities, impulses);
+        }
     }
 
     private void runEach(Kernel kernel, int sub, Steps steps) {

@@ -109,9 +109,9 @@ public final class Stages {
         return joints;
     }
 
-    /** The bodies that are pushed in a step whose contacts are listed; null if there are none, or the step is refused. */
-    BodyStage findBodies(Steps steps) {
-        return steps.bodies() && bodies.find(warmScale, steps.circles()) ? bodies : null;
+    /** The bodies that are pushed in a step that nothing refuses any more but what has come before; null if there are none, or it is refused. */
+    BodyStage findBodies(int circles) {
+        return bodies != null && bodies.find(warmScale, circles) ? bodies : null;
     }
 
     /** Whether the steps to come have joints. */

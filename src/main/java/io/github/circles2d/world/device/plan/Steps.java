@@ -5,7 +5,7 @@ import io.github.circles2d.world.model.GridLevels;
 /**
  * Steps to enqueue. Slots are those at home before the first step; later steps have as many as circles.
  *
- * @param bodies whether there are bodies that are pushed
+ * @param bodies whether there may be bodies that are pushed
  * @param waking whether circles that sleep can wake; else steps do not take any
  * @param reportsBehind whether what the step reports is decided behind what its plan enqueues
  */
@@ -32,7 +32,7 @@ public record Steps(
 
     /** Whether others than contacts of circles of one level are visited in passes. */
     boolean sharePasses() {
-        return joints || !haveOneLevel();
+        return joints || bodies || !haveOneLevel();
     }
 
     /** The level of all circles, where they are of one. */

@@ -119,7 +119,7 @@ public final class Tiles implements Plan {
 
     @Override
     public boolean suits(Steps steps) {
-        return !steps.bodies() && sizes.suit(steps);
+        return sizes.suit(steps);
     }
 
     @Override
@@ -136,8 +136,9 @@ public final class Tiles implements Plan {
         }
         link.run(2L * steps.circles());
         stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items, TileRecord.GROUP);
+        BodyStage bodies = stages.findBodies(steps.circles());
         if (steps.sharePasses()) {
-            levels.make(steps, sizes.tiles());
+            levels.make(steps, sizes.tiles(), bodies);
         } else {
             passes(steps, items);
         }
