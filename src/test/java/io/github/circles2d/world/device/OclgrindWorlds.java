@@ -11,6 +11,7 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.Scan;
@@ -57,6 +58,8 @@ final class OclgrindWorlds {
             "terrain of tiles",
             "joints",
             "joints of tiles",
+            "bodies",
+            "bodies of tiles",
             "sleep",
             "sleep of tiles");
 
@@ -157,6 +160,12 @@ final class OclgrindWorlds {
                 break;
             case "joints":
                 kernels.addAll(joints(Plans.COLOURS, Scenes.mixed(20, 1), true));
+                break;
+            case "bodies":
+                kernels.addAll(bodies(Plans.COLOURS));
+                break;
+            case "bodies of tiles":
+                kernels.addAll(bodies(Plans.TILES));
                 break;
             case "sleep":
                 if (steps > 1) {
@@ -430,6 +439,26 @@ final class OclgrindWorlds {
                     split + " split joints, " + batches + " batches, " + inNoBatch + " in none, " + broken + " broken");
         }
         return kernels;
+    }
+
+    /** Bodies that are pushed, among circles. */
+    private Set<String> bodies(Plans plans) {
+        DevicePipeline pipeline = pipeline(plans);
+        WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 12, 12), 0, -10, 0, subSteps, 0);
+        try (Simulation one = new Simulation(jvm(), parameters);
+                Simulation other = new Simulation(pipeline, parameters)) {
+            BodyChanges[] each = {new BodyChanges(one, 20), new BodyChanges(other, 20)};
+            for (int step = 0; step < 2 * steps; step++) {
+                for (BodyChanges world : each) {
+                    world.change(step);
+                    world.simulation().step(1 / 60f, 1);
+                }
+                if (one.hash() != other.hash()) {
+                    throw new IllegalStateException(plans + " with bodies, step " + step);
+                }
+            }
+            return pipeline.kernelNanos().keySet();
+        }
     }
 
     /** Fast circles in a world of which one axis wraps and the other is open. */

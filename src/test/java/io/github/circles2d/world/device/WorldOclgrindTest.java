@@ -75,6 +75,7 @@ class WorldOclgrindTest {
                         "turning",
                         "terrain",
                         "joints",
+                        "bodies",
                         "sleep",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
@@ -91,6 +92,7 @@ class WorldOclgrindTest {
                         "statics_findPieces",
                         "pieces_find",
                         "joints_takeSums",
+                        "bodies_give",
                         "sleeping_spread",
                         "sleeping_end",
                         "readback_turns");
@@ -118,6 +120,8 @@ class WorldOclgrindTest {
                         "terrain of tiles",
                         "joints",
                         "joints of tiles",
+                        "bodies",
+                        "bodies of tiles",
                         "sleep",
                         "sleep of tiles",
                         "queries"))

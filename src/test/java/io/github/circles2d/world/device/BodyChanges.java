@@ -1,0 +1,114 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointForm;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.terrain.ChainPath;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** The calls that each simulation of a comparison gets: bodies that are pushed among circles of several sizes, and what happens to them. */
+final class BodyChanges {
+    private final Simulation simulation;
+    private final int atFirst;
+    private final SplittableRandom random = new SplittableRandom(7);
+    private final List<Long> bodies = new ArrayList<>();
+    private final List<Long> circles = new ArrayList<>();
+
+    /** So many circles are there at first. */
+    BodyChanges(Simulation simulation, int atFirst) {
+        this.simulation = simulation;
+        this.atFirst = atFirst;
+    }
+
+    Simulation simulation() {
+        return simulation;
+    }
+
+    /** What comes before a step. */
+    void change(int step) {
+        if (step == 0) {
+            addCircles(atFirst);
+            addBodies(6);
+            join();
+        } else if (step == 22) {
+            circles.forEach(simulation.circles::remove);
+            circles.clear();
+        } else if (step == 26) {
+            addCircles(atFirst / 2);
+        } else if (step == 30) {
+            addCrowd();
+        }
+        if (!circles.isEmpty() && step % 3 == 1) {
+            long fast = circles.get(random.nextInt(circles.size()));
+            simulation.circles.set(Commands.VELOCITY, fast, between(-400, 400), between(-400, 400));
+        }
+        long body = bodies.get(random.nextInt(bodies.size()));
+        switch (step % 5) {
+            case 1 -> simulation.rigids.applyImpulse(body, between(-9, 9), between(-9, 9));
+            case 2 -> simulation.rigids.applyForce(body, between(-90, 90), between(-90, 90), between(-9, 9));
+            case 3 -> simulation.rigids.teleport(body, between(2, 10), between(2, 10), between(-3, 3));
+            case 4 -> addBodies(1);
+            default -> {}
+        }
+    }
+
+    private void addCircles(int n) {
+        for (int k = 0; k < n; k++) {
+            float r = k % 5 == 0 ? 0.5f : between(0.08f, 0.2f);
+            float mass = k % 23 == 3 ? Float.POSITIVE_INFINITY : r * r;
+            circles.add(simulation.newCircles.add(
+                    between(1, 11), between(1, 11), r, mass, between(-4, 4), between(-4, 4), 0));
+        }
+    }
+
+    private void addCrowd() {
+        for (int k = 0; k < 90; k++) {
+            circles.add(simulation.newCircles.add(6 + 1e-3f * k, 6, 0.2f, 0.1f, 0, 0, 0));
+        }
+    }
+
+    private void addBodies(int n) {
+        for (int k = 0; k < n; k++) {
+            bodies.add(simulation.rigids.add(
+                    box(between(0.4f, 2), between(0.3f, 1)),
+                    between(2, 10),
+                    between(2, 10),
+                    between(-3, 3),
+                    between(0.2f, 5),
+                    0));
+        }
+    }
+
+    /** A hinge at the world, and a rod between two bodies. */
+    private void join() {
+        JointForm rod = new JointForm(JointRow.AXIAL | JointRow.RIGID);
+        JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
+        simulation.joints.add(
+                JointEndType.RIGID, bodies.get(0), 0.1f, 0, JointEndType.RIGID, bodies.get(1), 0, 0.1f, rod);
+        simulation.joints.add(JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
+    }
+
+    static OutlineShape box(float width, float height) {
+        ChainPath path = new ChainPath(0, 0);
+        path.lineTo(width, 0);
+        path.lineTo(width, height);
+        path.lineTo(0, height);
+        path.close();
+        return OutlineShape.of(path, Float.NaN);
+    }
+
+    private float between(float from, float to) {
+        return from + (to - from) * (float) random.nextDouble();
+    }
+
+    float[] poses() {
+        float[] poses = new float[3 * simulation.rigidReads.idLimit()];
+        simulation.rigidReads.readById(poses, null);
+        return poses;
+    }
+}
