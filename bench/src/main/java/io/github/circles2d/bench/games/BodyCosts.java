@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.Random;
 
 /**
- * What bodies cost that are pushed, on the JVM. The main method prints a line of a CSV file for each scene. It needs the library and no other
+ * What bodies cost that are pushed, on the JVM, and there beside a device. The main method prints a line of a CSV file for each scene. It needs the library and no other
  * class.
  */
 public final class BodyCosts {
@@ -22,7 +22,12 @@ public final class BodyCosts {
      */
     public static final List<String> CASES = List.of("pyramid", "pour", "crates", "circles");
 
+    /** Those for a device: ten times as many circles, with ten and with a hundred crates, and without. */
+    static final List<String> CASES_OF_DEVICES =
+            List.of("circles", "crates", "many circles", "ten crates in many", "a hundred crates in many", "pour");
+
     static final String HEADER = "scene,bodies,circles,ms";
+    static final String HEADER_OF_DEVICES = "scene,bodies,circles,jvm_ms,device_ms";
 
     private static final float STEP = 1 / 60f;
     private static final float DENSITY = 1f;
@@ -30,6 +35,12 @@ public final class BodyCosts {
     private static final int POURED = 1000;
     private static final int COLUMNS = 20;
     private static final int CIRCLES = 10_000;
+    private static final int MANY_CIRCLES = 100_000;
+    private static final int COLUMNS_OF_HEAP = 142;
+    private static final int MANY_COLUMNS = 450;
+    private static final float WIDTH = 150;
+    private static final float MANY_WIDTH = 475;
+    private static final int CRATES_IN_ROW = 50;
     private static final int CRATES = 10;
     private static final int SETTLING = 300;
     private static final int STEPS = 600;
@@ -48,11 +59,20 @@ public final class BodyCosts {
     /**
      * Prints what bodies cost: the median of steps of settled scenes, and the mean of the steps of a fall.
      *
-     * @param arguments scenes; by default all
+     * @param arguments scenes on the JVM with two threads, by default all; or a back end, for all that it is measured beside the JVM with its usual
+     *     number of threads
      * @param out takes the lines of a CSV file
      * @throws IllegalArgumentException where the arguments are others
      */
     public static void run(List<String> arguments, PrintStream out) {
+        if (arguments.equals(List.of(Backend.OPENCL_GPU.name()))
+                || arguments.equals(List.of(Backend.OPENCL_CPU.name()))) {
+            out.println(HEADER_OF_DEVICES);
+            for (String each : CASES_OF_DEVICES) {
+                out.println(beside(each, Backend.valueOf(arguments.get(0)), SETTLING, SETTLING));
+            }
+            return;
+        }
         for (String each : arguments) {
             if (!CASES.contains(each)) {
                 throw new IllegalArgumentException("a scene is one of " + CASES + ", not '" + each + "'");
@@ -68,35 +88,65 @@ public final class BodyCosts {
     /** The line of a scene. */
     static String measure(String scene, int settling, int steps) {
         try (World world = world(scene)) {
-            boolean falls = scene.equals("pour");
-            world.step(STEP, falls ? 1 : settling);
-            double[] ms = new double[steps];
-            for (int k = 0; k < steps; k++) {
-                long from = System.nanoTime();
-                world.step(STEP);
-                ms[k] = (System.nanoTime() - from) / 1e6;
-            }
-            double mean = Arrays.stream(ms).average().orElseThrow();
-            Arrays.sort(ms);
             return String.format(
                     Locale.ROOT,
                     "%s,%d,%d,%.2f",
                     scene,
                     world.bodies().size(),
                     world.size(),
-                    falls ? mean : ms[steps / 2]);
+                    millis(world, scene, settling, steps));
         }
+    }
+
+    /** The line of a scene on the JVM and on a device, which end in the same state. */
+    static String beside(String scene, Backend device, int settling, int steps) {
+        try (World jvm = world(scene, usual().backend(Backend.JVM));
+                World other = world(scene, usual().backend(device))) {
+            double ofJvm = millis(jvm, scene, settling, steps);
+            double ofOther = millis(other, scene, settling, steps);
+            if (jvm.hash() != other.hash()) {
+                throw new IllegalStateException(scene + " is not the same on the JVM and on " + device);
+            }
+            return String.format(
+                    Locale.ROOT, "%s,%d,%d,%.2f,%.2f", scene, jvm.bodies().size(), jvm.size(), ofJvm, ofOther);
+        }
+    }
+
+    /** A step of a settled scene, the median; of a fall, the mean. */
+    private static double millis(World world, String scene, int settling, int steps) {
+        boolean falls = scene.equals("pour");
+        world.step(STEP, falls ? 1 : settling);
+        double[] ms = new double[steps];
+        for (int k = 0; k < steps; k++) {
+            world.finish();
+            long from = System.nanoTime();
+            world.step(STEP);
+            world.finish();
+            ms[k] = (System.nanoTime() - from) / 1e6;
+        }
+        double mean = Arrays.stream(ms).average().orElseThrow();
+        Arrays.sort(ms);
+        return falls ? mean : ms[steps / 2];
     }
 
     /** A world of a scene, at its start. */
     static World world(String scene) {
-        World.Builder builder =
-                World.builder().backend(Backend.JVM).threads(2).gravity(0, -10).friction(0.6f);
+        return world(scene, usual().backend(Backend.JVM).threads(2));
+    }
+
+    private static World.Builder usual() {
+        return World.builder().gravity(0, -10).friction(0.6f);
+    }
+
+    private static World world(String scene, World.Builder builder) {
         return switch (scene) {
             case "pyramid" -> pyramid(builder);
             case "pour" -> pour(builder);
-            case "crates" -> heap(builder, CRATES);
-            default -> heap(builder, 0);
+            case "crates" -> heap(builder, CIRCLES, CRATES);
+            case "many circles" -> heap(builder, MANY_CIRCLES, 0);
+            case "ten crates in many" -> heap(builder, MANY_CIRCLES, CRATES);
+            case "a hundred crates in many" -> heap(builder, MANY_CIRCLES, 10 * CRATES);
+            default -> heap(builder, CIRCLES, 0);
         };
     }
 
@@ -128,18 +178,21 @@ public final class BodyCosts {
     }
 
     /** Rows of circles; some crates lie between the tenth and the fourteenth row, where circles are left out. */
-    private static World heap(World.Builder builder, int crates) {
-        int columns = 142;
-        World world = builder.bounds(0, 0, 150, 150).rollingResistance(0.02f).build();
+    private static World heap(World.Builder builder, int circles, int crates) {
+        int columns = circles == CIRCLES ? COLUMNS_OF_HEAP : MANY_COLUMNS;
+        float width = circles == CIRCLES ? WIDTH : MANY_WIDTH;
+        World world =
+                builder.bounds(0, 0, width, width).rollingResistance(0.02f).build();
         Outline crate = Outline.box(2, 2);
         List<float[]> places = new ArrayList<>();
         for (int k = 0; k < crates; k++) {
-            float[] place = {10 + 14 * k, 12};
+            int inRow = Math.min(crates, CRATES_IN_ROW);
+            float[] place = {10 + (width - 10) / inRow * (k % CRATES_IN_ROW), 12 + 9 * (k / CRATES_IN_ROW)};
             places.add(place);
             world.bodies().add(crate, place[0], place[1], 0, mass(crate));
         }
         Random random = new Random(Scenes.SEED);
-        for (int k = 0; k < CIRCLES; k++) {
+        for (int k = 0; k < circles; k++) {
             float x = 1.05f * (k % columns + 0.5f) + 0.1f * (random.nextFloat() - 0.5f);
             float y = 0.5f + k / columns;
             float radius = 0.4f + 0.1f * random.nextFloat();

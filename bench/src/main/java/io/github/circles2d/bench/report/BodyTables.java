@@ -27,4 +27,21 @@ final class BodyTables {
         }
         return rows.isEmpty() ? "" : text.toString();
     }
+
+    /** Steps on the JVM and on a GPU. Empty if the folder has no such file. */
+    static String devices(Path folder) {
+        StringBuilder text = new StringBuilder("| scene | bodies | circles | JVM, ms | GPU, ms |\n|---|--:|--:|--:|--:|\n");
+        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("device.csv"), List.of("scene"));
+        for (Map<String, String> row : rows) {
+            text.append("| ").append(row.get("scene"));
+            for (String column : List.of("bodies", "circles")) {
+                text.append(" | ").append(Numbers.whole(row.get(column)));
+            }
+            for (String column : List.of("jvm_ms", "device_ms")) {
+                text.append(" | ").append(row.get(column));
+            }
+            text.append(" |\n");
+        }
+        return rows.isEmpty() ? "" : text.toString();
+    }
 }

@@ -68,6 +68,7 @@ public final class Page {
         part("joints swarm", () -> beside("joints", JointTables::swarm));
         part("sleep cost", () -> beside("sleep", SleepTables::cost));
         part("bodies cost", () -> beside("bodies", BodyTables::cost));
+        part("bodies on a device", () -> beside("bodies", BodyTables::devices));
         part("moves", () -> beside("moves", Moves::totals));
         part("moves times", () -> beside("moves", Moves::times));
         parts.put("moves chart", () -> picture("ms a frame by frame", "moves/" + Moves.FILE));

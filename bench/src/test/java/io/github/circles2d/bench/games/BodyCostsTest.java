@@ -3,6 +3,7 @@ package io.github.circles2d.bench.games;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.circles2d.Backend;
 import io.github.circles2d.World;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,13 @@ class BodyCostsTest {
             assertThat(line).startsWith(scene + ",");
             assertThat(line.split(",")).hasSameSizeAs(BodyCosts.HEADER.split(","));
         }
+    }
+
+    @Test
+    void linesOfADeviceHaveTheColumnsOfTheirHeader() {
+        String line = BodyCosts.beside("circles", Backend.JVM, 2, 3);
+        assertThat(line).startsWith("circles,0,10000,");
+        assertThat(line.split(",")).hasSameSizeAs(BodyCosts.HEADER_OF_DEVICES.split(","));
     }
 
     @Test
