@@ -1,4 +1,4 @@
-// uses: world/shared/Drive.cl world/stages/CrossSolver.cl
+// uses: world/shared/Drive.cl world/stages/CrossSolver.cl world/stages/Joints.cl
 // Circles near to bodies that are pushed, which the host has: it takes copies, and gives them back between the passes. The Java class
 // world.device.plan.BodyStage says what the words are; world.jvm.HostBodies reads and writes them.
 
@@ -36,6 +36,7 @@ void copyForBodies(const World *w, int slot, int id, global int *to) {
 #ifdef OWN_MOTION
     vstore4(w->ownMotion[id], 5, row);
 #endif
+    to[23] = w->turn[slot].ANGLE;
     vstore8(vload8(0, surfaceOfCircle(w, slot)), 3, row);
 }
 
@@ -59,6 +60,28 @@ kernel void bodies_find(WORLD_PARAMETERS, global int *found, int boxes, int room
     }
 }
 
+#ifdef JOINTS
+// Index space of both: circles that joints hold to bodies, of which held has the ids.
+
+// Before continuous collision.
+kernel void bodies_free(WORLD_PARAMETERS, global const int *held, int count) {
+    World w = WORLD;
+    int k = (int) get_global_id(0);
+    if (k < count && !refused(&w)) freeFromPath(&w, slotOfCircle(&w, held[k]));
+}
+
+// Behind bodies_find, which may have found them too.
+kernel void bodies_name(WORLD_PARAMETERS, global const int *held, int count, global int *found, int boxes, int room) {
+    World w = WORLD;
+    int k = (int) get_global_id(0);
+    if (k >= count || refused(&w)) return;
+    int place = atomic_inc(found);
+    if (place < room) {
+        copyForBodies(&w, slotOfCircle(&w, held[k]), held[k], found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
+    }
+}
+#endif
+
 // Index space of both: circles at bodies, of which slots has the slots.
 
 kernel void bodies_take(WORLD_PARAMETERS, global const int *slots_, int count, global float *rows) {
@@ -70,7 +93,7 @@ kernel void bodies_take(WORLD_PARAMETERS, global const int *slots_, int count, g
     w = crossWorld(w);
     vstore4(w.motion[slot], 0, row);
     vstore4(w.load[slot], 1, row);
-    vstore4((float4)(crossSpeeds(&w)[slot], w.spinImpulse[slot], w.motionClamp[slot].ALLOWANCE, 0.0f), 2, row);
+    vstore4((float4)(crossSpeeds(&w)[slot], w.spinImpulse[slot], w.motionClamp[slot].ALLOWANCE, w.turned[slot]), 2, row);
 }
 
 kernel void bodies_give(WORLD_PARAMETERS, global const int *slots_, int count, global const float *rows) {

@@ -31,8 +31,8 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>New:</b> bodies that fly 40 of their widths a second past others are not right yet; the guide has the list.
  *
  * <p><b>On devices</b> the host makes the bodies' part of a step, and waits for the device in each sub-step if circles touch bodies. A world that was
- * built for a device refuses bodies if its circles sleep, and joints of a body and a circle, with an {@link UnsupportedOperationException}, and goes on
- * without; one of {@link Backend#AUTO} goes to the JVM then. Bodies {@linkplain World.Builder#sleep sleep} as circles do. {@link Queries#bodies} finds
+ * built for a device refuses bodies if its circles sleep, with an {@link UnsupportedOperationException}, and goes on without; one of {@link Backend#AUTO}
+ * goes to the JVM then. Bodies {@linkplain World.Builder#sleep sleep} as circles do. {@link Queries#bodies} finds
  * bodies, {@link World#joints} hold them.
  *
  * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in

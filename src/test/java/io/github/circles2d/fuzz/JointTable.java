@@ -26,9 +26,6 @@ import java.util.stream.Stream;
 final class JointTable extends Table {
     private static final Function<Draw, Value> JOINTS = own("world.joints()", player -> player.world.joints());
 
-    private static final Drawn CIRCLE = handle(Ref.Of.CIRCLE);
-    private static final Drawn RIGID = handle(Ref.Of.RIGID);
-
     /** Joints of a call. */
     private static final int MANY = 12;
 
@@ -47,7 +44,7 @@ final class JointTable extends Table {
     }
 
     private void addJoints() {
-        Drawn circle = CIRCLE;
+        Drawn circle = handle(Ref.Of.CIRCLE);
         Drawn joint = new Drawn(Joint.class, JointTable::joint);
         Drawn alone = new Drawn(Joint.class, JointTable::alone);
         Drawn circles = new Drawn(long[].class, draw -> Drawn.handles(draw, Ref.Of.CIRCLE, MANY));
@@ -56,7 +53,7 @@ final class JointTable extends Table {
         add(12, "add", circle, x(), y(), joint);
         add(8, "add", circle, new Drawn(TerrainBody.class, Drawn::body), offset(), offset(), joint);
         add(8, "add", circle, alone);
-        Drawn body = RIGID;
+        Drawn body = handle(Ref.Of.RIGID);
         add(8, "add", body, body, joint);
         add(8, "add", body, circle, joint);
         add(8, "add", circle, body, joint);
@@ -67,12 +64,6 @@ final class JointTable extends Table {
         add(8, "add", body, offset(), offset(), new Drawn(TerrainBody.class, Drawn::body), offset(), offset(), joint);
         add(20, "addAll", circles, circles, joint, handles);
         add(6, "addAll", circles, alone, handles);
-    }
-
-    /** Whether a call adds a joint between a body that is pushed and a circle. */
-    static boolean holdsBodyToCircle(Entry entry) {
-        List<Drawn> parameters = List.of(entry.parameters());
-        return parameters.contains(CIRCLE) && parameters.contains(RIGID);
     }
 
     private void setJoints(Drawn joint) {

@@ -45,7 +45,7 @@ final class Setting {
     /** Whether there may be bodies that are pushed. */
     final boolean bodies;
 
-    /** Whether devices take what there may be: they refuse bodies that sleep, or that joints hold to circles. */
+    /** Whether devices take what there may be: they refuse bodies that sleep. */
     final boolean onDevices;
 
     final boolean recorded;
@@ -101,14 +101,14 @@ final class Setting {
         }
         call("moving", circles % 2 == 0); // no word on back ends that are named
         bodies = random.nextInt(3) == 0;
-        onDevices = !bodies || !sleeps && random.nextInt(2) == 0;
+        onDevices = !bodies || !sleeps;
     }
 
     /** Whether programs of such a world make a call. */
     boolean mayHave(Entry entry) {
         Method method = entry.method();
         boolean adds = method.getDeclaringClass() == Bodies.class && method.getName().startsWith("add");
-        return (bodies || !adds) && (!onDevices || !JointTable.holdsBodyToCircle(entry));
+        return bodies || !adds;
     }
 
     private static Edge edge(Random random) {

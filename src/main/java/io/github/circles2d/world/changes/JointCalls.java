@@ -222,9 +222,6 @@ public final class JointCalls implements Calls.Effects {
                             ? "the body with the handle " + world.rigids.ids.handle(w[1])
                             : "the circle with the handle " + world.handles.handle(w[1])));
         }
-        if (w[0] == JointEndType.CIRCLE || w[4] == JointEndType.CIRCLE) {
-            world.needs.prepareRigids(true);
-        }
     }
 
     /** Adds a joint of bodies that are pushed, and returns its id. */

@@ -86,7 +86,7 @@ public final class RigidBulk {
     private void makeAll(int n, OutlineShape[] outlines, boolean areEach, long[] to) {
         try {
             if (n > 0 && !table.isThere()) {
-                world.needs.prepareRigids(false);
+                world.needs.prepareRigids();
             }
             table.ensure(n);
             single.makeRoomToWake(n);

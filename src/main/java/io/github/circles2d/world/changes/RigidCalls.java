@@ -84,7 +84,7 @@ public final class RigidCalls implements Calls.Effects {
         RigidRules.room(table.ids.size(), 1);
         RigidRules.reach(outline, world.settings.bounds());
         if (!table.isThere()) {
-            world.needs.prepareRigids(false);
+            world.needs.prepareRigids();
         }
         table.ensure(1);
         table.prepare(outline);

@@ -307,12 +307,11 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(RigidStep bodies, boolean sleeping, boolean joined) {
-        if (sleeping || joined) {
-            throw new UnsupportedOperationException("bodies that are pushed "
-                    + (sleeping ? "in a world whose circles sleep" : "and that joints hold to circles")
-                    + " are only on the JVM yet, and this World runs on " + device()
-                    + ": build it with Backend.JVM or Backend.AUTO");
+    public void prepare(RigidStep bodies, boolean sleeping) {
+        if (sleeping) {
+            throw new UnsupportedOperationException(
+                    "bodies that are pushed, in a world that sleeps, are only on the JVM yet, and this World runs on "
+                            + device() + ": build it with Backend.JVM or Backend.AUTO, or without sleep");
         }
         if (hostBodies == null) {
             bodyArrays = new BodyArrays(session);

@@ -86,16 +86,6 @@ public final class JointTable {
         return traits[JointRow.traits(joint) + which];
     }
 
-    /** Whether a joint holds a body that is pushed to a circle. */
-    public boolean holdsBodiesToCircles() {
-        for (int joint = 0; rigid.count() > 0 && joint < ids.end(); joint++) {
-            if (ids.lives(joint) && rigid.has(joint) && (a(joint) != JointRow.NONE || b(joint) != JointRow.NONE)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** {@link JointRow#NONE} if a body that is pushed is its first end. */
     public int a(int joint) {
         return trait(joint, JointRow.A);

@@ -111,17 +111,6 @@ public final class SavedJoints {
         return false;
     }
 
-    /** Whether any joint holds a body that is pushed to a circle. */
-    public boolean holdBodiesToCircles() {
-        for (int joint = 0; joint < ids; joint++) {
-            boolean holdsCircle = a[joint] != JointRow.NONE || b[joint] != JointRow.NONE;
-            if (lives(joint) && holdsCircle && holdsRigid(joint)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** The part of the joints in the hash of the state. */
     public long hash(SavedJointStates states) {
         long sum = 0;

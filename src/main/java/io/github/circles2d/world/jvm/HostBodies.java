@@ -6,6 +6,7 @@ import io.github.circles2d.world.joints.BrokenJoints;
 import io.github.circles2d.world.joints.SavedJointStates;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.StepInput;
 import java.nio.FloatBuffer;
@@ -19,7 +20,7 @@ public final class HostBodies implements AutoCloseable {
     /** Words of a circle as it comes near: see {@link #add}. */
     public static final int NEAR_WORDS = 40;
 
-    /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance. */
+    /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance, how far it has turned. */
     public static final int ROW_WORDS = 12;
 
     // words of a circle as it comes near; what is of four floats is as CircleRow has it
@@ -35,6 +36,7 @@ public final class HostBodies implements AutoCloseable {
     private static final int MOTION = 12;
     private static final int TRAITS = 16;
     private static final int OWN_MOTION = 20;
+    private static final int ANGLE = 23;
     private static final int SURFACE = 24;
 
     // words of a circle at a body
@@ -43,6 +45,7 @@ public final class HostBodies implements AutoCloseable {
     private static final int ROW_SPIN = 8;
     private static final int ROW_SPIN_IMPULSE = 9;
     private static final int ROW_ALLOWANCE = 10;
+    private static final int ROW_TURNED = 11;
 
     private final Team team;
     private final State state = new State();
@@ -65,12 +68,19 @@ public final class HostBodies implements AutoCloseable {
 
     private int atBodiesCount;
 
+    /** The circles that joints hold to bodies: ids, of which one may come more than once. */
+    private int[] held = new int[0];
+
+    private int heldCount;
+
     private final Runnable findBodies = this::findBodiesHere;
     private final Runnable findContacts = this::findContactsHere;
     private final Runnable begin = this::beginHere;
+    private final Runnable driveBodies = this::driveBodiesHere;
     private final Runnable solveBodies = this::solveBodiesHere;
     private final Runnable solveCircles = this::solveCirclesHere;
-    private final Runnable relax = this::relaxHere;
+    private final Runnable relaxBodies = this::relaxBodiesHere;
+    private final Runnable relaxCircles = this::relaxCirclesHere;
     private final Runnable end = this::endHere;
 
     /** Takes no more threads than that. */
@@ -88,7 +98,34 @@ public final class HostBodies implements AutoCloseable {
             return;
         }
         states.ensure(of.joints.joints);
+        findHeld();
         workers = Math.max(1, Math.min(team.most(), passes.workers(these)));
+    }
+
+    private void findHeld() {
+        heldCount = 0;
+        int joined = joined() ? input.joints.rigidCount : 0;
+        if (held.length < joined) {
+            held = new int[joined + (joined >> 1)];
+        }
+        for (int n = 0; n < joined; n++) {
+            int traits = JointRow.traits(input.joints.rigidOrder[n]);
+            int a = input.joints.traits[traits + JointRow.A];
+            int circle = a != JointRow.NONE ? a : input.joints.traits[traits + JointRow.B];
+            if (circle != JointRow.NONE) {
+                held[heldCount++] = circle;
+            }
+        }
+    }
+
+    /** How many times joints hold circles to bodies. */
+    public int held() {
+        return heldCount;
+    }
+
+    /** Puts the ids of these circles. */
+    public void putHeld(IntBuffer to) {
+        to.put(held, 0, heldCount);
     }
 
     /** Whether steps have bodies. */
@@ -151,11 +188,14 @@ public final class HostBodies implements AutoCloseable {
     }
 
     private void add(IntBuffer words, int at) {
+        int id = words.get(at + ID);
+        state.ensureIds(id + 1);
+        if (state.slotOf[id] >= 0) {
+            return; // it is near, and a joint holds it
+        }
         int slot = state.n++;
         state.awake = state.n;
-        int id = words.get(at + ID);
         deviceSlot[slot] = words.get(at + SLOT);
-        state.ensureIds(id + 1);
         state.id[slot] = id;
         state.slotOf[id] = slot;
         set(CircleField.KIND, id, words.get(at + KIND));
@@ -176,6 +216,8 @@ public final class HostBodies implements AutoCloseable {
         }
         state.turning.spin[s + CircleRow.SURFACE_SPEED] = real(words, at + SPIN);
         state.turning.spin[s + CircleRow.INVERSE_INERTIA] = real(words, at + INVERSE_INERTIA);
+        state.turning.spin[s + CircleRow.TURNED] = 0f;
+        state.turning.angle[slot] = words.get(at + ANGLE);
         for (int e = 0; e < KindSurface.STRIDE; e++) {
             state.turning.circleSurfaces[KindSurface.of(slot) + e] = real(words, at + SURFACE + e);
         }
@@ -196,6 +238,18 @@ public final class HostBodies implements AutoCloseable {
     private void findContactsHere() {
         passes.findContacts();
         atBodiesCount = passes.circles(atBodies);
+        for (int k = 0; k < heldCount; k++) {
+            addHeld(state.slotOf[held[k]]);
+        }
+    }
+
+    private void addHeld(int slot) {
+        for (int k = 0; k < atBodiesCount; k++) {
+            if (atBodies[k] == slot) {
+                return;
+            }
+        }
+        atBodies[atBodiesCount++] = slot;
     }
 
     // ---- circles at bodies
@@ -223,6 +277,7 @@ public final class HostBodies implements AutoCloseable {
             state.turning.spin[s + CircleRow.SURFACE_SPEED] = from.get(at + ROW_SPIN);
             state.turning.spin[s + CircleRow.SPIN_IMPULSE] = from.get(at + ROW_SPIN_IMPULSE);
             state.motionClamp[s + CircleRow.ALLOWANCE] = from.get(at + ROW_ALLOWANCE);
+            state.turning.spin[s + CircleRow.TURNED] = from.get(at + ROW_TURNED);
         }
     }
 
@@ -251,14 +306,22 @@ public final class HostBodies implements AutoCloseable {
         passes.begin(null);
     }
 
-    /** Drives bodies, and visits their contacts with each other and with what is no circle, with bias. */
+    /** Begins a sub-step: what drives bodies. */
+    public void driveBodies() {
+        team.run(workers, driveBodies);
+    }
+
+    private void driveBodiesHere() {
+        passes.integrateVelocities();
+    }
+
+    /** Visits joints, and contacts of bodies with each other and with what is no circle, with bias. */
     public void solveBodies(int sub) {
         subStep = sub;
         team.run(workers, solveBodies);
     }
 
     private void solveBodiesHere() {
-        passes.integrateVelocities();
         passes.solve(subStep);
     }
 
@@ -271,16 +334,24 @@ public final class HostBodies implements AutoCloseable {
         passes.solveCircles();
     }
 
-    /** Moves bodies and visits all their contacts without bias; circles have moved, and have ended their relaxing pass. */
-    public void relax(int sub, boolean ofLast) {
+    /** Moves bodies, behind circles, and visits joints and contacts of bodies without bias. */
+    public void relaxBodies(int sub, boolean ofLast) {
         subStep = sub;
         last = ofLast;
-        team.run(workers, relax);
+        team.run(workers, relaxBodies);
     }
 
-    private void relaxHere() {
+    private void relaxBodiesHere() {
         passes.integratePositions(subStep);
         passes.relax(subStep, last);
+    }
+
+    /** Visits contacts with circles, which have ended their relaxing pass. */
+    public void relaxCircles() {
+        team.run(workers, relaxCircles);
+    }
+
+    private void relaxCirclesHere() {
         passes.relaxCircles(last);
     }
 
@@ -294,8 +365,8 @@ public final class HostBodies implements AutoCloseable {
         states.endStep();
     }
 
-    // ---- joints that hold bodies, and no circle
-    // ----------------------------------------------------------------------
+    // ---- joints that hold bodies
+    // ----------------------------------------------------------------------------------
 
     private boolean joined() {
         return input.constants.joints && input.joints.rigidCount > 0;
@@ -329,16 +400,18 @@ public final class HostBodies implements AutoCloseable {
         findContacts(0, null, 0);
         begin();
         for (int sub = 0; sub < subSteps; sub++) {
+            driveBodies();
             solveBodies(sub);
             solveCircles();
-            relax(sub, sub == subSteps - 1);
+            relaxBodies(sub, sub == subSteps - 1);
+            relaxCircles();
         }
         end();
     }
 
     /** Memory of the arrays. */
     public long bytes() {
-        return state.bytes() + passes.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length);
+        return state.bytes() + passes.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length + held.length);
     }
 
     @Override

@@ -162,7 +162,7 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(RigidStep bodies, boolean sleeps, boolean joined) {
+    public void prepare(RigidStep bodies, boolean sleeps) {
         rigids = bodies;
         state.rigids = bodies;
         if (rigidPasses == null) {

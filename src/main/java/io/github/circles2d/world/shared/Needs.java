@@ -90,12 +90,11 @@ public final class Needs {
                 hasTerrain || world.terrain.isThere(),
                 hasJoints || world.joints.isThere(),
                 hasOwnMotion || ownMotion(),
-                world.rigids.isThere(),
-                world.joints.table.holdsBodiesToCircles());
+                world.rigids.isThere());
     }
 
-    /** Makes the pipeline ready for rigid bodies, and for joints that hold them to circles. If it cannot be made so, nothing has changed. */
-    public void prepareRigids(boolean joined) {
+    /** Makes the pipeline ready for rigid bodies. If it cannot be made so, nothing has changed. */
+    public void prepareRigids() {
         world.pending.finish();
         boolean before = turns;
         prepare(
@@ -104,8 +103,7 @@ public final class Needs {
                 hasTerrain || world.terrain.isThere(),
                 hasJoints || world.joints.isThere(),
                 hasOwnMotion || ownMotion(),
-                true,
-                joined);
+                true);
         turns = before; // until there are some
     }
 
@@ -118,8 +116,7 @@ public final class Needs {
                 hasTerrain || next.terrain.hasPieces(),
                 hasJoints || next.joints.hasJoints(),
                 hasOwnMotion || ownMotion(next),
-                next.rigids.hasBodies(),
-                next.joints.holdBodiesToCircles());
+                next.rigids.hasBodies());
         turns = before;
     }
 
@@ -129,16 +126,15 @@ public final class Needs {
             boolean withTerrain,
             boolean withJoints,
             boolean withOwnMotion,
-            boolean withBodies,
-            boolean joined) {
+            boolean withBodies) {
         Features features = Features.of(
                 !p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps(), withOwnMotion, withBodies);
         world.moves.beforeFeatures(p.contacts(), features);
         try {
-            prepare(p.contacts(), features, joined);
+            prepare(p.contacts(), features);
         } catch (RuntimeException e) {
             world.moves.goHome(e);
-            prepare(p.contacts(), features, joined);
+            prepare(p.contacts(), features);
         }
         turns = turning;
         hasTerrain = withTerrain;
@@ -146,9 +142,9 @@ public final class Needs {
         hasOwnMotion = withOwnMotion;
     }
 
-    private void prepare(ContactSettings contacts, Features features, boolean joined) {
+    private void prepare(ContactSettings contacts, Features features) {
         if (features.bodies()) {
-            world.pipeline.prepare(world.rigids.step, features.sleeping(), joined);
+            world.pipeline.prepare(world.rigids.step, features.sleeping());
         }
         world.pipeline.prepare(contacts, features);
     }
@@ -156,14 +152,14 @@ public final class Needs {
     /** The same of a pipeline that the world is to move to. */
     void prepare(Pipeline next) {
         if (world.rigids.isThere()) {
-            next.prepare(world.rigids.step, world.settings.sleeps(), world.joints.table.holdsBodiesToCircles());
+            next.prepare(world.rigids.step, world.settings.sleeps());
         }
         next.prepare(world.settings.contacts(), features());
     }
 
-    /** Whether all pipelines take the rigid bodies that there are: those on devices neither sleep nor are held to circles. */
+    /** Whether all pipelines take the rigid bodies that there are: those on devices do not sleep. */
     boolean mayMove() {
-        return !world.rigids.isThere() || !world.settings.sleeps() && !world.joints.table.holdsBodiesToCircles();
+        return !world.rigids.isThere() || !world.settings.sleeps();
     }
 
     private static boolean turns(SavedState s) {

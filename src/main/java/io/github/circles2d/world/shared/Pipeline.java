@@ -44,9 +44,8 @@ public interface Pipeline extends AutoCloseable {
      * nothing has changed then.
      *
      * @param sleeps whether they sleep
-     * @param joined whether joints hold some to circles
      */
-    void prepare(RigidStep bodies, boolean sleeps, boolean joined);
+    void prepare(RigidStep bodies, boolean sleeps);
 
     /** Whether nothing is compiled for such worlds any more, nor beside their steps. */
     default boolean isReady(Readiness wanted) {

@@ -84,12 +84,19 @@ final class BodyChanges {
         }
     }
 
-    /** A hinge at the world, and a rod between two bodies. */
+    /** A hinge at the world, and rods and pins between bodies, and bodies and circles. */
     private void join() {
         JointForm rod = new JointForm(JointRow.AXIAL | JointRow.RIGID);
         JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
         simulation.joints.add(
                 JointEndType.RIGID, bodies.get(0), 0.1f, 0, JointEndType.RIGID, bodies.get(1), 0, 0.1f, rod);
+        for (int k = 3; k < 5; k++) { // a cart, and a rope
+            JointForm form = k == 3 ? pin : rod;
+            simulation.joints.add(
+                    JointEndType.RIGID, bodies.get(3), 0.4f, 0, JointEndType.CIRCLE, circles.get(k), 0, 0, form);
+            simulation.joints.add(
+                    JointEndType.CIRCLE, circles.get(k + 2), 0, 0, JointEndType.RIGID, bodies.get(k), 0, 0, rod);
+        }
         simulation.joints.add(JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
     }
 

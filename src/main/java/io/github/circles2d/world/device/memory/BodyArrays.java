@@ -8,6 +8,7 @@ import io.github.circles2d.opencl.Session;
 public final class BodyArrays implements AutoCloseable {
     private final Session session;
     private DeviceBuffer found;
+    private DeviceBuffer held;
     private DeviceBuffer slots;
     private DeviceBuffer rows;
     private HostBuffer host;
@@ -15,6 +16,7 @@ public final class BodyArrays implements AutoCloseable {
     public BodyArrays(Session session) {
         this.session = session;
         ensureFound(0);
+        ensureHeld(0);
         ensureRows(0, 0);
         ensureHost(0);
     }
@@ -22,6 +24,12 @@ public final class BodyArrays implements AutoCloseable {
     /** Makes room for so many bytes; what has been found is lost. */
     public void ensureFound(long bytes) {
         found = GrownBuffer.of(session, "circles near to bodies", found, bytes, roomier(bytes));
+        ensureHost(bytes);
+    }
+
+    /** Makes room for so many bytes of ids; what there was is lost. */
+    public void ensureHeld(long bytes) {
+        held = GrownBuffer.of(session, "circles that joints hold to bodies", held, bytes, roomier(bytes));
         ensureHost(bytes);
     }
 
@@ -50,6 +58,10 @@ public final class BodyArrays implements AutoCloseable {
         return found;
     }
 
+    public DeviceBuffer held() {
+        return held;
+    }
+
     public DeviceBuffer slots() {
         return slots;
     }
@@ -65,7 +77,7 @@ public final class BodyArrays implements AutoCloseable {
 
     @Override
     public void close() {
-        GrownBuffer.close(found, slots, rows);
+        GrownBuffer.close(found, held, slots, rows);
         host.close();
     }
 }

@@ -12,8 +12,8 @@ import java.nio.IntBuffer;
 
 /**
  * The bodies that are pushed, of a world on a device. The host makes their part of a step ({@link HostBodies}); for circles that touch them it waits for
- * the device twice in a sub-step, takes what these have become, and gives it back; {@code kernels/world/stages/Bodies.cl}. Steps without such circles
- * wait once.
+ * the device twice in a sub-step, takes what these have become, and gives it back; {@code kernels/world/stages/Bodies.cl}. For circles that joints hold to
+ * bodies it waits four times. Steps without such circles wait once.
  */
 final class BodyStage {
     /** Words before the boxes: how many circles were found, whether the step is refused. */
@@ -31,13 +31,20 @@ final class BodyStage {
     private final Kernel take;
     private final Kernel give;
 
-    BodyStage(StageKernels kernels, Session session, HostBodies bodies, BodyArrays arrays) {
+    /** Null, as the next, in worlds without joints. */
+    private final Kernel free;
+
+    private final Kernel name;
+
+    BodyStage(StageKernels kernels, Session session, HostBodies bodies, BodyArrays arrays, boolean joints) {
         this.session = session;
         this.bodies = bodies;
         this.arrays = arrays;
         find = kernels.staged("bodies_find");
         take = kernels.staged("bodies_take");
         give = kernels.staged("bodies_give");
+        free = joints ? kernels.staged("bodies_free") : null;
+        name = joints ? kernels.staged("bodies_name") : null;
     }
 
     /** Adds the numbers that the kernels share with the host. */
@@ -45,6 +52,19 @@ final class BodyStage {
         return source.define("BODY_BOXES", BOXES)
                 .define("BODY_NEAR_WORDS", HostBodies.NEAR_WORDS)
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
+    }
+
+    /** Before continuous collision: circles that joints hold to bodies may leave their paths. */
+    void free() {
+        int held = bodies.areThere() ? bodies.held() : 0;
+        if (held > 0) {
+            arrays.ensureHeld(bytes(held));
+            bodies.putHeld(arrays.host().ints().duplicate().clear());
+            arrays.held().write(0, arrays.host(), 0, bytes(held));
+            free.arg(StageKernels.own(0), arrays.held())
+                    .arg(StageKernels.own(1), held)
+                    .run(held);
+        }
     }
 
     /** Finds what touches bodies, once contacts of circles are listed; false if nothing is there, or the step is refused: nothing has changed then. */
@@ -59,7 +79,7 @@ final class BodyStage {
         while (true) {
             arrays.ensureFound(bytes(before + HostBodies.NEAR_WORDS * room));
             room = (int) Math.min(
-                    circles, (arrays.found().bytes() / Integer.BYTES - before) / HostBodies.NEAR_WORDS);
+                    circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / HostBodies.NEAR_WORDS);
             HostBuffer host = arrays.host();
             putBoxes(host);
             arrays.found().write(0, host, 0, bytes(before));
@@ -67,6 +87,14 @@ final class BodyStage {
                     .arg(StageKernels.own(1), boxes)
                     .arg(StageKernels.own(2), room)
                     .run(circles);
+            if (bodies.held() > 0) {
+                name.arg(StageKernels.own(0), arrays.held())
+                        .arg(StageKernels.own(1), bodies.held())
+                        .arg(StageKernels.own(2), arrays.found())
+                        .arg(StageKernels.own(3), boxes)
+                        .arg(StageKernels.own(4), room)
+                        .run(bodies.held());
+            }
             arrays.found().read(0, host, 0, bytes(before + HostBodies.NEAR_WORDS * Math.min(room, LEAST_ROOM)));
             IntBuffer words = host.ints();
             int found = words.get(0);
@@ -143,20 +171,47 @@ final class BodyStage {
         }
     }
 
-    /** Behind the biased pass of circles, beside which bodies make theirs. */
+    /** Behind the biased pass over joints, and before that over cross contacts. */
+    void solveJoints(int sub) {
+        if (bodies.held() > 0) {
+            take();
+            bodies.driveBodies();
+            receive();
+            bodies.solveBodies(sub);
+            give();
+        }
+    }
+
+    /** Behind the biased pass of circles; what bodies do without circles they do beside it. */
     void solve(int sub) {
         take();
-        bodies.solveBodies(sub);
+        if (bodies.held() == 0) {
+            bodies.driveBodies();
+            bodies.solveBodies(sub);
+        }
         receive();
         bodies.solveCircles();
         give();
+    }
+
+    /** Behind the relaxing pass over joints, and before that over cross contacts. */
+    void relaxJoints(int sub, boolean last) {
+        if (bodies.held() > 0) {
+            take();
+            receive();
+            bodies.relaxBodies(sub, last);
+            give();
+        }
     }
 
     /** Behind the relaxing pass of circles. */
     void relax(int sub, boolean last) {
         take();
         receive();
-        bodies.relax(sub, last);
+        if (bodies.held() == 0) {
+            bodies.relaxBodies(sub, last);
+        }
+        bodies.relaxCircles();
         give();
     }
 

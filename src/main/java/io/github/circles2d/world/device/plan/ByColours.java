@@ -88,6 +88,9 @@ public final class ByColours implements Plan {
             if (joints != null) {
                 joints.solve(sub);
             }
+            if (bodies != null) {
+                bodies.solveJoints(sub);
+            }
             cross.solve(steps);
             if (bodies != null) {
                 bodies.solve(sub);
@@ -98,6 +101,9 @@ public final class ByColours implements Plan {
             runByColour(levels, relax);
             if (joints != null) {
                 joints.relax(sub, last);
+            }
+            if (bodies != null) {
+                bodies.relaxJoints(sub, last);
             }
             cross.relax(steps, last);
             if (bodies != null) {

@@ -49,6 +49,9 @@ final class LevelPasses {
             if (joints != null) {
                 joints.solve(sub);
             }
+            if (bodies != null) {
+                bodies.solveJoints(sub);
+            }
             if (crosses) {
                 cross.solveLight(steps);
                 takeBeforeBodies(steps, true, false);
@@ -60,6 +63,9 @@ final class LevelPasses {
             runTiles(relax, sub, tiles);
             if (joints != null) {
                 joints.relax(sub, last);
+            }
+            if (bodies != null) {
+                bodies.relaxJoints(sub, last);
             }
             if (crosses) {
                 cross.relaxLight(steps, last);

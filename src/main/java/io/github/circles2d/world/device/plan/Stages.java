@@ -60,7 +60,7 @@ public final class Stages {
             HostBodies bodies,
             BodyArrays bodyArrays) {
         device = session.device();
-        this.bodies = bodies == null ? null : new BodyStage(kernels, session, bodies, bodyArrays);
+        this.bodies = bodies == null ? null : new BodyStage(kernels, session, bodies, bodyArrays, arrays.joints());
         this.kernels = kernels;
         this.arrays = arrays;
         this.parameters = parameters;
@@ -173,6 +173,9 @@ public final class Stages {
             }
             if (joints != null) {
                 joints.find();
+            }
+            if (bodies != null) {
+                bodies.free();
             }
             if (steps.sweeping()) {
                 continuousCollision.sweep(steps.levels(), circles);
