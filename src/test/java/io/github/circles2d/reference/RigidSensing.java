@@ -122,20 +122,24 @@ final class RigidSensing {
     private static Shape shape(Piece piece) {
         Shape shape = new Shape();
         shape.thickness = piece.thickness();
-        shape.reach = Double.POSITIVE_INFINITY;
-        double[] centre = {0, 0};
-        double[] start = {piece.start[0], piece.start[1]};
-        double[] end = {piece.end[0], piece.end[1]};
+        double[] pivot = piece.body.motion == null ? new double[2] : doubles(piece.pivot);
+        double[] centre = {0 - pivot[0], 0 - pivot[1]};
+        double[] start = minus(doubles(piece.start), pivot);
+        double[] end = minus(doubles(piece.end), pivot);
         double r = piece.size;
-        double[] middle = {r * piece.t[0], r * piece.t[1]};
         if (!piece.isArc()) {
             shape.own.add(Edge.line(start, end));
-        } else if (piece.isCircle()) {
-            double[] right = {r, 0};
-            double[] left = {-r, 0};
+            shape.reach = Math.sqrt(Math.max(dot(start, start), dot(end, end)));
+            return shape;
+        }
+        shape.reach = r + length(centre);
+        if (piece.isCircle()) {
+            double[] right = {centre[0] + r, centre[1]};
+            double[] left = {centre[0] - r, centre[1]};
             shape.own.add(new Edge(right, left, centre, r));
             shape.own.add(new Edge(left, right, centre, r));
         } else {
+            double[] middle = plus(centre, doubles(piece.t), r);
             shape.own.add(new Edge(piece.isHollow() ? end : start, middle, centre, r));
             shape.own.add(new Edge(middle, piece.isHollow() ? start : end, centre, r));
         }
@@ -362,11 +366,10 @@ final class RigidSensing {
         Shape a = body(n, k);
         Gap gap = touch(a, b, tolerance(touched.test(key), radii), radii);
         if (gap != null) {
-            found.add(touched(key, n, gap, null, k));
+            found.add(touched(key, n, gap, k));
         }
     }
 
-    /** In the frame of the piece, as the step begins. */
     private void add(
             List<RigidTouch> found,
             int n,
@@ -376,8 +379,6 @@ final class RigidSensing {
             Predicate<RigidTouch.Key> touched) {
         RigidTouch.Key key = new RigidTouch.Key(true, RigidThing.PIECE, bodies.get(n).id, piece.id);
         double radii = bodies.get(n).outline.halfThickness;
-        double tolerance = tolerance(touched.test(key), radii);
-        Shape a = body(n, k);
         Shape b = shape(piece);
         float[] o = Numbers.minus(bases[n], piece.origin);
         if (k.arena().isWrapped(0) || k.arena().isWrapped(1)) {
@@ -386,36 +387,29 @@ final class RigidSensing {
                 fromMiddle[0] + (piece.middle[0] - piece.origin[0]), fromMiddle[1] + (piece.middle[1] - piece.origin[1])
             };
         }
-        a.place = doubles(o);
         Body.Motion motion = piece.body.motion;
+        b.place = minus(motion == null ? new double[2] : doubles(piece.pivot), doubles(o));
         if (motion != null) {
-            int last = k.subSteps();
-            double[] pivot = doubles(piece.pivot);
-            double[] x = minus(plus(minus(a.place, pivot), a.path, 1), doubles(motion.ways()[last]));
-            double cos = motion.cosines()[last];
-            double sin = motion.sines()[last];
-            double[] back = {cos * x[0] + sin * x[1], cos * x[1] - sin * x[0]};
-            a.path = minus(plus(back, pivot, 1), a.place);
-            a.turn -= (double) motion.omega() * k.dt() / Angles.UNIT;
+            b.path = doubles(motion.ways()[k.subSteps()]);
+            b.turn = (double) motion.omega() * k.dt() / Angles.UNIT;
         }
         if (!twoSided && !touched.test(key)) {
+            Shape a = body(n, k);
             a.go(0);
             b.go(0);
-            boolean beside = new Gap(a, b, radii).gap() > tolerance;
+            boolean beside = new Gap(a, b, radii).gap() > tolerance(false, radii);
+            Edge first = b.edges.get(0);
             double front = piece.isArc()
-                    ? (length(a.place) - piece.size) * (piece.isHollow() ? -1 : 1)
-                    : a.place[0] * piece.t[1] - a.place[1] * piece.t[0];
+                    ? (length(first.centre) - piece.size) * (piece.isHollow() ? -1 : 1)
+                    : first.from[1] * piece.t[0] - first.from[0] * piece.t[1];
             if (!beside || !(front > 0)) {
                 return;
             }
         }
-        Gap gap = touch(a, b, tolerance, radii);
-        if (gap != null) {
-            found.add(touched(key, n, gap, piece, k));
-        }
+        add(found, key, n, b, radii, k, touched);
     }
 
-    private RigidTouch touched(RigidTouch.Key key, int n, Gap gap, Piece piece, StepParameters k) {
+    private RigidTouch touched(RigidTouch.Key key, int n, Gap gap, StepParameters k) {
         Shape a = gap.a;
         Shape b = gap.b;
         boolean known = gap.apart && gap.least > COINCIDENT * gap.radii;
@@ -429,21 +423,9 @@ final class RigidSensing {
                 : new double[] {0, 1};
         double[] point = known ? gap.ofA : a.reach < b.reach ? a.now : gap.ofB;
         double speed = (dot(velocity(a, point), normal) - dot(velocity(b, point), normal)) / k.dt();
-        if (piece != null && piece.body.motion != null) {
-            Body.Motion motion = piece.body.motion;
-            int last = k.subSteps();
-            double cos = motion.cosines()[last];
-            double sin = motion.sines()[last];
-            double[] x = minus(point, doubles(piece.pivot));
-            double[] pivotThen = plus(doubles(piece.pivot), doubles(motion.ways()[last]), 1);
-            point = plus(new double[] {cos * x[0] - sin * x[1], sin * x[0] + cos * x[1]}, pivotThen, 1);
-            normal = new double[] {cos * normal[0] - sin * normal[1], sin * normal[0] + cos * normal[1]};
-        }
         return new RigidTouch(
                 key,
-                new float[] {
-                    (float) (bases[n][0] + (point[0] - a.place[0])), (float) (bases[n][1] + (point[1] - a.place[1]))
-                },
+                new float[] {(float) (bases[n][0] + point[0]), (float) (bases[n][1] + point[1])},
                 new float[] {(float) normal[0] + 0f, (float) normal[1] + 0f},
                 0f,
                 (float) Math.max(speed, 0) + 0f);

@@ -424,10 +424,11 @@ final class RigidSensing {
         return PieceMeasure.isTwoSided(terrain, piece, terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE]);
     }
 
-    /** Brings a piece, and the body into the frame of the piece, which stays where it is as the step begins. */
+    /** Brings a piece to where it is against the body. */
     private void takePiece(int n, int piece) {
         float[] rows = terrain.rows;
         int row = PieceRow.of(piece);
+        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
         float ox = bodyX[n] - rows[row + PieceRow.X];
         float oy = bodyY[n] - rows[row + PieceRow.Y];
         if (state.wraps) {
@@ -436,30 +437,24 @@ final class RigidSensing {
             ox = CircleMath.shortWay(bodyX[n] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
             oy = CircleMath.shortWay(bodyY[n] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
         }
-        b.takePiece(rows, row, terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE]);
-        b.put(0, 0, 0, 0, 0, 0);
         int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
-        double turn = step.angle[bodies[n]] - bodyAngle[n];
         if (motion == 0) {
-            a.put(ox, oy, wayX(n), wayY(n), bodyAngle[n], turn);
+            b.takePiece(rows, row, shape, 0, 0);
+            b.put(0 - ox, 0 - oy, 0, 0, 0, 0);
             return;
         }
         int of = BodyRow.of(motion, k.subSteps);
         int pose = of + BodyRow.pose(k.subSteps);
         double px = rows[row + PieceRow.PIVOT_X];
         double py = rows[row + PieceRow.PIVOT_Y];
-        double x = (ox - px) + ((double) wayX(n) - terrain.motion[pose + BodyRow.DX]);
-        double y = (oy - py) + ((double) wayY(n) - terrain.motion[pose + BodyRow.DY]);
-        double cos = terrain.motion[pose + BodyRow.COS];
-        double sin = terrain.motion[pose + BodyRow.SIN];
-        double itsTurn = (double) terrain.motion[of + BodyRow.OMEGA] * k.dt / Rotation.RADIANS_PER_UNIT;
-        a.put(
-                ox,
-                oy,
-                (cos * x + sin * y) + (px - ox),
-                (cos * y - sin * x) + (py - oy),
-                bodyAngle[n],
-                turn - itsTurn);
+        b.takePiece(rows, row, shape, px, py);
+        b.put(
+                px - ox,
+                py - oy,
+                terrain.motion[pose + BodyRow.DX],
+                terrain.motion[pose + BodyRow.DY],
+                0,
+                (double) terrain.motion[of + BodyRow.OMEGA] * k.dt / Rotation.RADIANS_PER_UNIT);
     }
 
     /** Whether a body is beside a piece that has a front, and comes from there. */
@@ -473,10 +468,14 @@ final class RigidSensing {
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
         if (PieceRow.form(shape) == PieceRow.ARC) {
-            boolean outside = Math.sqrt(a.x * a.x + a.y * a.y) > rows[row + PieceRow.LENGTH];
+            double dx = b.edges[SensedShape.CENTRE_X];
+            double dy = b.edges[SensedShape.CENTRE_Y];
+            boolean outside = Math.sqrt(dx * dx + dy * dy) > rows[row + PieceRow.LENGTH];
             return outside == ((shape & PieceRow.SOLID_OUTSIDE) == 0);
         }
-        return a.x * rows[row + PieceRow.TY] - a.y * rows[row + PieceRow.TX] > 0;
+        double dx = 0 - b.edges[SensedShape.FROM_X];
+        double dy = 0 - b.edges[SensedShape.FROM_Y];
+        return dx * rows[row + PieceRow.TY] - dy * rows[row + PieceRow.TX] > 0;
     }
 
     // ---- of a touch
@@ -507,24 +506,9 @@ final class RigidSensing {
         double ux = (a.goX - spin * (py - a.nowY)) - (b.goX - itsSpin * (py - b.nowY));
         double uy = (a.goY + spin * (px - a.nowX)) - (b.goY + itsSpin * (px - b.nowX));
         double speed = Math.max((ux * nx + uy * ny) / k.dt, 0);
-        int motion = type == BODY_PIECE ? terrain.traits[PieceRow.traits(other) + PieceRow.MOTION] : 0;
-        if (motion != 0) { // as the piece is after the step
-            int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(k.subSteps);
-            double cos = terrain.motion[pose + BodyRow.COS];
-            double sin = terrain.motion[pose + BodyRow.SIN];
-            double pivotX = terrain.rows[PieceRow.of(other) + PieceRow.PIVOT_X];
-            double pivotY = terrain.rows[PieceRow.of(other) + PieceRow.PIVOT_Y];
-            double x = px - pivotX;
-            double y = py - pivotY;
-            px = (cos * x - sin * y) + (pivotX + terrain.motion[pose + BodyRow.DX]);
-            py = (sin * x + cos * y) + (pivotY + terrain.motion[pose + BodyRow.DY]);
-            double turnedX = cos * nx - sin * ny;
-            ny = sin * nx + cos * ny;
-            nx = turnedX;
-        }
         int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to + RigidStep.TOUCH_X] = (float) (bodyX[n] + (px - a.x));
-        step.touchValues[to + RigidStep.TOUCH_Y] = (float) (bodyY[n] + (py - a.y));
+        step.touchValues[to + RigidStep.TOUCH_X] = (float) (bodyX[n] + px);
+        step.touchValues[to + RigidStep.TOUCH_Y] = (float) (bodyY[n] + py);
         step.touchValues[to + RigidStep.TOUCH_NX] = (float) nx + 0f;
         step.touchValues[to + RigidStep.TOUCH_NY] = (float) ny + 0f;
         step.touchValues[to + RigidStep.TOUCH_IMPULSE] = 0f;

@@ -90,29 +90,31 @@ final class SensedShape {
         add(0, 0, 0, 0, 0, 0, 0);
     }
 
-    /** A piece of terrain, around the place from which its row counts. */
-    void takePiece(float[] rows, int row, int shape) {
-        double sx = rows[row + PieceRow.START_X];
-        double sy = rows[row + PieceRow.START_Y];
-        double ex = rows[row + PieceRow.END_X];
-        double ey = rows[row + PieceRow.END_Y];
+    /** A piece of terrain, around a place that is (px, py) away from the one that its row counts from. */
+    void takePiece(float[] rows, int row, int shape, double px, double py) {
+        double sx = rows[row + PieceRow.START_X] - px;
+        double sy = rows[row + PieceRow.START_Y] - py;
+        double ex = rows[row + PieceRow.END_X] - px;
+        double ey = rows[row + PieceRow.END_Y] - py;
         if (PieceRow.form(shape) != PieceRow.ARC) {
-            begin(rows[row + PieceRow.THICKNESS], false, Double.POSITIVE_INFINITY);
+            begin(rows[row + PieceRow.THICKNESS], false, Math.sqrt(Math.max(sx * sx + sy * sy, ex * ex + ey * ey)));
             add(sx, sy, ex, ey, 0, 0, 0);
             return;
         }
         double r = rows[row + PieceRow.LENGTH];
-        begin(0, false, Double.POSITIVE_INFINITY);
+        double cx = 0 - px;
+        double cy = 0 - py;
+        begin(0, false, r + Math.sqrt(cx * cx + cy * cy));
         if (rows[row + PieceRow.SPREAD] == PieceRow.ALL_AROUND) {
-            add(r, 0, -r, 0, 0, 0, r);
-            add(-r, 0, r, 0, 0, 0, r);
+            add(cx + r, cy, cx - r, cy, cx, cy, r);
+            add(cx - r, cy, cx + r, cy, cx, cy, r);
             return;
         }
         boolean hollow = (shape & PieceRow.SOLID_OUTSIDE) != 0; // goes clockwise
-        double mx = r * rows[row + PieceRow.TX];
-        double my = r * rows[row + PieceRow.TY];
-        add(hollow ? ex : sx, hollow ? ey : sy, mx, my, 0, 0, r);
-        add(mx, my, hollow ? sx : ex, hollow ? sy : ey, 0, 0, r);
+        double mx = cx + r * rows[row + PieceRow.TX];
+        double my = cy + r * rows[row + PieceRow.TY];
+        add(hollow ? ex : sx, hollow ? ey : sy, mx, my, cx, cy, r);
+        add(mx, my, hollow ? sx : ex, hollow ? sy : ey, cx, cy, r);
     }
 
     private void begin(double thick, boolean solid, double far) {
