@@ -92,7 +92,10 @@ class WorldBodySensorTest {
     @Test
     void aSmallBodyInsideALargeOneIsSensed() {
         try (World world = world()) {
-            Outline ring = Outline.of(Chain.from(4, 0).arcTo(0, 0, (float) Math.PI).arcTo(0, 0, (float) Math.PI).close());
+            Outline ring = Outline.of(Chain.from(4, 0)
+                    .arcTo(0, 0, (float) Math.PI)
+                    .arcTo(0, 0, (float) Math.PI)
+                    .close());
             world.bodies().add(ring, 20, 20, 0, 1, SENSOR);
             long crate = world.bodies().add(Outline.box(0.2f, 0.2f), 22.7f, 22.7f, 0, 1);
             world.step(DT);

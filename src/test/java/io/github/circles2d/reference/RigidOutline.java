@@ -534,8 +534,7 @@ final class RigidOutline {
 
     /** Both ends of the core of a line; ends and the middle of an arc. */
     private void addEdges(double[] centroid) {
-        List<Element> wide =
-                elements.stream().filter(e -> e.isLine || e.r > 0).toList();
+        List<Element> wide = elements.stream().filter(e -> e.isLine || e.r > 0).toList();
         for (int k = 0; k < wide.size(); k++) {
             Element e = wide.get(k);
             double[] from = e.point(0);

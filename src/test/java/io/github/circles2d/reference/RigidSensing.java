@@ -326,8 +326,7 @@ final class RigidSensing {
         for (int n = 0; n < bodies.size(); n++) {
             Rigid body = bodies.get(n);
             for (Circle c : circles) {
-                if (kinds.response(body.kind, c.kind) == Response.SENSE
-                        && (body.group == 0 || body.group != c.group)) {
+                if (kinds.response(body.kind, c.kind) == Response.SENSE && (body.group == 0 || body.group != c.group)) {
                     Shape b = new Shape();
                     b.own.add(Edge.line(new double[2], new double[2]));
                     b.thickness = c.radius;

@@ -203,8 +203,7 @@ public final class RigidEvents implements RigidStep.Listener {
         while (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) < 0) {
             rest++;
         }
-        boolean rests =
-                rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0;
+        boolean rests = rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0;
         if (rests || step.touchesStay && !isSensed(keys, at)) {
             System.arraycopy(keys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
             System.arraycopy(handles, HANDLES * pair, nextHandles, HANDLES * count, HANDLES);

@@ -61,6 +61,7 @@ final class RigidSensing {
 
     private final boolean[] looks = new boolean[PairTable.KINDS];
     private final boolean[] meetsBodies = new boolean[PairTable.KINDS];
+    private boolean someLook;
 
     /** Ids of the bodies and circles that take part, and where they are as the step begins. */
     private int[] bodies = new int[0];
@@ -123,6 +124,7 @@ final class RigidSensing {
             return;
         }
         boolean withCircles = false;
+        someLook = false;
         for (int n = 0; n < kindCount; n++) {
             int kind = kinds[n];
             looks[kind] = false;
@@ -133,6 +135,7 @@ final class RigidSensing {
                 looks[kind] |= met && (kind == kinds[m] || looksFor(kind, kinds[m]));
             }
             withCircles |= meetsBodies[kind];
+            someLook |= looks[kind];
         }
         if (withCircles) {
             noteCircles();
@@ -191,7 +194,8 @@ final class RigidSensing {
 
     /** The step ends: adds what is sensed to its touches. Terrain is null if there is none. */
     void end(StepConstants constants, TerrainStep ground) {
-        if (bodyCount == 0) {
+        boolean alone = !someLook && circleCount == 0 && ground == null;
+        if (bodyCount == 0 || alone) {
             return;
         }
         k = constants;

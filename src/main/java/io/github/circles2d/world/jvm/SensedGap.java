@@ -4,6 +4,7 @@ import static io.github.circles2d.world.jvm.SensedShape.CENTRE_X;
 import static io.github.circles2d.world.jvm.SensedShape.CENTRE_Y;
 import static io.github.circles2d.world.jvm.SensedShape.FROM_X;
 import static io.github.circles2d.world.jvm.SensedShape.FROM_Y;
+import static io.github.circles2d.world.jvm.SensedShape.HALF;
 import static io.github.circles2d.world.jvm.SensedShape.RADIUS;
 import static io.github.circles2d.world.jvm.SensedShape.STRIDE;
 import static io.github.circles2d.world.jvm.SensedShape.TO_X;
@@ -88,7 +89,7 @@ final class SensedGap {
     }
 
     private void measure(int e, int f) {
-        if (distanceOfMiddles(e, f) - (halfChord(a, e) + halfChord(b, f)) >= least) {
+        if (isFarther(e, f)) {
             return;
         }
         if (cross(e, f)) {
@@ -114,16 +115,14 @@ final class SensedGap {
         }
     }
 
-    private double distanceOfMiddles(int e, int f) {
-        double dx = 0.5 * (a.edges[e + FROM_X] + a.edges[e + TO_X]) - 0.5 * (b.edges[f + FROM_X] + b.edges[f + TO_X]);
-        double dy = 0.5 * (a.edges[e + FROM_Y] + a.edges[e + TO_Y]) - 0.5 * (b.edges[f + FROM_Y] + b.edges[f + TO_Y]);
-        return length(dx, dy);
-    }
-
-    /** An edge lies in the circle over its chord. */
-    private static double halfChord(SensedShape of, int e) {
-        double[] edges = of.edges;
-        return 0.5 * length(edges[e + TO_X] - edges[e + FROM_X], edges[e + TO_Y] - edges[e + FROM_Y]);
+    /** Whether two edges are surely farther apart than the nearest ones so far. */
+    private boolean isFarther(int e, int f) {
+        double[] p = a.edges;
+        double[] q = b.edges;
+        double dx = 0.5 * ((p[e + FROM_X] + p[e + TO_X]) - (q[f + FROM_X] + q[f + TO_X]));
+        double dy = 0.5 * ((p[e + FROM_Y] + p[e + TO_Y]) - (q[f + FROM_Y] + q[f + TO_Y]));
+        double far = least + (p[e + HALF] + q[f + HALF]);
+        return dx * dx + dy * dy >= far * far;
     }
 
     /** Of arcs of which one is in the circle of the other: the points that the other's centre is farthest from. */

@@ -21,7 +21,10 @@ final class SensedShape {
     /** 0 of a line. */
     static final int RADIUS = 6;
 
-    static final int STRIDE = 7;
+    /** Half of the chord: an edge lies in the circle over that. */
+    static final int HALF = 7;
+
+    static final int STRIDE = 8;
 
     /** As it lies unturned, around its place. */
     private double[] own = new double[8 * STRIDE];
@@ -137,6 +140,7 @@ final class SensedShape {
         own[end + CENTRE_X] = centreX;
         own[end + CENTRE_Y] = centreY;
         own[end + RADIUS] = radius;
+        own[end + HALF] = 0.5 * Math.sqrt((toX - fromX) * (toX - fromX) + (toY - fromY) * (toY - fromY));
         end += STRIDE;
     }
 
@@ -153,6 +157,7 @@ final class SensedShape {
                 edges[p + 1] = nowY + (sin * own[p] + cos * own[p + 1]);
             }
             edges[e + RADIUS] = own[e + RADIUS];
+            edges[e + HALF] = own[e + HALF];
         }
     }
 

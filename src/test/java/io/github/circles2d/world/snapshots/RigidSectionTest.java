@@ -129,7 +129,9 @@ class RigidSectionTest {
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.B] = 7);
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);
         refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3 + RigidStep.B] = 5);
-        refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] += 2 * RigidStep.SENSED);
+        refused(
+                "nothing that it touches",
+                s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] += 2 * RigidStep.SENSED);
         refused(
                 "nothing that it touches", // since no wall is sensed
                 s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] = RigidStep.SENSED + RigidStep.BODY_WALL);
