@@ -23,8 +23,9 @@ import io.github.circles2d.world.model.Limits;
  * nothing stops them.
  *
  * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping, greatest speed, restitution, friction and
- * rolling resistance. A body and what would sense it, or what it would sense, pass through each other, and no event tells. {@link
- * World#contactsOf} names the bodies that press a circle.
+ * rolling resistance. A body of a sensor ({@link Kind#setSensor}, {@link Response#SENSE}) pushes nothing but walls and notices bodies, circles and
+ * pieces of terrain, and these notice bodies likewise: {@link BodyEvents} tells of it, and {@link #touching} lists who is there. {@link World#contactsOf}
+ * names the bodies that press a circle.
  *
  * <p><b>Masses</b> of bodies that touch may differ as 1 to 100. Beyond that heavy ones sink into light ones.
  *
@@ -743,5 +744,18 @@ public final class Bodies {
     public BodyEvents events() {
         simulation.rigidReads.take(events.rows());
         return events;
+    }
+
+    /**
+     * Lists what touches a body: what has begun and not ended, by the rules of {@link BodyEvents}, but walls. So it says who is in a body that senses.
+     *
+     * @param body the handle of a body
+     * @param handles takes the handles of other bodies, then of pieces of {@link Terrain} and of circles, each in the order of ids; then, likewise, of
+     *     what only senses the body or is only sensed by it. If it is too short, it takes the first of them
+     * @return how many there are, which may be more than the array takes; 0 if {@link #report} is off
+     * @throws IllegalArgumentException if the body does not exist
+     */
+    public int touching(long body, long[] handles) {
+        return simulation.rigidReads.touching(body, handles);
     }
 }

@@ -21,8 +21,14 @@ import io.github.circles2d.world.bodies.RigidTouches;
  * <p><b>A pair touches</b> in a step if it has pushed each other in it, at however many points. So a bounce is a begin in one step, and an end in the
  * next. A body, circle or piece that is removed ends what it touches at once.
  *
- * <p><b>Order:</b> of the steps and calls; in a step two bodies come first, then pieces, walls and circles, in the order of ids. It is the same for any number
- * of threads.
+ * <p><b>Sensors:</b> a pair that only senses each other ({@link Kind#setSensor}, {@link Response#SENSE}) touches in a step if both have come together
+ * in it, also if one is wholly inside the other, sleeps, or flies right through: then it begins in this step, and ends in the next. Both go
+ * evenly from where they are as the step begins to where it leaves them. The impulse is 0. Joints make no difference. A piece with one side (a line of
+ * a chain, an arc, a one-way segment) notices who comes from its front alone, by the centroid, until they part. A pair that comes to push each other,
+ * or no longer does, since kinds have changed, ends as one and begins as the other.
+ *
+ * <p><b>Order:</b> of the steps and calls; in a step two bodies come first, then pieces, walls and circles, in the order of ids; then, likewise, what is
+ * only sensed. It is the same for any number of threads.
  *
  * <p>There is one object per world, which each call of {@link Bodies#events} fills again; steps do not touch it. Reading it makes no garbage.
  */
@@ -120,7 +126,8 @@ public final class BodyEvents {
     }
 
     /**
-     * Where a pair has begun to touch: of several points that which is pressed most.
+     * Where a pair has begun to touch: of several points that which is pressed most; of what is sensed the point of the body that is nearest to the
+     * other. If they overlap as the step begins, it is only near.
      *
      * @param event its number, from 0 on
      * @return x of the point; 0 of an end
@@ -167,7 +174,7 @@ public final class BodyEvents {
      * How hard the pair pushed at that point, the greatest impulse in a sub-step.
      *
      * @param event its number, from 0 on
-     * @return mass times velocity, more than 0; 0 of an end
+     * @return mass times velocity, more than 0; 0 of an end, and of what is only sensed
      * @throws IndexOutOfBoundsException if there is no such event
      */
     public float impulse(int event) {

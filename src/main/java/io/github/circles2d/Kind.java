@@ -129,8 +129,8 @@ public final class Kind {
     }
 
     /**
-     * Makes the kind a sensor, or solid. Circles of a sensor push no circle and are pushed by none, except by kinds to which the matrix
-     * makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
+     * Makes the kind a sensor, or solid. Circles and {@linkplain Bodies bodies} of a sensor push none and are pushed by none, except by kinds to
+     * which the matrix makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
      * sensors ignore each other; the matrix can make sensors {@link Response#SENSE} each other. Two static circles ignore each other, unless
      * a kind {@linkplain #setSensesStatic asks} for what is static. A piece of {@link Terrain} senses from both sides if it is a segment.
      *

@@ -17,7 +17,7 @@ public enum Response {
     IGNORE,
     /**
      * They pass through each other, whatever their masks say, and {@link Events} tells when they begin and end to touch, if
-     * {@link World#report} asks for it.
+     * {@link World#report} asks for it, or {@link BodyEvents} of bodies.
      */
     SENSE
 }

@@ -449,6 +449,7 @@ class RecordedCallsTest {
             "Bodies.size",
             "Bodies.tag",
             "Bodies.torque",
+            "Bodies.touching",
             "Bodies.vx",
             "Bodies.vy",
             "Bodies.x",

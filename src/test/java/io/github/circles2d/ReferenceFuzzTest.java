@@ -9,6 +9,7 @@ import io.github.circles2d.reference.JointEvent;
 import io.github.circles2d.reference.JointLoad;
 import io.github.circles2d.reference.JointPlan;
 import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.RigidEvent;
 import io.github.circles2d.reference.Settings;
 import io.github.circles2d.reference.Surfaces;
 import java.nio.ByteBuffer;
@@ -51,6 +52,10 @@ class ReferenceFuzzTest {
         private final boolean terrain;
         private final boolean joints;
         private final boolean rigids;
+
+        /** For what was drawn later: other numbers stay as they are. */
+        private final SplittableRandom ofRigids;
+
         private final List<Long> bodies = new ArrayList<>();
         private final float size;
         private final float fastest;
@@ -80,6 +85,7 @@ class ReferenceFuzzTest {
             terrain = new SplittableRandom(~(5 * seed)).nextInt(2) == 0;
             joints = new SplittableRandom(~(7 * seed)).nextInt(2) == 0;
             rigids = new SplittableRandom(~(11 * seed)).nextInt(2) == 0;
+            ofRigids = new SplittableRandom(~(13 * seed));
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
@@ -235,6 +241,20 @@ class ReferenceFuzzTest {
                     .isEqualTo(reference.takeEvents());
         }
 
+        private void compareRigids(String when) {
+            assertThat(RigidEvent.of(world.bodies().events()))
+                    .as("events of bodies of the program of seed %d after call %d: %s", seed, calls.size(), when)
+                    .isEqualTo(reference.takeRigidEvents());
+            for (long body : reference.rigids()) {
+                long[] some = new long[ofRigids.nextInt(5)];
+                long[] expected = new long[some.length];
+                assertThat(world.bodies().touching(body, some)).isEqualTo(reference.touchingRigid(body, expected));
+                assertThat(some)
+                        .as("what touches a body of the program of seed %d", seed)
+                        .isEqualTo(expected);
+            }
+        }
+
         private void compareJoints(String when) {
             assertThat(JointEvent.of(world.joints().events()))
                     .as("joints that went in the program of seed %d after call %d: %s", seed, calls.size(), when)
@@ -247,6 +267,10 @@ class ReferenceFuzzTest {
         /** What is reported is in no snapshot: so not after one has been taken. */
         private void report() {
             if (snapshot == null) {
+                if (rigids) {
+                    boolean on = ofRigids.nextInt(4) > 0;
+                    setReport("report bodies " + on, c -> c.reportRigids(on));
+                }
                 int types = random.nextInt(4) == 0 ? 0 : random.nextInt(2 * Events.WALL);
                 setReport("report " + types, c -> c.report(types));
                 if (random.nextInt(4) == 0) {
@@ -304,6 +328,9 @@ class ReferenceFuzzTest {
             both("step " + dt + " " + steps, c -> c.step(dt, steps));
             if (random.nextInt(3) > 0) {
                 compareEvents("step");
+            }
+            if (rigids && ofRigids.nextInt(3) > 0) {
+                compareRigids("step");
             }
             if (random.nextInt(3) > 0) {
                 compareJoints("step");
@@ -1186,6 +1213,8 @@ class ReferenceFuzzTest {
             reference.takeEvents();
             compare("restore");
             compareEvents("restore");
+            reference.takeRigidEvents();
+            compareRigids("restore");
             reference.takeJointEvents();
             compareJoints("restore");
         }

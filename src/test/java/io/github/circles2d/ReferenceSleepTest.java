@@ -7,6 +7,7 @@ import io.github.circles2d.reference.ChainShape;
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.JointPlan;
 import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.RigidEvent;
 import io.github.circles2d.reference.Surfaces;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -23,6 +24,7 @@ class ReferenceSleepTest {
     private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.sleep", 60);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
     private static final float SIZE = 10f;
+    private static final int SENSOR = 7;
     private static final long GROUND = 0;
 
     @Test
@@ -107,6 +109,11 @@ class ReferenceSleepTest {
                 int count = 3 + random.nextInt(10);
                 for (int k = 0; k < count; k++) {
                     add(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
+                }
+                if (crated) {
+                    setReport(c -> c.reportRigids(true));
+                    both("setPairs", c -> c.setPairs(SENSOR, 1, -1, true));
+                    both("add", c -> c.add(5f, 0.5f, 0.9f, Float.POSITIVE_INFINITY, 0f, 0f, SENSOR));
                 }
                 for (int k = 0; k < (crated ? 1 + random.nextInt(4) : 0); k++) {
                     addCrate(0.5f + 9f * (float) random.nextDouble(), 0.6f + 3f * (float) random.nextDouble());
@@ -437,8 +444,10 @@ class ReferenceSleepTest {
             calls.forEach(call -> call.accept(reference));
             reference.takeEvents();
             reference.takeJointEvents();
+            reference.takeRigidEvents();
             world.events();
             compare("restore");
+            compareRigids();
         }
 
         private void step(float dt, int steps) {
@@ -468,6 +477,13 @@ class ReferenceSleepTest {
             assertThat(Event.of(world.events()))
                     .as("events of the program of seed %d after call %d", seed, calls.size())
                     .isEqualTo(reference.takeEvents());
+            compareRigids();
+        }
+
+        private void compareRigids() {
+            assertThat(RigidEvent.of(world.bodies().events()))
+                    .as("events of bodies of the program of seed %d after call %d", seed, calls.size())
+                    .isEqualTo(reference.takeRigidEvents());
         }
 
         private void both(String what, Consumer<WorldCalls> call) {

@@ -274,6 +274,10 @@ class WorldAllocationTest {
             Outline bar = Outline.capsule(2, 0.2f);
             bodies.report(true);
             world.terrain().addSegment(0, 2, 20, 1);
+            world.kind(5).setSensor(true);
+            world.terrain().addSegment(0, 4, 40, 4, 0, 5);
+            world.add(20, 5, 1.5f, Float.POSITIVE_INFINITY, 0, 0, 5);
+            bodies.add(Outline.box(6, 6), 20, 8, 0.3f, 1, 5);
             for (int k = 0; k < 40; k++) {
                 bodies.add(k % 3 == 0 ? bar : crate, 5 + k % 8 * 3, 3 + k / 8 * 2, k, 1);
                 world.add(4 + k % 10 * 3, 14 + k / 10, 0.4f, 1);
@@ -304,7 +308,7 @@ class WorldAllocationTest {
                 bodies.remove(guest);
                 world.step(1 / 60f);
                 BodyEvents touches = bodies.events();
-                consume(touches.size() + bodies.x(first) + world.hash());
+                consume(touches.size() + bodies.touching(first, handles) + bodies.x(first) + world.hash());
                 consume(world.explodeInSight(20, 5, 3, 0.1f, 3, 1));
                 consume(queries.pick(5, 3)
                         + queries.overlapCircle(20, 5, 9, handles)

@@ -198,6 +198,14 @@ public interface WorldCalls {
         return handles;
     }
 
+    default void reportRigids(boolean on) {
+        bodies().report(on);
+    }
+
+    default int touchingRigid(long body, long[] handles) {
+        return bodies().touching(body, handles);
+    }
+
     default void removeRigid(long body) {
         bodies().remove(body);
     }

@@ -9,6 +9,7 @@ import static io.github.circles2d.fuzz.Drawn.number;
 import static io.github.circles2d.fuzz.Drawn.one;
 import static io.github.circles2d.fuzz.Drawn.optional;
 import static io.github.circles2d.fuzz.Drawn.real;
+import static io.github.circles2d.fuzz.Drawn.room;
 import static io.github.circles2d.fuzz.Drawn.speed;
 import static io.github.circles2d.fuzz.Drawn.turning;
 import static io.github.circles2d.fuzz.Drawn.whole;
@@ -190,6 +191,7 @@ final class BodiesTable extends Table {
         add(1, "handle", whole(draw -> draw.below(5)));
         add(6, "report", new Drawn(boolean.class, draw -> new Values.Constant(!draw.oneOf(4))));
         add(4, "events");
+        add(3, "touching", body, room(long[].class));
         Drawn poses = filled(
                 float[].class,
                 "3 * world.bodies().idLimit()",

@@ -45,6 +45,16 @@ final class ArcPiece extends Piece {
     }
 
     @Override
+    boolean isArc() {
+        return true;
+    }
+
+    @Override
+    boolean isHollow() {
+        return solidOutside;
+    }
+
+    @Override
     boolean isCircle() {
         return half == Integer.MIN_VALUE;
     }

@@ -182,6 +182,15 @@ abstract class Piece {
         }
     }
 
+    boolean isArc() {
+        return false;
+    }
+
+    /** Of an arc, whether it is solid outside. */
+    boolean isHollow() {
+        return false;
+    }
+
     boolean isCircle() {
         return false;
     }

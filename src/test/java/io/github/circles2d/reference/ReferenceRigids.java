@@ -17,10 +17,15 @@ final class ReferenceRigids {
 
     private final Map<Integer, Integer> generations = new HashMap<>();
     private List<RigidContact.Saved> contacts = List.of();
+    final RigidEvents events = new RigidEvents();
 
     /** In the order of their ids. */
     List<Rigid> all() {
         return byId.stream().filter(Objects::nonNull).toList();
+    }
+
+    Rigid byId(int id) {
+        return byId.get(id);
     }
 
     Rigid find(long handle) {
@@ -40,11 +45,29 @@ final class ReferenceRigids {
 
     void remove(Rigid body) {
         forgetContacts(body);
+        events.end(key -> key.body() == body.id || key.type() == RigidThing.BODY && key.other() == body.id);
         byId.set(body.id, null);
     }
 
     void clear() {
+        events.end(key -> true);
         all().forEach(this::remove);
+    }
+
+    /** A circle goes. */
+    void removed(Circle c) {
+        forgetContacts(c);
+        events.end(key -> key.type() == RigidThing.CIRCLE && key.other() == c.id);
+    }
+
+    /** All circles go. */
+    void removedCircles() {
+        events.end(key -> key.type() == RigidThing.CIRCLE);
+    }
+
+    void removed(Piece piece) {
+        forgetContacts(piece);
+        events.end(key -> key.type() == RigidThing.PIECE && key.other() == piece.id);
     }
 
     private void forget(Predicate<RigidContact.Saved> which) {

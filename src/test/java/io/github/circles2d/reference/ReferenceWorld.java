@@ -22,8 +22,8 @@ import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 
 /**
- * World as docs/step.md and docs/step-bodies.md specify it, but for events of bodies, and explosions
- * that push bodies. Arguments are not checked: World is asked first, and refuses what is not allowed.
+ * World as docs/step.md and docs/step-bodies.md specify it, but for explosions that push bodies. Arguments are not checked: World is asked first, and
+ * refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
@@ -168,6 +168,7 @@ public final class ReferenceWorld implements WorldCalls {
                 contacts = step.contacts();
             }
             events.step(contacts, circles, terrain, kinds, parameters(dt));
+            rigids.events.step(step.touches(), step.resting(), this::handles);
             step.fallAsleep();
             for (int i = 0; i < velocities.length; i++) {
                 Circle c = circles.get(i);
@@ -299,7 +300,7 @@ public final class ReferenceWorld implements WorldCalls {
         joints.removed(find(handle));
         events.removed(find(handle));
         forgetImpulses(find(handle));
-        rigids.forgetContacts(find(handle));
+        rigids.removed(find(handle));
         byId.set((int) handle, null);
     }
 
@@ -415,6 +416,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clear() {
+        rigids.removedCircles();
         circles().forEach(c -> remove(c.handle));
     }
 
@@ -571,7 +573,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void removePiece(long piece) {
         wakeAll();
         events.removed(terrain.piece(piece));
-        rigids.forgetContacts(terrain.piece(piece));
+        rigids.removed(terrain.piece(piece));
         terrain.remove(terrain.piece(piece));
     }
 
@@ -588,7 +590,7 @@ public final class ReferenceWorld implements WorldCalls {
         wakeAll();
         joints.removedBodies(body -> true);
         terrain.pieces().forEach(events::removed);
-        terrain.pieces().forEach(rigids::forgetContacts);
+        terrain.pieces().forEach(rigids::removed);
         terrain.clear();
     }
 
@@ -621,7 +623,7 @@ public final class ReferenceWorld implements WorldCalls {
         for (Piece piece : terrain.pieces()) {
             if (piece.body == removed) {
                 events.removed(piece);
-                rigids.forgetContacts(piece);
+                rigids.removed(piece);
             }
         }
         terrain.removeBody(removed);
@@ -643,6 +645,41 @@ public final class ReferenceWorld implements WorldCalls {
         body.restitution = kinds.restitution(kind, restitution);
         wakeNear(body);
         return body.handle;
+    }
+
+    private long[] handles(RigidTouch.Key key) {
+        long other =
+                switch (key.type()) {
+                    case RigidThing.BODY -> rigids.byId(key.other()).handle;
+                    case RigidThing.PIECE ->
+                        terrain.pieces().stream()
+                                .filter(piece -> piece.id == key.other())
+                                .findFirst()
+                                .orElseThrow()
+                                .handle;
+                    case RigidThing.CIRCLE -> byId.get(key.other()).handle;
+                    default -> 0;
+                };
+        return new long[] {rigids.byId(key.body()).handle, other};
+    }
+
+    @Override
+    public void reportRigids(boolean on) {
+        rigids.events.report(on);
+    }
+
+    @Override
+    public int touchingRigid(long body, long[] handles) {
+        List<Long> list = rigids.events.touching(rigids.find(body).id);
+        for (int k = 0; k < Math.min(handles.length, list.size()); k++) {
+            handles[k] = list.get(k);
+        }
+        return list.size();
+    }
+
+    /** The events of bodies that are pushed since the last call. */
+    public List<RigidEvent> takeRigidEvents() {
+        return rigids.events.take();
     }
 
     @Override

@@ -82,6 +82,9 @@ final class RigidContact {
     /** The greatest speed of approach so far in the step. */
     private float approach;
 
+    /** The greatest impulse so far in the step, but for that of the step before. */
+    private float most;
+
     private final StepParameters k;
 
     RigidContact(
@@ -344,6 +347,7 @@ final class RigidContact {
         float next = min(wanted, GREATEST_IMPULSE);
         float gained = next - impulse;
         impulse = next;
+        most = max(most, next);
         apply(nx * gained, ny * gained, summing);
     }
 
@@ -407,6 +411,20 @@ final class RigidContact {
             grip = 0f;
             roll = 0f;
         }
+    }
+
+    /** What the pair tells of, if this is the contact that pressed most; null if it has not pressed. */
+    RigidTouch touch() {
+        if (!(most > 0f)) {
+            return null;
+        }
+        boolean isA = a == pair.a;
+        float side = isA ? -1f : 1f;
+        float[] point = {
+            pair.a.place[0] + (pair.a.way[0] + (isA ? ax : bx)), pair.a.place[1] + (pair.a.way[1] + (isA ? ay : by))
+        };
+        RigidTouch.Key key = new RigidTouch.Key(false, pair.b.type, pair.a.id, pair.b.id);
+        return new RigidTouch(key, point, new float[] {side * nx, side * ny}, most, approach + 0f);
     }
 
     Saved save() {

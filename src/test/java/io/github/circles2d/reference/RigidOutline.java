@@ -105,6 +105,9 @@ final class RigidOutline {
     /** Where the core begins, normal, length and thickness. */
     final List<float[]> lines = new ArrayList<>();
 
+    /** What the surface goes along, in double precision: lines and arcs, each up to where the next one begins. */
+    final List<RigidSensing.Edge> edges = new ArrayList<>();
+
     /** Points of a polygon; what lies in it is inside. */
     final List<float[]> core = new ArrayList<>();
 
@@ -127,6 +130,7 @@ final class RigidOutline {
         elements.stream()
                 .filter(element -> element.isLine || element.r != rounding)
                 .forEach(element -> addToCore(element, centroid));
+        addEdges(centroid);
         float far = 0f;
         for (float[] c : corners) {
             far = Math.max(far, farthest(c) + c[2]);
@@ -529,6 +533,21 @@ final class RigidOutline {
     }
 
     /** Both ends of the core of a line; ends and the middle of an arc. */
+    private void addEdges(double[] centroid) {
+        List<Element> wide = elements.stream().filter(e -> e.isLine || e.r > 0).toList();
+        for (int k = 0; k < wide.size(); k++) {
+            Element e = wide.get(k);
+            double[] from = e.point(0);
+            double[] to = wide.get((k + 1) % wide.size()).point(0);
+            double[] centre = e.isLine ? null : new double[] {e.place[0] - centroid[0], e.place[1] - centroid[1]};
+            double[] begin = {from[0] - centroid[0], from[1] - centroid[1]};
+            double[] end = {to[0] - centroid[0], to[1] - centroid[1]};
+            if (begin[0] != end[0] || begin[1] != end[1]) {
+                edges.add(new RigidSensing.Edge(begin, end, centre, e.isLine ? 0 : e.r));
+            }
+        }
+    }
+
     private void addToCore(Element e, double[] centroid) {
         double x = e.place[0] - centroid[0];
         double y = e.place[1] - centroid[1];

@@ -8,7 +8,9 @@ import io.github.circles2d.Response;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /** What bodies that are pushed do in a step, between the passes of the circles. */
 final class RigidStep {
@@ -709,6 +711,29 @@ final class RigidStep {
 
     // ---- end
     // ---------------------------------------------------------------------------------------------------------------
+
+    /** What the pairs touched, each by the contact that pressed most. */
+    List<RigidTouch> touches() {
+        List<RigidTouch> found = new ArrayList<>();
+        for (RigidPair pair : pairs) {
+            RigidTouch hardest = null;
+            for (RigidContact c : pair.contacts) {
+                RigidTouch its = c.touch();
+                hardest = its != null && (hardest == null || its.impulse() > hardest.impulse()) ? its : hardest;
+            }
+            if (hardest != null) {
+                found.add(hardest);
+            }
+        }
+        return found;
+    }
+
+    /** Pairs at rest. */
+    Set<RigidTouch.Key> resting() {
+        return resting.stream()
+                .map(saved -> new RigidTouch.Key(false, saved.type(), saved.body(), saved.other()))
+                .collect(Collectors.toSet());
+    }
 
     /** Bodies take what they have become; returns the contacts that the next step starts from. */
     List<RigidContact.Saved> end() {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** One step of at least one circle, or one body that is pushed. */
@@ -28,6 +29,11 @@ final class Step {
 
     /** Circles whose joints have broken in the step. */
     private List<Circle> torn = List.of();
+
+    /** What bodies that are pushed touch, and which pairs of them rest. */
+    private final List<RigidTouch> touches = new ArrayList<>();
+
+    private Set<RigidTouch.Key> resting = Set.of();
 
     /** Circles are in the order of their ids. */
     Step(
@@ -86,8 +92,14 @@ final class Step {
             bodies.relaxCircles(subStep == k.subSteps() - 1);
             all(Contact::lookAfterRelax);
         }
+        touches.addAll(bodies.touches());
+        resting = bodies.resting();
+        RigidSensing sensing = new RigidSensing(rigids.all());
         rigids.keep(bodies.end());
         circles.forEach(this::finalizePositions);
+        if (rigids.events.isOn()) {
+            touches.addAll(sensing.touches(circles, terrain, k, kinds, rigids.events::touched));
+        }
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache, warmScale);
         torn = joints.end(k.dt());
@@ -98,6 +110,14 @@ final class Step {
         if (k.sleep()) {
             new Sleep(circles, terrain, joints, k, kinds).fallAsleep(torn);
         }
+    }
+
+    List<RigidTouch> touches() {
+        return touches;
+    }
+
+    Set<RigidTouch.Key> resting() {
+        return resting;
     }
 
     /** The contacts of the step. */

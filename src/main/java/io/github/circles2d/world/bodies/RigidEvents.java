@@ -18,6 +18,10 @@ public final class RigidEvents implements RigidStep.Listener {
 
     // the pairs that touched in the last step: keys by RigidStep.TOUCH_KEYS, and handles
     private int touching;
+
+    /** How many of them only sense each other, which come last. */
+    private int sensed;
+
     private int[] keys = new int[0];
     private long[] handles = new long[0];
 
@@ -46,6 +50,7 @@ public final class RigidEvents implements RigidStep.Listener {
         if (on != isOn()) {
             step.listener = on ? this : null;
             touching = 0;
+            sensed = 0;
             told.clear();
         }
     }
@@ -55,6 +60,24 @@ public final class RigidEvents implements RigidStep.Listener {
         to.clear();
         to.ensure(touching); // as after each step, so that what goes finds room
         told.moveTo(to);
+    }
+
+    /** Writes the handles of what touches a body, but walls, as far as there is room; returns how many there are. */
+    public int list(int body, long[] to) {
+        int n = 0;
+        for (int k = 0; k < touching; k++) {
+            int at = RigidStep.TOUCH_KEYS * k;
+            int type = typeAt(keys, at);
+            boolean isA = keys[at + RigidStep.A] == body;
+            boolean isB = type == RigidStep.BODY_BODY && keys[at + RigidStep.B] == body;
+            if (type != RigidStep.BODY_WALL && (isA || isB)) {
+                if (n < to.length) {
+                    to[n] = handles[HANDLES * k + (isA ? 1 : 0)];
+                }
+                n++;
+            }
+        }
+        return n;
     }
 
     // ---- what goes
@@ -90,7 +113,7 @@ public final class RigidEvents implements RigidStep.Listener {
         int kept = 0;
         for (int k = 0; k < touching; k++) {
             if (isOf(RigidStep.TOUCH_KEYS * k, of, id)) {
-                told.end(keys[RigidStep.TOUCH_KEYS * k], handles[HANDLES * k], handles[HANDLES * k + 1]);
+                end(k);
             } else {
                 System.arraycopy(
                         keys, RigidStep.TOUCH_KEYS * k, keys, RigidStep.TOUCH_KEYS * kept, RigidStep.TOUCH_KEYS);
@@ -102,7 +125,7 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     private boolean isOf(int at, int of, int id) {
-        int type = keys[at + RigidStep.TYPE];
+        int type = typeAt(keys, at);
         boolean isA = of == RigidStep.BODY_BODY && (id < 0 || keys[at + RigidStep.A] == id);
         return isA || type == of && (id < 0 || keys[at + RigidStep.B] == id);
     }
@@ -111,13 +134,36 @@ public final class RigidEvents implements RigidStep.Listener {
     // -------------------------------------------------------------------------------------------------------
 
     @Override
+    public boolean touched(int type, int a, int b) {
+        int low = 0;
+        int high = touching;
+        while (low < high) {
+            int middle = low + high >>> 1;
+            int at = RigidStep.TOUCH_KEYS * middle;
+            int order = Integer.compare(keys[at + RigidStep.TYPE], type);
+            order = order == 0 ? Integer.compare(keys[at + RigidStep.A], a) : order;
+            order = order == 0 ? Integer.compare(keys[at + RigidStep.B], b) : order;
+            if (order == 0) {
+                return true;
+            }
+            low = order < 0 ? middle + 1 : low;
+            high = order < 0 ? high : middle;
+        }
+        return false;
+    }
+
+    @Override
     public void stepped() {
         int next = step.touches;
+        if (step.touchesStay && next == 0 && sensed == 0) {
+            return;
+        }
         ensureNext(next + touching);
         told.ensure(2 * (touching + next));
         int before = 0;
         rest = 0;
         count = 0;
+        sensed = 0;
         for (int k = 0; k < next; k++) {
             int at = RigidStep.TOUCH_KEYS * k;
             while (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, step.touchKeys, at) < 0) {
@@ -126,11 +172,12 @@ public final class RigidEvents implements RigidStep.Listener {
             System.arraycopy(step.touchKeys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
             nextHandles[HANDLES * count] = bodies.handle(step.touchKeys[at + RigidStep.A]);
             nextHandles[HANDLES * count + 1] = other(step.touchKeys, at);
+            sensed += isSensed(step.touchKeys, at) ? 1 : 0;
             if (before < touching && compare(keys, RigidStep.TOUCH_KEYS * before, step.touchKeys, at) == 0) {
                 before++;
             } else {
                 told.begin(
-                        step.touchKeys[at + RigidStep.TYPE],
+                        typeAt(step.touchKeys, at),
                         nextHandles[HANDLES * count],
                         nextHandles[HANDLES * count + 1],
                         step.touchValues,
@@ -150,13 +197,14 @@ public final class RigidEvents implements RigidStep.Listener {
         touching = count;
     }
 
-    /** A pair has not touched in the step: it goes on to do so without an event if both rest, else it ends. */
+    /** A pair is not among those of the step: it goes on to touch without an event if both rest, or all, else it ends. */
     private void leave(int pair) {
         int at = RigidStep.TOUCH_KEYS * pair;
         while (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) < 0) {
             rest++;
         }
-        if (rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0) {
+        boolean rests = rest < step.resting && compare(step.restingKeys, RigidStep.TOUCH_KEYS * rest, keys, at) == 0;
+        if (rests || step.touchesStay && !isSensed(keys, at)) {
             System.arraycopy(keys, at, nextKeys, RigidStep.TOUCH_KEYS * count, RigidStep.TOUCH_KEYS);
             System.arraycopy(handles, HANDLES * pair, nextHandles, HANDLES * count, HANDLES);
             count++;
@@ -166,7 +214,16 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     private void end(int pair) {
-        told.end(keys[RigidStep.TOUCH_KEYS * pair], handles[HANDLES * pair], handles[HANDLES * pair + 1]);
+        told.end(typeAt(keys, RigidStep.TOUCH_KEYS * pair), handles[HANDLES * pair], handles[HANDLES * pair + 1]);
+    }
+
+    /** The type of a pair, whether it pushes or is sensed. */
+    private static int typeAt(int[] of, int at) {
+        return of[at + RigidStep.TYPE] % RigidStep.SENSED;
+    }
+
+    private static boolean isSensed(int[] of, int at) {
+        return of[at + RigidStep.TYPE] >= RigidStep.SENSED;
     }
 
     private static int compare(int[] a, int atA, int[] b, int atB) {
@@ -180,7 +237,7 @@ public final class RigidEvents implements RigidStep.Listener {
     /** The handle of what a body touches, or the number of a wall. */
     private long other(int[] of, int at) {
         int id = of[at + RigidStep.B];
-        return switch (of[at + RigidStep.TYPE]) {
+        return switch (typeAt(of, at)) {
             case RigidStep.BODY_BODY -> bodies.handle(id);
             case RigidStep.BODY_PIECE -> pieces.handle(id);
             case RigidStep.BODY_CIRCLE -> circles.handle(id);
@@ -219,7 +276,9 @@ public final class RigidEvents implements RigidStep.Listener {
         told.clear();
         touching = isOn() ? from.touching : 0;
         System.arraycopy(from.touchingKeys, 0, nextKeys, 0, RigidStep.TOUCH_KEYS * touching);
+        sensed = 0;
         for (int k = 0; k < touching; k++) {
+            sensed += isSensed(nextKeys, RigidStep.TOUCH_KEYS * k) ? 1 : 0;
             nextHandles[HANDLES * k] = bodies.handle(nextKeys[RigidStep.TOUCH_KEYS * k + RigidStep.A]);
             nextHandles[HANDLES * k + 1] = other(nextKeys, RigidStep.TOUCH_KEYS * k);
         }

@@ -16,6 +16,9 @@ public final class RigidStep {
     public static final int BODY_WALL = 2;
     public static final int BODY_CIRCLE = 3;
 
+    /** Added to the type of a touch of what only senses each other, so that these come last. */
+    public static final int SENSED = 4;
+
     /** Ints of a contact in {@link #contactKeys}: its type, a body, what it touches, and where on both. */
     public static final int KEYS = 5;
 
@@ -54,13 +57,16 @@ public final class RigidStep {
     public static final int TOUCH_IMPULSE = 4;
     public static final int TOUCH_SPEED = 5;
 
-    /** Ints of a touch in {@link #touchKeys}: its type, a body, and what it touches. */
+    /** Ints of a touch in {@link #touchKeys}: its type, perhaps with {@link #SENSED}, a body, and what it touches. */
     public static final int TOUCH_KEYS = 3;
 
     /** Told of each step. */
     public interface Listener {
         /** A step has been made; the touches are those of it. */
         void stepped();
+
+        /** Whether a pair has touched in the step before, by its key. */
+        boolean touched(int type, int a, int b);
     }
 
     /** Greatest id of a body, and 1. */
@@ -120,6 +126,9 @@ public final class RigidStep {
 
     /** What bodies touched in the last step, each pair once, in ascending order of the keys. */
     public int touches;
+
+    /** Whether all that bodies pushed in the step before still counts, since it rests. */
+    public boolean touchesStay;
 
     public int[] touchKeys = new int[0];
     public float[] touchValues = new float[0];

@@ -18,6 +18,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.PairResponses;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
@@ -79,6 +80,9 @@ public final class JvmPipeline implements Pipeline {
 
     private RigidPasses rigidPasses;
 
+    /** Null as long as nobody has been told what rigid bodies touch while kinds did not only push each other. */
+    private RigidSensing rigidSensing;
+
     /** Whether rigid bodies have no part in the step: all sleep, and nothing moves. */
     private boolean rigidIdle;
 
@@ -103,6 +107,7 @@ public final class JvmPipeline implements Pipeline {
     StepConstants constants;
 
     private StepReports reports;
+    private PairResponses responses;
 
     /** Records what is reported; null if nobody is told. */
     private Recorder recorder;
@@ -210,6 +215,7 @@ public final class JvmPipeline implements Pipeline {
         state.setSleeps(constants.sleeping);
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
+        responses = input.responses;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         state.ownMotion = constants.ownMotion;
         if (constants.turning) {
@@ -275,6 +281,16 @@ public final class JvmPipeline implements Pipeline {
         if (recorder != null) {
             recorder.begin();
         }
+        if (constants.rigid) {
+            rigids.touches = 0;
+            rigids.touchesStay = true;
+            if (rigids.listener != null && constants.filtering && rigidSensing == null) {
+                rigidSensing = new RigidSensing(state);
+            }
+            if (rigidSensing != null) {
+                rigidSensing.begin(rigids, responses);
+            }
+        }
         if (constants.joints) {
             joints.begin();
             joints.beginRigid(jointStep);
@@ -318,6 +334,12 @@ public final class JvmPipeline implements Pipeline {
         }
         if (constants.joints) {
             joints.end();
+        }
+        if (constants.rigid && rigids.listener != null) {
+            if (rigidSensing != null) {
+                rigidSensing.end(constants, constants.terrain ? terrain : null);
+            }
+            rigids.listener.stepped();
         }
         if (recorder != null) {
             recorder.end(terrain, constants);
@@ -605,6 +627,7 @@ public final class JvmPipeline implements Pipeline {
                 + (pieces == null ? 0 : pieces.bytes())
                 + (joints == null ? 0 : joints.bytes())
                 + (rigidPasses == null ? 0 : rigidPasses.bytes())
+                + (rigidSensing == null ? 0 : rigidSensing.bytes())
                 + grid.bytes()
                 + contacts.bytes()
                 + sweep.bytes()

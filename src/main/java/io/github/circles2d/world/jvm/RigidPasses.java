@@ -446,10 +446,10 @@ final class RigidPasses {
 
     /** Tells what bodies have touched, each pair by its contact that pressed most. */
     private void tell() {
-        step.touches = 0;
         if (step.listener == null) {
             return;
         }
+        step.touchesStay = false;
         float[] rows = contacts.rows;
         for (int p = 0; p < contacts.pairCount; p++) {
             int hardest = -1;
@@ -465,7 +465,6 @@ final class RigidPasses {
                 tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);
             }
         }
-        step.listener.stepped();
     }
 
     private void tell(int body, int other, int c) {

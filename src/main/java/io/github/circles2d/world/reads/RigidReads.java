@@ -257,6 +257,16 @@ public final class RigidReads {
         }
     }
 
+    /** Writes what touches a body; returns how many there are. */
+    public int touching(long handle, long[] to) {
+        world.guard.enter();
+        try {
+            return table.events.list(world.rigid(handle), Limits.notNull("handles", to));
+        } finally {
+            world.guard.leave();
+        }
+    }
+
     /** Gives the touches that have begun and ended since the last call. */
     public void take(RigidTouches to) {
         world.guard.enter();

@@ -23,7 +23,8 @@ import java.util.Arrays;
  *            of {@link SavedRigids} that is not 0, int each of these;
  *            int contacts; for each, in ascending order: byte type, varint body, varint what it touches, int each of the rest of its key, float each
  *            of its impulses;
- *            int pairs that touched in the last step, if that is reported; for each likewise: byte type, varint body, varint what it touched
+ *            int pairs that touched in the last step, if that is reported; for each likewise: byte type, perhaps with that of what is sensed,
+ *            varint body, varint what it touched
  * </pre>
  */
 final class RigidSection {
@@ -309,7 +310,7 @@ final class RigidSection {
         r.setContacts(count);
         for (int k = 0; k < count; k++) {
             int at = RigidStep.KEYS * k;
-            readPair(in, s, r.contactKeys, at);
+            readPair(in, s, r.contactKeys, at, false);
             SnapshotCodec.require(
                     in.remaining() >= Integer.BYTES * (REST_OF_KEY + RigidStep.IMPULSES), "it ends within a contact");
             for (int key = RigidStep.TOUCH_KEYS; key < RigidStep.KEYS; key++) {
@@ -343,18 +344,20 @@ final class RigidSection {
         SnapshotCodec.require(count >= 0 && 3L * count <= in.remaining(), "it cannot hold so many touching bodies");
         r.setTouching(count);
         for (int k = 0; k < count; k++) {
-            readPair(in, s, r.touchingKeys, RigidStep.TOUCH_KEYS * k);
+            readPair(in, s, r.touchingKeys, RigidStep.TOUCH_KEYS * k, true);
             requireOrder(r.touchingKeys, RigidStep.TOUCH_KEYS, k);
         }
     }
 
-    private static void readPair(ByteBuffer in, SavedState s, int[] keys, int at) {
+    /** Reads the pair of a contact, or of a touch, which may be sensed. */
+    private static void readPair(ByteBuffer in, SavedState s, int[] keys, int at, boolean isTouch) {
         SavedRigids r = s.rigids;
         int type = SnapshotCodec.getByte(in);
+        boolean isSensed = isTouch && type >= RigidStep.SENSED && type != RigidStep.SENSED + RigidStep.BODY_WALL;
         int a = Varint.get(in);
         int b = Varint.get(in);
         boolean isThere =
-                switch (type) {
+                switch (isSensed ? type - RigidStep.SENSED : type) {
                     case RigidStep.BODY_BODY -> isBody(r, b) && b > a;
                     case RigidStep.BODY_PIECE -> b >= 0 && b < s.terrain.pieceIds && s.terrain.lives(b);
                     case RigidStep.BODY_WALL -> b >= 0 && b < WallMotion.COUNT;

@@ -158,10 +158,12 @@ public final class TerrainTables {
         return bodies.add(bounds.placeX(x), bounds.placeY(y), angle);
     }
 
-    /** Removes a body with its pieces. */
+    /** Removes a body with its pieces, in the order of their ids, in which others are told of them. */
     public void removeBody(int body) {
-        for (int piece = bodies.firstPiece[body]; piece >= 0; piece = bodies.firstPiece[body]) {
-            remove(piece);
+        for (int piece = 0; bodies.firstPiece[body] >= 0; piece++) {
+            if (pieces.ids.lives(piece) && pieces.body[piece] == body) {
+                remove(piece);
+            }
         }
         bodies.remove(body);
     }

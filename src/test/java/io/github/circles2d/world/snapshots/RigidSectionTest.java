@@ -129,6 +129,13 @@ class RigidSectionTest {
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.B] = 7);
         refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] = 9);
         refused("nothing that it touches", s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3 + RigidStep.B] = 5);
+        refused(
+                "nothing that it touches",
+                s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] += 2 * RigidStep.SENSED);
+        refused(
+                "nothing that it touches", // since no wall is sensed
+                s -> s.rigids.touchingKeys[RigidStep.TOUCH_KEYS * 3] = RigidStep.SENSED + RigidStep.BODY_WALL);
+        refused("nothing that it touches", s -> s.rigids.contactKeys[RigidStep.TYPE] += RigidStep.SENSED);
         refused("not in order", s -> s.rigids.contactKeys[RigidStep.KEYS + RigidStep.KEYS - 2] = Integer.MIN_VALUE);
         refused("at no part", s -> s.rigids.contactKeys[RigidStep.FORM_AND_FEATURE] += 1 << RigidStep.FORM_SHIFT - 1);
         refused("an impulse of a body", s -> s.rigids.contactImpulses[0] = -1);
