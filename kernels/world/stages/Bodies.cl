@@ -5,6 +5,7 @@
 #ifdef BODIES
 // As bits: coordinates of boxes have rounding of this share of them.
 #define BOX_ROUNDING 0x1p-19f
+#define SENSED_REACH 1.03f // of a radius: a bit more than the Java class RigidSensing takes
 
 // A circle with half of its part of a margin, or a bit more, as the Java class RigidSearch has it.
 float reachForBodies(const World *w, int slot, int id, float4 c, float4 m) {
@@ -14,12 +15,12 @@ float reachForBodies(const World *w, int slot, int id, float4 c, float4 m) {
     return 1.001f * (c.RADIUS + 2.25f * (MARGIN * c.RADIUS + 0.5f * way));
 }
 
-// box: least x and y, greatest x and y.
-bool isNearBox(const World *w, float4 c, float reach, float4 box) {
+// Whether a place that reaches so far may meet a box of least x and y, greatest x and y.
+bool isNearBox(const World *w, float2 c, float2 reach, float4 box) {
     float dx = fabs(ACROSS_X(w, c.x - 0.5f * (box.x + box.z)));
     float dy = fabs(ACROSS_Y(w, c.y - 0.5f * (box.y + box.w)));
-    float farX = reach + 0.5f * (box.z - box.x);
-    float farY = reach + 0.5f * (box.w - box.y);
+    float farX = reach.x + 0.5f * (box.z - box.x);
+    float farY = reach.y + 0.5f * (box.w - box.y);
     float roundingX = BOX_ROUNDING * (fabs(c.x) + fabs(box.x) + fabs(box.z) + farX);
     float roundingY = BOX_ROUNDING * (fabs(c.y) + fabs(box.y) + fabs(box.w) + farY);
     return dx <= farX + roundingX && dy <= farY + roundingY;
@@ -52,9 +53,33 @@ kernel void bodies_find(WORLD_PARAMETERS, global int *found, int boxes, int room
     float reach = reachForBodies(&w, slot, id, c, w.motion[slot]);
     global const float *box = (global const float *) (found + BODY_BOXES);
     for (int k = 0; k < boxes; k++) {
-        if (isNearBox(&w, c, reach, vload4(k, box))) {
+        if (isNearBox(&w, c.xy, (float2)(reach), vload4(k, box))) {
             int place = atomic_inc(found);
             if (place < room) copyForBodies(&w, slot, id, found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
+            return;
+        }
+    }
+}
+
+// Behind the step: circles that bodies may sense, by where these have been in it. As bodies_find.
+kernel void bodies_sense(WORLD_PARAMETERS, global int *found, int boxes, int room) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles) return;
+    int id = w.homeId[slot];
+    float4 from = w.circle[slot];
+    float2 to = w.homeCircle[slot].xy;
+    float2 way = 0.5f * (float2)(ACROSS_X(&w, to.x - from.x), ACROSS_Y(&w, to.y - from.y));
+    float2 reach = (float2)(fabs(way.x), fabs(way.y)) + SENSED_REACH * from.RADIUS;
+    global const float *box = (global const float *) (found + BODY_BOXES);
+    for (int k = 0; k < boxes; k++) {
+        if (isNearBox(&w, from.xy + way, reach, vload4(k, box))) {
+            int place = atomic_inc(found);
+            if (place < room) {
+                global int *row = found + BODY_BOXES + 4 * boxes + BODY_SENSED_WORDS * place;
+                vstore4((int4)(id, w.fields[id].kind, w.fields[id].group, as_int(from.RADIUS)), 0, row);
+                vstore4((float4)(from.x, from.y, to.x, to.y), 1, (global float *) row);
+            }
             return;
         }
     }

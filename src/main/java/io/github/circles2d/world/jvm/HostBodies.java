@@ -20,6 +20,9 @@ public final class HostBodies implements AutoCloseable {
     /** Words of a circle as it comes near: see {@link #add}. */
     public static final int NEAR_WORDS = 40;
 
+    /** Words of a circle that bodies may sense: id, kind, group, radius, x and y as the step begins, and as it ends. */
+    public static final int SENSED_WORDS = 8;
+
     /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance, how far it has turned. */
     public static final int ROW_WORDS = 12;
 
@@ -39,6 +42,11 @@ public final class HostBodies implements AutoCloseable {
     private static final int ANGLE = 23;
     private static final int SURFACE = 24;
 
+    // words of a circle that bodies may sense, behind its group
+    private static final int SENSED_RADIUS = 3;
+    private static final int SENSED_FROM = 4;
+    private static final int SENSED_TO = 6;
+
     // words of a circle at a body
     private static final int ROW_MOTION = 0;
     private static final int ROW_LOAD = 4;
@@ -50,6 +58,7 @@ public final class HostBodies implements AutoCloseable {
     private final Team team;
     private final State state = new State();
     private final RigidPasses passes;
+    private final RigidSensing sensing = new RigidSensing(state);
 
     /** What joints that hold bodies keep. */
     private final JointStates states = new JointStates();
@@ -303,6 +312,9 @@ public final class HostBodies implements AutoCloseable {
     }
 
     private void beginHere() {
+        bodies.touches = 0;
+        bodies.touchesStay = true;
+        sensing.beginWithoutCircles(bodies, input.responses);
         passes.begin(null);
     }
 
@@ -365,6 +377,53 @@ public final class HostBodies implements AutoCloseable {
         states.endStep();
     }
 
+    // ---- sensors
+    // --------------------------------------------------------------------------------------------------
+
+    /** Whether circles are sought, behind a step, that bodies may sense. */
+    public boolean seeksCircles() {
+        return sensing.seeksCircles();
+    }
+
+    /** How many boxes there are of bodies that may sense circles in the step. */
+    public int sensingBoxes() {
+        return sensing.boxCount();
+    }
+
+    /** Puts them as {@link #putBoxes}. */
+    public void putSensingBoxes(FloatBuffer to) {
+        to.put(sensing.boxes(), 0, 4 * sensing.boxCount());
+    }
+
+    /** Takes so many circles that may be in these boxes, {@link #SENSED_WORDS} each. */
+    public void takeSensed(int circles, IntBuffer words, int at) {
+        forgetCircles();
+        state.ensure(circles);
+        for (int k = 0; k < circles; k++) {
+            int from = at + SENSED_WORDS * k;
+            int id = words.get(from + ID);
+            state.ensureIds(id + 1);
+            state.id[k] = id;
+            state.slotOf[id] = k;
+            state.n = k + 1;
+            set(CircleField.KIND, id, words.get(from + KIND));
+            set(CircleField.GROUP, id, words.get(from + GROUP));
+            int s = CircleRow.of(k);
+            state.circle[s + CircleRow.RADIUS] = real(words, from + SENSED_RADIUS);
+            state.circle[s + CircleRow.X] = real(words, from + SENSED_TO);
+            state.circle[s + CircleRow.Y] = real(words, from + SENSED_TO + 1);
+            sensing.noteCircle(id, real(words, from + SENSED_FROM), real(words, from + SENSED_FROM + 1));
+        }
+    }
+
+    /** Tells of touches of the step, if somebody wants to know. */
+    public void tell() {
+        if (bodies.listener != null) {
+            sensing.end(input.constants, input.constants.terrain ? input.terrain : null);
+            bodies.listener.stepped();
+        }
+    }
+
     // ---- joints that hold bodies
     // ----------------------------------------------------------------------------------
 
@@ -407,11 +466,12 @@ public final class HostBodies implements AutoCloseable {
             relaxCircles();
         }
         end();
+        tell();
     }
 
     /** Memory of the arrays. */
     public long bytes() {
-        return state.bytes() + passes.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length + held.length);
+        return state.bytes() + passes.bytes() + sensing.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length + held.length);
     }
 
     @Override

@@ -79,6 +79,9 @@ final class RigidSensing {
     private float[] circleY = new float[0];
     private int circleCount;
 
+    /** Whether circles may sense bodies in the step. */
+    private boolean withCircles;
+
     // within a step
     private RigidStep step;
     private TerrainStep terrain;
@@ -113,9 +116,18 @@ final class RigidSensing {
 
     /** A step begins: notes where all is that takes part. */
     void begin(RigidStep of, PairResponses table) {
+        beginWithoutCircles(of, table);
+        if (withCircles) {
+            noteCircles();
+        }
+    }
+
+    /** The same, but circles are noted as the step ends. */
+    void beginWithoutCircles(RigidStep of, PairResponses table) {
         step = of;
         bodyCount = 0;
         circleCount = 0;
+        withCircles = false;
         if (step.listener == null || !state.filtering || !learn(table)) {
             return;
         }
@@ -123,7 +135,6 @@ final class RigidSensing {
         if (bodyCount == 0) {
             return;
         }
-        boolean withCircles = false;
         someLook = false;
         for (int n = 0; n < kindCount; n++) {
             int kind = kinds[n];
@@ -137,9 +148,11 @@ final class RigidSensing {
             withCircles |= meetsBodies[kind];
             someLook |= looks[kind];
         }
-        if (withCircles) {
-            noteCircles();
-        }
+    }
+
+    /** Whether circles are to be noted. */
+    boolean seeksCircles() {
+        return withCircles;
     }
 
     /** The kind looks of which there are fewer. */
@@ -168,28 +181,44 @@ final class RigidSensing {
     }
 
     private void noteCircles() {
-        if (circleAt.length < state.slotOf.length) {
-            circleAt = new int[state.slotOf.length];
-        }
         for (int slot = 0; slot < state.n; slot++) {
-            int id = state.id[slot];
-            if (meetsBodies(state.fields.getInt(CircleField.KIND, id))) {
-                if (circleCount == circles.length) {
-                    int n = Math.max(16, 2 * circleCount);
-                    circles = Arrays.copyOf(circles, n);
-                    circleX = Arrays.copyOf(circleX, n);
-                    circleY = Arrays.copyOf(circleY, n);
-                }
-                circles[circleCount] = id;
-                circleAt[id] = circleCount;
-                circleX[circleCount] = state.circle[CircleRow.of(slot) + CircleRow.X];
-                circleY[circleCount++] = state.circle[CircleRow.of(slot) + CircleRow.Y];
-            }
+            int s = CircleRow.of(slot);
+            noteCircle(state.id[slot], state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
         }
+    }
+
+    /** Notes where a circle is as the step begins, if it takes part. */
+    void noteCircle(int id, float x, float y) {
+        if (!meetsBodies(state.fields.getInt(CircleField.KIND, id))) {
+            return;
+        }
+        if (circleAt.length < state.slotOf.length) {
+            circleAt = Arrays.copyOf(circleAt, state.slotOf.length);
+        }
+        if (circleCount == circles.length) {
+            int n = Math.max(16, 2 * circleCount);
+            circles = Arrays.copyOf(circles, n);
+            circleX = Arrays.copyOf(circleX, n);
+            circleY = Arrays.copyOf(circleY, n);
+        }
+        circles[circleCount] = id;
+        circleAt[id] = circleCount;
+        circleX[circleCount] = x;
+        circleY[circleCount++] = y;
     }
 
     private boolean meetsBodies(int kind) {
         return senses[kind] && meetsBodies[kind];
+    }
+
+    /** Where the bodies that take part have been in the step, which has ended: four floats each, least x and y, greatest x and y. */
+    float[] boxes() {
+        findBoxes();
+        return tree.box;
+    }
+
+    int boxCount() {
+        return bodyCount;
     }
 
     /** The step ends: adds what is sensed to its touches. Terrain is null if there is none. */

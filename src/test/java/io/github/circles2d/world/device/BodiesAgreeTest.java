@@ -67,7 +67,9 @@ class BodiesAgreeTest {
                 }
                 assertThat(other.hash()).as(edges + ", step " + step).isEqualTo(one.hash());
                 assertThat(worlds[1].poses()).isEqualTo(worlds[0].poses());
+                assertThat(worlds[1].touches()).isEqualTo(worlds[0].touches());
             }
+            assertThat(worlds[1].sensed()).isGreaterThan(20);
             if (device.readyPlans().get(0) instanceof Tiles) {
                 assertThat(device.kernelNanos()).containsKeys("solver_solveLevels", "bodies_give");
             }

@@ -2,10 +2,14 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.bodies.RigidTouches;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.terrain.ChainPath;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,11 +17,15 @@ import java.util.SplittableRandom;
 
 /** The calls that each simulation of a comparison gets: bodies that are pushed among circles of several sizes, and what happens to them. */
 final class BodyChanges {
+    /** A kind of what all others sense. */
+    private static final int SENSED = 3;
+
     private final Simulation simulation;
     private final int atFirst;
     private final SplittableRandom random = new SplittableRandom(7);
     private final List<Long> bodies = new ArrayList<>();
     private final List<Long> circles = new ArrayList<>();
+    private int sensed;
 
     /** So many circles are there at first. */
     BodyChanges(Simulation simulation, int atFirst) {
@@ -35,6 +43,9 @@ final class BodyChanges {
             addCircles(atFirst);
             addBodies(6);
             join();
+            simulation.kinds.setSetting(SENSED, 0, KindTable.RESPONSE + PairTable.SENSE);
+            simulation.kinds.setSetting(SENSED, SENSED, KindTable.RESPONSE + PairTable.SENSE);
+            simulation.rigidReads.report(true);
         } else if (step == 22) {
             circles.forEach(simulation.circles::remove);
             circles.clear();
@@ -62,7 +73,7 @@ final class BodyChanges {
             float r = k % 5 == 0 ? 0.5f : between(0.08f, 0.2f);
             float mass = k % 23 == 3 ? Float.POSITIVE_INFINITY : r * r;
             circles.add(simulation.newCircles.add(
-                    between(1, 11), between(1, 11), r, mass, between(-4, 4), between(-4, 4), 0));
+                    between(1, 11), between(1, 11), r, mass, between(-4, 4), between(-4, 4), k % 11 == 5 ? SENSED : 0));
         }
     }
 
@@ -80,7 +91,7 @@ final class BodyChanges {
                     between(2, 10),
                     between(-3, 3),
                     between(0.2f, 5),
-                    0));
+                    bodies.size() == 5 ? SENSED : 0));
         }
     }
 
@@ -111,6 +122,29 @@ final class BodyChanges {
 
     private float between(float from, float to) {
         return from + (to - from) * (float) random.nextDouble();
+    }
+
+    /** What bodies have begun and ended to touch since the last time. */
+    List<String> touches() {
+        RigidTouches touches = new RigidTouches();
+        simulation.rigidReads.take(touches);
+        List<String> lines = new ArrayList<>();
+        for (int k = 0; k < touches.count(); k++) {
+            StringBuilder line = new StringBuilder();
+            line.append(touches.begins(k)).append(' ').append(touches.type(k));
+            line.append(' ').append(touches.body(k)).append(' ').append(touches.other(k));
+            for (int value = 0; value < RigidStep.TOUCH_VALUES; value++) {
+                line.append(' ').append(touches.value(k, value));
+            }
+            sensed += touches.begins(k) && touches.value(k, RigidStep.TOUCH_IMPULSE) == 0f ? 1 : 0;
+            lines.add(line.toString());
+        }
+        return lines;
+    }
+
+    /** How many touches have begun without an impulse. */
+    int sensed() {
+        return sensed;
     }
 
     float[] poses() {

@@ -28,6 +28,7 @@ final class BodyStage {
     private final HostBodies bodies;
     private final BodyArrays arrays;
     private final Kernel find;
+    private final Kernel sense;
     private final Kernel take;
     private final Kernel give;
 
@@ -41,6 +42,7 @@ final class BodyStage {
         this.bodies = bodies;
         this.arrays = arrays;
         find = kernels.staged("bodies_find");
+        sense = kernels.staged("bodies_sense");
         take = kernels.staged("bodies_take");
         give = kernels.staged("bodies_give");
         free = joints ? kernels.staged("bodies_free") : null;
@@ -51,6 +53,7 @@ final class BodyStage {
     static KernelSource define(KernelSource source) {
         return source.define("BODY_BOXES", BOXES)
                 .define("BODY_NEAR_WORDS", HostBodies.NEAR_WORDS)
+                .define("BODY_SENSED_WORDS", HostBodies.SENSED_WORDS)
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
     }
 
@@ -74,20 +77,28 @@ final class BodyStage {
         }
         bodies.findBoxes(warmScale);
         int boxes = bodies.boxes();
+        int found = find(find, boxes, circles, HostBodies.NEAR_WORDS);
+        if (found < 0) {
+            return false;
+        }
+        bodies.findContacts(found, arrays.host().ints(), BOXES + BOX_WORDS * boxes);
+        return true;
+    }
+
+    /** Finds circles near to boxes, so many words each, which are on the host behind the boxes then. Returns how many, or -1 if the step is refused. */
+    private int find(Kernel near, int boxes, int circles, int wordsEach) {
         int before = BOXES + BOX_WORDS * boxes;
-        int room = LEAST_ROOM;
-        while (true) {
-            arrays.ensureFound(bytes(before + HostBodies.NEAR_WORDS * room));
+        for (int room = LEAST_ROOM; ; ) {
+            arrays.ensureFound(bytes(before + wordsEach * room));
             room = (int) Math.min(
-                    circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / HostBodies.NEAR_WORDS);
-            HostBuffer host = arrays.host();
-            putBoxes(host);
-            arrays.found().write(0, host, 0, bytes(before));
-            find.arg(StageKernels.own(0), arrays.found())
+                    circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
+            putBoxes(near == find);
+            arrays.found().write(0, arrays.host(), 0, bytes(before));
+            near.arg(StageKernels.own(0), arrays.found())
                     .arg(StageKernels.own(1), boxes)
                     .arg(StageKernels.own(2), room)
                     .run(circles);
-            if (bodies.held() > 0) {
+            if (near == find && bodies.held() > 0) {
                 name.arg(StageKernels.own(0), arrays.held())
                         .arg(StageKernels.own(1), bodies.held())
                         .arg(StageKernels.own(2), arrays.found())
@@ -95,31 +106,33 @@ final class BodyStage {
                         .arg(StageKernels.own(4), room)
                         .run(bodies.held());
             }
-            arrays.found().read(0, host, 0, bytes(before + HostBodies.NEAR_WORDS * Math.min(room, LEAST_ROOM)));
-            IntBuffer words = host.ints();
-            int found = words.get(0);
-            if (words.get(1) != 0) {
-                return false;
+            int expected = Math.min(room, LEAST_ROOM);
+            arrays.found().read(0, arrays.host(), 0, bytes(before + wordsEach * expected));
+            int found = arrays.host().ints().get(0);
+            if (arrays.host().ints().get(1) != 0) {
+                return -1;
             }
-            if (found > room) {
-                room = found;
-                continue;
+            if (found <= room) {
+                if (found > expected) {
+                    arrays.found().read(0, arrays.host(), 0, bytes(before + wordsEach * found));
+                }
+                return found;
             }
-            if (found > LEAST_ROOM) {
-                arrays.found().read(0, host, 0, bytes(before + HostBodies.NEAR_WORDS * found));
-            }
-            bodies.findContacts(found, words, before);
-            return true;
+            room = found;
         }
     }
 
-    private void putBoxes(HostBuffer host) {
-        IntBuffer words = host.ints();
+    private void putBoxes(boolean ofAll) {
+        IntBuffer words = arrays.host().ints();
         for (int k = 0; k < BOXES; k++) {
             words.put(k, 0);
         }
-        FloatBuffer boxes = host.floats().duplicate();
-        bodies.putBoxes(boxes.position(BOXES));
+        FloatBuffer boxes = arrays.host().floats().duplicate().position(BOXES);
+        if (ofAll) {
+            bodies.putBoxes(boxes);
+        } else {
+            bodies.putSensingBoxes(boxes);
+        }
     }
 
     private static long bytes(int words) {
@@ -215,8 +228,14 @@ final class BodyStage {
         give();
     }
 
-    /** Behind the last pass. */
-    void end() {
+    /** Behind the last pass, and the end of the step of circles. */
+    void end(int circles) {
         bodies.end();
+        if (bodies.seeksCircles()) {
+            int boxes = bodies.sensingBoxes();
+            int found = find(sense, boxes, circles, HostBodies.SENSED_WORDS);
+            bodies.takeSensed(found, arrays.host().ints(), BOXES + BOX_WORDS * boxes);
+        }
+        bodies.tell();
     }
 }

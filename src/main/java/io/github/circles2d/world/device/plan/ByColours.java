@@ -112,7 +112,7 @@ public final class ByColours implements Plan {
         }
         finalizePositions.run(steps.circles());
         if (bodies != null) {
-            bodies.end();
+            bodies.end(steps.circles());
         }
     }
 

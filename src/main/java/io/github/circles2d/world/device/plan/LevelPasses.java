@@ -77,7 +77,7 @@ final class LevelPasses {
         }
         finish.run(steps.circles());
         if (bodies != null) {
-            bodies.end();
+            bodies.end(steps.circles());
         }
     }
 
