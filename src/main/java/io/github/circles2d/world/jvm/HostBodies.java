@@ -443,7 +443,11 @@ public final class HostBodies implements AutoCloseable {
 
     /** Saves what joints keep that hold bodies, in the place of what a device has for them. */
     public void saveJoints(SavedJointStates into) {
-        for (int n = 0; input != null && n < input.joints.rigidCount; n++) {
+        if (input == null || input.joints.rigidCount == 0) {
+            return;
+        }
+        into.extend(input.joints.joints); // a device knows of no joints before it has made a step with circles
+        for (int n = 0; n < input.joints.rigidCount; n++) {
             states.save(input.joints.rigidOrder[n], into);
         }
     }

@@ -78,6 +78,24 @@ class BodiesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void bodiesAlone(Device device) {
+        WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 12, 12), 1, -10, 0.3f, 4, 0);
+        try (Simulation one = new Simulation(new JvmPipeline(1, 1, 0, false), parameters);
+                Simulation other = new Simulation(Pipelines.of(device, Plans.COLOURS.of(device), false), parameters)) {
+            for (int step = 0; step < STEPS; step++) {
+                for (Simulation each : new Simulation[] {one, other}) {
+                    if (step == 0) {
+                        BodyChanges.addChain(each, 5);
+                    }
+                    each.step(1 / 60f, 1);
+                }
+                assertThat(other.hash()).as("step " + step).isEqualTo(one.hash());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void aDeviceRefusesBodiesThatSleepAndGoesOn(Device device) {
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 9, 9), 0, -10, 0, 4, 0).sleeping(true);
         try (Simulation simulation =

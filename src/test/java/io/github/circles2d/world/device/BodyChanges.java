@@ -111,6 +111,20 @@ final class BodyChanges {
         simulation.joints.add(JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
     }
 
+    /** Adds boxes, one below the other, that hang at each other. */
+    static void addChain(Simulation simulation, int boxes) {
+        JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
+        long before = 0;
+        for (int k = 0; k < boxes; k++) {
+            long box = simulation.rigids.add(box(0.4f, 1), 6, 9 - k, 0.1f * k, 1, 0);
+            if (k > 0) {
+                simulation.joints.add(
+                        JointEndType.RIGID, before, 0, -0.5f, JointEndType.RIGID, box, 0, 0.5f, pin);
+            }
+            before = box;
+        }
+    }
+
     static OutlineShape box(float width, float height) {
         ChainPath path = new ChainPath(0, 0);
         path.lineTo(width, 0);
