@@ -155,6 +155,9 @@ final class Rehearsal implements Mover {
         if (features.ownMotion()) {
             world.setGravityScale(first, 0.5f);
         }
+        if (features.bodies()) {
+            world.bodies().add(Outline.box(1, 1), world.maxX() / 2, world.maxY() / 2, 0, 1); // among the circles
+        }
         if (wanted.recording()) {
             world.report(Events.BEGIN);
         } else if (wanted.reporting()) {
