@@ -43,10 +43,10 @@ final class BodyShapes {
                 long body = bodies.handle(id);
                 handles[count++] = body;
                 measure(world, body, 3 * id);
-                shapes.begin(
-                        paint == PaintMode.SPEED
-                                ? shades.speed(velocities[3 * id], velocities[3 * id + 1])
-                                : Shades.tint(id));
+                int colour = paint == PaintMode.SPEED
+                        ? shades.speed(velocities[3 * id], velocities[3 * id + 1])
+                        : Shades.tint(id);
+                shapes.begin(bodies.isAwake(body) ? colour : Shades.asleep(colour));
                 place(points(bodies.outline(body)), 3 * id);
             }
         }

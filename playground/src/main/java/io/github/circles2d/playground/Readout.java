@@ -15,9 +15,6 @@ final class Readout {
 
     private static final long[] NONE = new long[0];
 
-    /** The share of its colour in a circle that sleeps. */
-    private static final double ASLEEP = 0.5;
-
     private final Shades shades = new Shades();
     private final BlobShapes blobs = new BlobShapes();
     private Grain grain;
@@ -94,7 +91,7 @@ final class Readout {
             boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
             boolean sleeps = (awake[id >> 6] & 1L << id) == 0;
             int own = isStatic ? Theme.STATIC : colour(id, paint);
-            int colour = sleeps ? Ramp.mix(Theme.ARENA, own, ASLEEP) : own;
+            int colour = sleeps ? Shades.asleep(own) : own;
             frame.x[count] = between ? positions.get(2 * id) : x;
             frame.y[count] = between ? positions.get(2 * id + 1) : circles[4 * id + 1];
             frame.radius[count] = circles[4 * id + 2];

@@ -2,6 +2,9 @@ package io.github.circles2d.playground;
 
 /** The colours of circles and joints. Scales of speed, pressure and tension belong to a world. */
 final class Shades {
+    /** The share of its colour in what sleeps. */
+    private static final double ASLEEP = 0.5;
+
     private static final int[] TINTS = {0x4aa8d8, 0x5bc0be, 0x7fb7e6, 0x9b8cf0, 0x6d9eeb, 0x48c9b0, 0x8fd3f4, 0x74a9cf};
     private static final Ramp SPEED = new Ramp(0x5c83bd, 0x4597cf, 0x35b6c4, 0x9fdc7c, 0xffd166, 0xff7a45, 0xffe9dc);
     private static final Ramp PRESSURE = new Ramp(0x4f7398, 0x6a66bd, 0xb04bb0, 0xe0526f, 0xff9a56, 0xfff1b8);
@@ -28,6 +31,11 @@ final class Shades {
         fast = highSpeed;
         meanPressure = 0;
         meanTension = 0;
+    }
+
+    /** The colour of what sleeps, and has another one awake. */
+    static int asleep(int awake) {
+        return Ramp.mix(Theme.ARENA, awake, ASLEEP);
     }
 
     static int tint(int id) {
