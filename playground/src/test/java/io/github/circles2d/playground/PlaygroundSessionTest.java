@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.FixedStep;
 import io.github.circles2d.Joint;
+import io.github.circles2d.Outline;
 import io.github.circles2d.Wall;
 import io.github.circles2d.World;
 import java.awt.image.BufferedImage;
@@ -329,6 +331,28 @@ class PlaygroundSessionTest {
         frames(1);
         assertThat(frame.blobs.count()).isZero();
         assertThat(frame.joints).isEqualTo(session.world().joints().size());
+    }
+
+    @Test
+    void bodiesThatSleepAreDim() {
+        try (World world = World.builder()
+                .bounds(0, 0, 10, 10)
+                .gravity(0, -10)
+                .friction(0.5f)
+                .sleep(true)
+                .build()) {
+            world.bodies().add(Outline.box(1, 1), 5, 0.5f, 0, 1);
+            FixedStep loop = new FixedStep(world, FRAME);
+            BodyShapes bodies = new BodyShapes();
+            loop.advance(1.5f * FRAME, () -> {});
+            bodies.read(world, loop, new Shades(), PaintMode.PLAIN);
+            int awake = bodies.shapes().colour(0);
+            for (int frame = 0; frame < 300; frame++) {
+                loop.advance(FRAME, () -> {});
+            }
+            bodies.read(world, loop, new Shades(), PaintMode.PLAIN);
+            assertThat(bodies.shapes().colour(0)).isEqualTo(Shades.asleep(awake)).isNotEqualTo(awake);
+        }
     }
 
     @Test
