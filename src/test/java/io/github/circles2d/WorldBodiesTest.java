@@ -431,8 +431,7 @@ class WorldBodiesTest {
                         .sleep(true)
                         .backend(backend)
                         .build();
-                World jvm =
-                        World.builder().bounds(0, 0, 20, 10).sleep(true).build()) {
+                World jvm = World.builder().bounds(0, 0, 20, 10).sleep(true).build()) {
             world.add(4, 5, 0.5f, 1);
             long hash = world.hash();
             assertThatThrownBy(() -> world.bodies().add(CRATE, 10, 5, 0, 2))

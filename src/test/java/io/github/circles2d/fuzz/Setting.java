@@ -107,7 +107,8 @@ final class Setting {
     /** Whether programs of such a world make a call. */
     boolean mayHave(Entry entry) {
         Method method = entry.method();
-        boolean adds = method.getDeclaringClass() == Bodies.class && method.getName().startsWith("add");
+        boolean adds =
+                method.getDeclaringClass() == Bodies.class && method.getName().startsWith("add");
         return bodies || !adds;
     }
 

@@ -351,7 +351,9 @@ class PlaygroundSessionTest {
                 loop.advance(FRAME, () -> {});
             }
             bodies.read(world, loop, new Shades(), PaintMode.PLAIN);
-            assertThat(bodies.shapes().colour(0)).isEqualTo(Shades.asleep(awake)).isNotEqualTo(awake);
+            assertThat(bodies.shapes().colour(0))
+                    .isEqualTo(Shades.asleep(awake))
+                    .isNotEqualTo(awake);
         }
     }
 

@@ -47,8 +47,7 @@ import java.util.function.Consumer;
  */
 public final class DevicePipeline implements Pipeline {
     /** Threads that make what bodies do on the host. */
-    private static final int MOST_THREADS =
-            Math.min(8, Runtime.getRuntime().availableProcessors());
+    private static final int MOST_THREADS = Math.min(8, Runtime.getRuntime().availableProcessors());
 
     private final Session session;
     private final DeviceArrays arrays;
@@ -186,8 +185,7 @@ public final class DevicePipeline implements Pipeline {
         loaded = features;
         readBackWith(loading);
         if (steps) {
-            stages =
-                    stagesOf.computeIfAbsent(variant, key -> newStages(loading));
+            stages = stagesOf.computeIfAbsent(variant, key -> newStages(loading));
             queue.use(stages, reader);
             stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
             ready.use(stages, loading);

@@ -157,12 +157,7 @@ public final class HostBodies implements AutoCloseable {
 
     private void findBodiesHere() {
         boolean joined = joined();
-        passes.findBodies(
-                bodies,
-                input.constants,
-                input.terrain,
-                joined ? input.joints : null,
-                joined ? states : null);
+        passes.findBodies(bodies, input.constants, input.terrain, joined ? input.joints : null, joined ? states : null);
     }
 
     /** How many boxes there are. */
@@ -475,7 +470,11 @@ public final class HostBodies implements AutoCloseable {
 
     /** Memory of the arrays. */
     public long bytes() {
-        return state.bytes() + passes.bytes() + sensing.bytes() + states.bytes() + 4L * (deviceSlot.length + atBodies.length + held.length);
+        return state.bytes()
+                + passes.bytes()
+                + sensing.bytes()
+                + states.bytes()
+                + 4L * (deviceSlot.length + atBodies.length + held.length);
     }
 
     @Override

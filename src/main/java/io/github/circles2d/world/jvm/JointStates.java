@@ -96,7 +96,11 @@ final class JointStates {
         }
         into.serial[joint] = serial[joint];
         System.arraycopy(
-                rows, JointState.of(joint), into.rows, JointState.of(joint), JointState.of(joint + 1) - JointState.of(joint));
+                rows,
+                JointState.of(joint),
+                into.rows,
+                JointState.of(joint),
+                JointState.of(joint + 1) - JointState.of(joint));
     }
 
     /** Takes over saved states, for which there is room. */

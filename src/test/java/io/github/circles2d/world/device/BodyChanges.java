@@ -108,7 +108,8 @@ final class BodyChanges {
             simulation.joints.add(
                     JointEndType.CIRCLE, circles.get(k + 2), 0, 0, JointEndType.RIGID, bodies.get(k), 0, 0, rod);
         }
-        simulation.joints.add(JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
+        simulation.joints.add(
+                JointEndType.RIGID, bodies.get(2), 0.1f, 0, JointEndType.ANCHOR, simulation.bodies.ground(), 6, 6, pin);
     }
 
     /** Adds boxes, one below the other, that hang at each other. */
@@ -118,8 +119,7 @@ final class BodyChanges {
         for (int k = 0; k < boxes; k++) {
             long box = simulation.rigids.add(box(0.4f, 1), 6, 9 - k, 0.1f * k, 1, 0);
             if (k > 0) {
-                simulation.joints.add(
-                        JointEndType.RIGID, before, 0, -0.5f, JointEndType.RIGID, box, 0, 0.5f, pin);
+                simulation.joints.add(JointEndType.RIGID, before, 0, -0.5f, JointEndType.RIGID, box, 0, 0.5f, pin);
             }
             before = box;
         }

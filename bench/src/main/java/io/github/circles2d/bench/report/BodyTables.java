@@ -30,7 +30,8 @@ final class BodyTables {
 
     /** Steps on the JVM and on a GPU. Empty if the folder has no such file. */
     static String devices(Path folder) {
-        StringBuilder text = new StringBuilder("| scene | bodies | circles | JVM, ms | GPU, ms |\n|---|--:|--:|--:|--:|\n");
+        StringBuilder text =
+                new StringBuilder("| scene | bodies | circles | JVM, ms | GPU, ms |\n|---|--:|--:|--:|--:|\n");
         List<Map<String, String>> rows = Table.rowsOf(folder.resolve("device.csv"), List.of("scene"));
         for (Map<String, String> row : rows) {
             text.append("| ").append(row.get("scene"));

@@ -90,8 +90,8 @@ final class BodyStage {
         int before = BOXES + BOX_WORDS * boxes;
         for (int room = LEAST_ROOM; ; ) {
             arrays.ensureFound(bytes(before + wordsEach * room));
-            room = (int) Math.min(
-                    circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
+            room = (int)
+                    Math.min(circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
             putBoxes(near == find);
             arrays.found().write(0, arrays.host(), 0, bytes(before));
             near.arg(StageKernels.own(0), arrays.found())

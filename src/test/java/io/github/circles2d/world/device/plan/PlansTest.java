@@ -180,6 +180,7 @@ class PlansTest {
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
         return new Steps(
-                1, levels, circles, circles, 4, 1f, false, thinning, false, false, false, false, false, false, false, false);
+                1, levels, circles, circles, 4, 1f, false, thinning, false, false, false, false, false, false, false,
+                false);
     }
 }
