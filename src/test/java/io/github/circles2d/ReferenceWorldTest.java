@@ -128,8 +128,11 @@ class ReferenceWorldTest {
     /** Its sharp tip has a gap of zero, which is no gap, whatever its sign. */
     @Test
     void aBodyThatTouchesAWallExactlyIsTheReferences() {
-        try (World world =
-                WorldScenes.jvm().bounds(0, 0, 40, 40).restitution(0).subSteps(SUB_STEPS).build()) {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 40, 40)
+                .restitution(0)
+                .subSteps(SUB_STEPS)
+                .build()) {
             ReferenceWorld reference = new ReferenceWorld(0f, SUB_STEPS);
             reference.setBounds(0, 0, 40, 40);
             for (WorldCalls calls : List.of(WorldCalls.of(world), reference)) {
