@@ -193,6 +193,7 @@ class NullArgumentsTest {
                         "stale", () -> bodies.setKinds(handles, 0, new int[0], null)));
         calls.put("Bodies.readById", Map.of("bodies", () -> bodies.readById(null, null)));
         calls.put("Bodies.readVelocitiesById", Map.of("velocities", () -> bodies.readVelocitiesById(null, null)));
+        calls.put("Bodies.touching", Map.of("handles", () -> bodies.touching(0, null)));
         calls.put("Bodies.readHandles", Map.of("handles", () -> bodies.readHandles(null)));
         calls.put("Outline.polygon", Map.of("points", () -> Outline.polygon((float[]) null)));
         calls.put("Outline.of", Map.of("chain", () -> Outline.of((Chain) null)));

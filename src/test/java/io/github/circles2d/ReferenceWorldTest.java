@@ -3,10 +3,12 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
+import io.github.circles2d.reference.BodyOutline;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.scenes.Scene;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -120,6 +122,28 @@ class ReferenceWorldTest {
                 calls.step(1 / 60f, 1);
             }
             assertThat(world.hash()).isEqualTo(reference.hash());
+        }
+    }
+
+    /** Its sharp tip has a gap of zero, which is no gap, whatever its sign. */
+    @Test
+    void aBodyThatTouchesAWallExactlyIsTheReferences() {
+        try (World world = WorldScenes.jvm()
+                .bounds(0, 0, 40, 40)
+                .restitution(0)
+                .subSteps(SUB_STEPS)
+                .build()) {
+            ReferenceWorld reference = new ReferenceWorld(0f, SUB_STEPS);
+            reference.setBounds(0, 0, 40, 40);
+            for (WorldCalls calls : List.of(WorldCalls.of(world), reference)) {
+                long lens = calls.addRigid(BodyOutline.lens(2f), 39f, 20f, 0f, 1f, 0);
+                calls.setRigidVelocity(lens, 5f, 0f, 1f);
+            }
+            for (int step = 0; step < 20; step++) {
+                world.step(1 / 60f);
+                reference.step(1 / 60f, 1);
+                assertThat(world.hash()).as("after step %d", step).isEqualTo(reference.hash());
+            }
         }
     }
 }

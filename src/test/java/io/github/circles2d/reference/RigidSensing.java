@@ -69,7 +69,7 @@ final class RigidSensing {
 
         /** Goes to a share of the step. */
         void go(double share) {
-            int by = angle + (int) Math.rint(share * turn);
+            int by = angle + (int) (long) Math.floor(share * turn + 0.5);
             double cos = Angles.cos(by);
             double sin = Angles.sin(by);
             now = plus(place, path, share);

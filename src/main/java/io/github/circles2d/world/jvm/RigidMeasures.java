@@ -159,7 +159,7 @@ final class RigidMeasures {
                 return;
             }
         }
-        set(c, lx, ly, height - reach);
+        set(c, lx, ly, (height - reach) + 0f); // never -0
     }
 
     private void set(int c, float nx, float ny, float gap) {

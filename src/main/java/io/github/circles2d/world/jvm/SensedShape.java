@@ -146,7 +146,7 @@ final class SensedShape {
 
     /** Brings it to where it is after a share of the step. */
     void setShare(double share) {
-        int now = angle + (int) Math.rint(share * turn);
+        int now = angle + (int) Rotation.nearest(share * turn);
         double cos = Rotation.cos(now);
         double sin = Rotation.sin(now);
         nowX = x + share * goX;

@@ -261,7 +261,8 @@ public final class RigidReads {
     public int touching(long handle, long[] to) {
         world.guard.enter();
         try {
-            return table.events.list(world.rigid(handle), Limits.notNull("handles", to));
+            Limits.notNull("handles", to);
+            return table.events.list(world.rigid(handle), to);
         } finally {
             world.guard.leave();
         }
