@@ -24,7 +24,7 @@ final class RigidVisits {
     private static final float AGREED = 1e-3f;
 
     /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
-    private static final int OF_HITS = 16;
+    static final int OF_HITS = 16;
 
     /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
     private static final float PUSH = 0.5f;
@@ -63,6 +63,14 @@ final class RigidVisits {
     private int from;
     private int to;
 
+    private final RigidPairVisits ofPairs;
+
+    /** By pair without circles: whether it is one of {@link #ofPairs}. */
+    private boolean[] plain = new boolean[0];
+
+    /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
+    private boolean gripsMinusZero;
+
     private final Team.Work measure = this::measure;
     private final Team.Work visit = this::visit;
     private final Team.Work begin = this::begin;
@@ -74,6 +82,7 @@ final class RigidVisits {
         this.team = team;
         this.leastShare = leastShare;
         things = pairs.things;
+        ofPairs = new RigidPairVisits(contacts, things, this);
     }
 
     /** Begins a step: contacts have been found and measured. */
@@ -97,7 +106,13 @@ final class RigidVisits {
         for (int t = 0; t < things.bodies; t++) {
             share[t] = CircleMath.max(share[t], 1f);
         }
+        if (plain.length < order.firstWithCircle) {
+            plain = new boolean[2 * order.firstWithCircle];
+        }
         team.together(begin);
+        for (int p = 0; p < order.firstWithCircle; p++) {
+            plain[p] = ofPairs.has(contacts.firstOf[p], contacts.firstOf[p + 1]);
+        }
     }
 
     /** What both things of a contact have together. */
@@ -115,6 +130,12 @@ final class RigidVisits {
             rows[row + RigidRow.LENGTH] = things.ownW[a] == 0f
                     ? 2f * things.thin[b]
                     : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+            rows[row + RigidRow.THRESHOLD] = Bounce.bounceThreshold(
+                    rows[row + RigidRow.LENGTH],
+                    rows[row + RigidRow.RESTITUTION],
+                    k.thresholdRate,
+                    k.restRate,
+                    k.fixedThreshold);
             setMasses(c);
         }
     }
@@ -145,6 +166,20 @@ final class RigidVisits {
         float tangentMass = gripMass(c, 1f, 1f);
         contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
         contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
+        setTerms(contacts.rows, row);
+    }
+
+    private void setTerms(float[] rows, int row) {
+        float gap = rows[row + RigidRow.GAP];
+        boolean apart = gap > 0f;
+        float soft = Constraints.softBias(gap, pushSpeed(row), k.contactSoftness, k);
+        rows[row + RigidRow.SPEED_SCALE] = apart ? 1f : k.contactSoftness.massScale;
+        rows[row + RigidRow.DECAY] = apart ? 0f : k.contactSoftness.impulseScale;
+        rows[row + RigidRow.BIAS] = apart ? gap * k.inverseH : soft;
+    }
+
+    private float pushSpeed(int row) {
+        return PUSH * k.pushRate * contacts.rows[row + RigidRow.LENGTH];
     }
 
     /** One over the effective mass of A alone along the normal. */
@@ -169,11 +204,13 @@ final class RigidVisits {
     /** What is accumulated acts again; on circles it has acted before. */
     void warmStart() {
         fixed = false;
+        gripsMinusZero = false;
         float[] rows = contacts.rows;
         for (int c = 0; c < contacts.count; c++) {
             int row = RigidRow.of(c);
             float impulse = rows[row + RigidRow.IMPULSE];
             float grip = rows[row + RigidRow.GRIP];
+            gripsMinusZero |= isMinusZero(grip);
             if (impulse != 0f || grip != 0f) {
                 float x = rows[row + RigidRow.NX] * impulse - rows[row + RigidRow.NY] * grip;
                 float y = rows[row + RigidRow.NY] * impulse + rows[row + RigidRow.NX] * grip;
@@ -248,7 +285,13 @@ final class RigidVisits {
     private void visit(int begin, int end) {
         for (int at = begin; at < end; at++) {
             int p = order.order[at];
-            if (relaxes) {
+            if (fixed && plain[p]) {
+                if (relaxes) {
+                    ofPairs.relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
+                } else {
+                    ofPairs.solve(contacts.firstOf[p], contacts.firstOf[p + 1]);
+                }
+            } else if (relaxes) {
                 relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
             } else {
                 solve(contacts.firstOf[p], contacts.firstOf[p + 1]);
@@ -261,12 +304,15 @@ final class RigidVisits {
      * become -0.
      */
     private boolean areFixed() {
+        if (gripsMinusZero) {
+            return false;
+        }
         for (int t = 0; t < things.count; t++) {
             if (order.isOrdered(t)
                     && (isMinusZero(things.vx[t])
                             || isMinusZero(things.vy[t])
                             || isMinusZero(things.omega[t])
-                            || !things.gives(t) && !isLimited(t))) {
+                            || !isLimited(t))) {
                 return false;
             }
         }
@@ -285,11 +331,16 @@ final class RigidVisits {
 
     /** Visits the contacts of a pair, and again those that must agree. */
     private void solve(int begin, int end) {
+        solve(begin, end, begin, 1);
+    }
+
+    /** The same if the contacts before one have been visited, of which none bounces, and so often at least. */
+    void solve(int begin, int end, int from, int least) {
         float[] rows = contacts.rows;
-        int times = 1;
+        int times = least;
         for (int time = 0; time < times; time++) {
             boolean agree = true;
-            for (int c = begin; c < end; c++) {
+            for (int c = time == 0 ? from : begin; c < end; c++) {
                 int row = RigidRow.of(c);
                 float before = rows[row + RigidRow.IMPULSE];
                 solveNormal(c);
@@ -322,7 +373,7 @@ final class RigidVisits {
     }
 
     /** Whether a contact stops what would come far into the other within a sub-step. */
-    private boolean isHit(int row) {
+    boolean isHit(int row) {
         float[] rows = contacts.rows;
         return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH]
                 && rows[row + RigidRow.IMPULSE] > 0f;
@@ -347,16 +398,16 @@ final class RigidVisits {
     }
 
     /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
-    private boolean bouncesLater(int c, float vn) {
+    boolean bouncesLater(int c, float vn) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         return rows[row + RigidRow.RESTITUTION] > 0f
                 && rows[row + RigidRow.IMPULSE] == 0f
                 && !(rows[row + RigidRow.GAP] > 0f)
-                && bounceSpeed(c, PUSH * k.pushRate * rows[row + RigidRow.LENGTH], vn) > 0f;
+                && bounceSpeed(c, vn) > 0f;
     }
 
-    private boolean isIdle(int row) {
+    boolean isIdle(int row) {
         float[] rows = contacts.rows;
         return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
     }
@@ -399,20 +450,19 @@ final class RigidVisits {
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
-    private float solvedNormal(int c, float mass, float vn, float before) {
+    float solvedNormal(int c, float mass, float vn, float before) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float gap = rows[row + RigidRow.GAP];
         float impulse = rows[row + RigidRow.IMPULSE];
         float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
-        float pushSpeed = PUSH * k.pushRate * rows[row + RigidRow.LENGTH];
-        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, pushSpeed, before) : 0f;
+        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, before) : 0f;
         rows[row + RigidRow.APPROACH] = approach;
         rows[row + RigidRow.BOUNCE] = bounce;
-        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed, k.contactSoftness, k));
+        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed(row), k.contactSoftness, k));
     }
 
-    private float relaxedNormal(int row, float mass, float vn) {
+    float relaxedNormal(int row, float mass, float vn) {
         float[] rows = contacts.rows;
         float next =
                 Constraints.relax(rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
@@ -430,7 +480,7 @@ final class RigidVisits {
     }
 
     /** Along the normal, before impulses. */
-    private float speedBefore(int c) {
+    float speedBefore(int c) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         int a = contacts.a[c];
@@ -439,14 +489,43 @@ final class RigidVisits {
                 + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
     }
 
+    /** Whether a contact with a restitution is fast enough to bounce. */
+    private boolean isImpact(int row, float before) {
+        return before < 0f && before * before > contacts.rows[row + RigidRow.THRESHOLD];
+    }
+
+    /** Whether a contact may bounce. */
+    boolean mayBounce(int row, float before) {
+        return contacts.rows[row + RigidRow.RESTITUTION] > 0f && isImpact(row, before);
+    }
+
+    /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
+    float solvedNormal(int row, float vn, float before) {
+        float[] rows = contacts.rows;
+        if (!(rows[row + RigidRow.APPROACH] > -before)) {
+            rows[row + RigidRow.APPROACH] = -before;
+        }
+        float impulse = rows[row + RigidRow.IMPULSE];
+        return take(
+                row,
+                Constraints.visit(
+                        impulse,
+                        rows[row + RigidRow.NORMAL_MASS],
+                        rows[row + RigidRow.SPEED_SCALE],
+                        vn,
+                        rows[row + RigidRow.BIAS],
+                        rows[row + RigidRow.DECAY] * impulse));
+    }
+
     /** Of a contact with a restitution. */
-    private float bounceSpeed(int c, float pushSpeed, float before) {
+    private float bounceSpeed(int c, float before) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float e = rows[row + RigidRow.RESTITUTION];
-        float threshold =
-                Bounce.bounceThreshold(rows[row + RigidRow.LENGTH], e, k.thresholdRate, k.restRate, k.fixedThreshold);
-        if (!(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed) > 0f)) {
+        float threshold = rows[row + RigidRow.THRESHOLD];
+        if (!isImpact(row, before)
+                || !(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed(row))
+                        > 0f)) {
             return 0f;
         }
         int a = contacts.a[c];
@@ -466,17 +545,13 @@ final class RigidVisits {
         if (fixed && isFree(row)) {
             return;
         }
-        float friction = rows[row + RigidRow.FRICTION];
-        if (friction > 0f || rows[row + RigidRow.GRIP] != 0f) { // it may have gone since
-            float before = rows[row + RigidRow.GRIP];
+        if (hasGrip(row)) {
             float nx = rows[row + RigidRow.NX];
             float ny = rows[row + RigidRow.NY];
             float ux = speedX(rows, row, things.vx, things.omega, a, b);
             float uy = speedY(rows, row, things.vy, things.omega, a, b);
-            float slip = (uy * nx - ux * ny) - rows[row + RigidRow.BELTS];
-            float next = Surface.grip(before, mass, slip, friction * rows[row + RigidRow.IMPULSE]);
-            rows[row + RigidRow.GRIP] = next;
-            pushBoth(c, -ny * (next - before), nx * (next - before));
+            float gain = gripped(row, mass, uy * nx - ux * ny);
+            pushBoth(c, -ny * gain, nx * gain);
         }
         float resistance = rows[row + RigidRow.ROLLING];
         float turns = resistance > 0f ? things.ownI[a] + things.ownI[b] : 0f;
@@ -491,6 +566,26 @@ final class RigidVisits {
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
         }
+    }
+
+    /** Whether there is friction, or has been. */
+    private boolean hasGrip(int row) {
+        return contacts.rows[row + RigidRow.FRICTION] > 0f || contacts.rows[row + RigidRow.GRIP] != 0f;
+    }
+
+    /** Whether friction may change something, where nothing rolls. */
+    boolean grips(int row) {
+        return !isFree(row) && hasGrip(row);
+    }
+
+    /** By the speed along the tangent. Returns what the grip gains. */
+    float gripped(int row, float mass, float along) {
+        float[] rows = contacts.rows;
+        float before = rows[row + RigidRow.GRIP];
+        float slip = along - rows[row + RigidRow.BELTS];
+        float next = Surface.grip(before, mass, slip, rows[row + RigidRow.FRICTION] * rows[row + RigidRow.IMPULSE]);
+        rows[row + RigidRow.GRIP] = next;
+        return next - before;
     }
 
     /** Whether nothing presses or grips, so that the next friction changes nothing. */

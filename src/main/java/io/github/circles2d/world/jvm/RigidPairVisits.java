@@ -1,0 +1,151 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Velocity;
+
+/**
+ * Visits of pairs whose contacts neither bounce nor resist rolling, while {@link RigidVisits#areFixed}. The velocities of both things are in local
+ * variables as long as a pair is visited, those of A and B of its first contact; contacts the other way round have their terms swapped, which
+ * changes no bit then.
+ */
+final class RigidPairVisits {
+    /** Floats from the arm of A to that of B. */
+    private static final int SWAP = RigidRow.BX - RigidRow.AX;
+
+    private final RigidContacts contacts;
+    private final RigidThings things;
+    private final RigidVisits visits;
+
+    RigidPairVisits(RigidContacts contacts, RigidThings things, RigidVisits visits) {
+        this.contacts = contacts;
+        this.things = things;
+        this.visits = visits;
+    }
+
+    /** Whether no contact of a pair resists rolling. */
+    boolean has(int begin, int end) {
+        boolean plain = true;
+        for (int c = begin; c < end; c++) {
+            int row = RigidRow.of(c);
+            plain &= !(contacts.rows[row + RigidRow.ROLLING] > 0f);
+        }
+        return plain;
+    }
+
+    /** Visits the contacts of a pair, and again if it is hit. */
+    void solve(int begin, int end) {
+        float[] rows = contacts.rows;
+        int a = contacts.a[begin];
+        int b = contacts.b[begin];
+        float ax = things.vx[a];
+        float ay = things.vy[a];
+        float aSpin = things.omega[a];
+        float bx = things.vx[b];
+        float by = things.vy[b];
+        float bSpin = things.omega[b];
+        for (int c = begin; c < end; c++) {
+            int row = RigidRow.of(c);
+            int swap = contacts.a[c] == a ? 0 : SWAP;
+            float side = swap == 0 ? 1f : -1f;
+            float nx = side * rows[row + RigidRow.NX];
+            float ny = side * rows[row + RigidRow.NY];
+            float armX = rows[row + RigidRow.AX + swap];
+            float armY = rows[row + RigidRow.AY + swap];
+            float itsX = rows[row + RigidRow.BX - swap];
+            float itsY = rows[row + RigidRow.BY - swap];
+            float vn = ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx
+                    + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
+            float before = visits.speedBefore(c);
+            if (visits.mayBounce(row, before)) {
+                put(a, ax, ay, aSpin);
+                put(b, bx, by, bSpin);
+                visits.solve(begin, end, c, 1);
+                return;
+            }
+            float gain = visits.solvedNormal(row, vn, before);
+            float x = nx * gain;
+            float y = ny * gain;
+            ax = Velocity.afterImpulse(ax, things.w[a], x);
+            ay = Velocity.afterImpulse(ay, things.w[a], y);
+            aSpin = Velocity.afterImpulse(aSpin, things.i[a], armX * y - armY * x);
+            bx = Velocity.afterImpulse(bx, things.w[b], -x);
+            by = Velocity.afterImpulse(by, things.w[b], -y);
+            bSpin = Velocity.afterImpulse(bSpin, things.i[b], itsX * -y - itsY * -x);
+            if (visits.isHit(row)) {
+                put(a, ax, ay, aSpin);
+                put(b, bx, by, bSpin);
+                visits.solve(begin, end, c + 1, RigidVisits.OF_HITS);
+                return;
+            }
+        }
+        put(a, ax, ay, aSpin);
+        put(b, bx, by, bSpin);
+    }
+
+    /** Behind each normal all frictions of the pair. */
+    void relax(int begin, int end) {
+        float[] rows = contacts.rows;
+        int a = contacts.a[begin];
+        int b = contacts.b[begin];
+        float ax = things.vx[a];
+        float ay = things.vy[a];
+        float aSpin = things.omega[a];
+        float bx = things.vx[b];
+        float by = things.vy[b];
+        float bSpin = things.omega[b];
+        int normal = begin;
+        int grip = begin - 1; // before the first: the normal
+        while (normal < end) {
+            int c = grip < begin ? normal : grip;
+            int row = RigidRow.of(c);
+            if (grip < begin ? !visits.isIdle(row) : visits.grips(row)) {
+                int swap = contacts.a[c] == a ? 0 : SWAP;
+                float side = swap == 0 ? 1f : -1f;
+                float nx = side * rows[row + RigidRow.NX];
+                float ny = side * rows[row + RigidRow.NY];
+                float armX = rows[row + RigidRow.AX + swap];
+                float armY = rows[row + RigidRow.AY + swap];
+                float itsX = rows[row + RigidRow.BX - swap];
+                float itsY = rows[row + RigidRow.BY - swap];
+                float ux = (ax - aSpin * armY) - (bx - bSpin * itsY);
+                float uy = (ay + aSpin * armX) - (by + bSpin * itsX);
+                float x;
+                float y;
+                float gain;
+                if (grip < begin) {
+                    float vn = ux * nx + uy * ny;
+                    gain = visits.bouncesLater(c, vn)
+                            ? 0f
+                            : visits.relaxedNormal(row, rows[row + RigidRow.NORMAL_MASS], vn);
+                    x = nx * gain;
+                    y = ny * gain;
+                } else {
+                    gain = visits.gripped(row, rows[row + RigidRow.TANGENT_MASS], uy * nx - ux * ny);
+                    x = -ny * gain;
+                    y = nx * gain;
+                }
+                ax = Velocity.afterImpulse(ax, things.w[a], x);
+                ay = Velocity.afterImpulse(ay, things.w[a], y);
+                aSpin = Velocity.afterImpulse(aSpin, things.i[a], armX * y - armY * x);
+                bx = Velocity.afterImpulse(bx, things.w[b], -x);
+                by = Velocity.afterImpulse(by, things.w[b], -y);
+                bSpin = Velocity.afterImpulse(bSpin, things.i[b], itsX * -y - itsY * -x);
+            }
+            if (++grip == end) {
+                grip = begin - 1;
+                normal++;
+            }
+        }
+        put(a, ax, ay, aSpin);
+        put(b, bx, by, bSpin);
+    }
+
+    private void put(int t, float x, float y, float spin) {
+        if (things.gives(t)) { // what does not may be in other pairs at the same time
+            things.vx[t] = x;
+            things.vy[t] = y;
+            things.omega[t] = spin;
+        }
+    }
+}
