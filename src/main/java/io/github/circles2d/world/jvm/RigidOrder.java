@@ -160,11 +160,8 @@ final class RigidOrder {
         for (int c = 0; c < colours; c++) {
             ofColour[c + 1] += ofColour[c];
         }
-        for (int n = 1; n < 4; n++)
         for (int p = 0; p < count; p++) {
-            if (Math.min(3, contacts.firstOf[p + 1] - contacts.firstOf[p]) == n) {
-                order[ofColour[colour[p]]++] = p;
-            }
+            order[ofColour[colour[p]]++] = p;
         }
     }
 

@@ -27,8 +27,7 @@ final class RigidPairVisits {
     boolean has(int begin, int end) {
         boolean plain = true;
         for (int c = begin; c < end; c++) {
-            int row = RigidRow.of(c);
-            plain &= !(contacts.rows[row + RigidRow.ROLLING] > 0f);
+            plain &= !(things.rolling[contacts.a[c]] > 0f || things.rolling[contacts.b[c]] > 0f);
         }
         return plain;
     }

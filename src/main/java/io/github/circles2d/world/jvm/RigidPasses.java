@@ -148,11 +148,9 @@ final class RigidPasses {
     void integrateVelocities() {
         team.together(gain);
         takeCircles(true);
-        for (int t = 0; t < things.count; t++) {
+        for (int t = things.bodies; t < things.count; t++) {
             if (things.type[t] != BODY_CIRCLE) {
-                things.beforeX[t] = things.vx[t];
-                things.beforeY[t] = things.vy[t];
-                things.beforeOmega[t] = things.omega[t];
+                setBefore(t);
             }
         }
         joints.warmStart();
@@ -178,7 +176,14 @@ final class RigidPasses {
             if (surfaces != null) {
                 things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
             }
+            setBefore(t);
         }
+    }
+
+    private void setBefore(int t) {
+        things.beforeX[t] = things.vx[t];
+        things.beforeY[t] = things.vy[t];
+        things.beforeOmega[t] = things.omega[t];
     }
 
     /** The biased pass over joints, bodies, pieces and walls. */

@@ -71,9 +71,13 @@ final class RigidVisits {
     /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
     private boolean gripsMinusZero;
 
+    /** By worker: whether it has met some. */
+    private final boolean[] minusZero;
+
     private final Team.Work measure = this::measure;
     private final Team.Work visit = this::visit;
     private final Team.Work begin = this::begin;
+    private final Team.Work warmStart = this::warmStart;
 
     RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
@@ -81,6 +85,7 @@ final class RigidVisits {
         this.order = order;
         this.team = team;
         this.leastShare = leastShare;
+        minusZero = new boolean[team.most()];
         things = pairs.things;
         ofPairs = new RigidPairVisits(contacts, things, this);
     }
@@ -110,9 +115,6 @@ final class RigidVisits {
             plain = new boolean[2 * order.firstWithCircle];
         }
         team.together(begin);
-        for (int p = 0; p < order.firstWithCircle; p++) {
-            plain[p] = ofPairs.has(contacts.firstOf[p], contacts.firstOf[p + 1]);
-        }
     }
 
     /** What both things of a contact have together. */
@@ -137,6 +139,10 @@ final class RigidVisits {
                     k.restRate,
                     k.fixedThreshold);
             setMasses(c);
+        }
+        int endPair = team.part(order.firstWithCircle, worker + 1);
+        for (int p = team.part(order.firstWithCircle, worker); p < endPair; p++) {
+            plain[p] = ofPairs.has(contacts.firstOf[p], contacts.firstOf[p + 1]);
         }
     }
 
@@ -204,24 +210,49 @@ final class RigidVisits {
     /** What is accumulated acts again; on circles it has acted before. */
     void warmStart() {
         fixed = false;
+        if (contacts.count < leastShare * team.size()) {
+            warmStart(0, 0, things.count);
+        } else {
+            team.together(warmStart);
+        }
         gripsMinusZero = false;
+        for (int worker = 0; worker < team.size(); worker++) {
+            gripsMinusZero |= minusZero[worker];
+        }
+    }
+
+    private void warmStart(int worker) {
+        warmStart(worker, team.part(things.count, worker), team.part(things.count, worker + 1));
+    }
+
+    /** The same for some things: each gets its impulses in the order of the contacts. */
+    private void warmStart(int worker, int from, int end) {
+        boolean some = false;
         float[] rows = contacts.rows;
         for (int c = 0; c < contacts.count; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            boolean pushesA = a >= from && a < end && things.shape[a] != null;
+            boolean pushesB = b >= from && b < end && things.shape[b] != null;
+            if (!pushesA && !pushesB) {
+                continue;
+            }
             int row = RigidRow.of(c);
             float impulse = rows[row + RigidRow.IMPULSE];
             float grip = rows[row + RigidRow.GRIP];
-            gripsMinusZero |= isMinusZero(grip);
+            some |= isMinusZero(grip);
             if (impulse != 0f || grip != 0f) {
                 float x = rows[row + RigidRow.NX] * impulse - rows[row + RigidRow.NY] * grip;
                 float y = rows[row + RigidRow.NY] * impulse + rows[row + RigidRow.NX] * grip;
-                if (things.shape[contacts.a[c]] != null) {
-                    push(contacts.a[c], x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
+                if (pushesA) {
+                    push(a, x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
                 }
-                if (things.shape[contacts.b[c]] != null) {
-                    push(contacts.b[c], -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
+                if (pushesB) {
+                    push(b, -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
                 }
             }
         }
+        minusZero[worker] = some;
     }
 
     private void push(int t, float x, float y, float armX, float armY) {
