@@ -43,6 +43,10 @@ final class RigidPairVisits {
         float bx = things.vx[b];
         float by = things.vy[b];
         float bSpin = things.omega[b];
+        float aw = things.w[a];
+        float ai = things.i[a];
+        float bw = things.w[b];
+        float bi = things.i[b];
         for (int c = begin; c < end; c++) {
             int row = RigidRow.of(c);
             int swap = contacts.a[c] == a ? 0 : SWAP;
@@ -65,12 +69,20 @@ final class RigidPairVisits {
             float gain = visits.solvedNormal(row, vn, before);
             float x = nx * gain;
             float y = ny * gain;
-            ax = Velocity.afterImpulse(ax, things.w[a], x);
-            ay = Velocity.afterImpulse(ay, things.w[a], y);
-            aSpin = Velocity.afterImpulse(aSpin, things.i[a], armX * y - armY * x);
-            bx = Velocity.afterImpulse(bx, things.w[b], -x);
-            by = Velocity.afterImpulse(by, things.w[b], -y);
-            bSpin = Velocity.afterImpulse(bSpin, things.i[b], itsX * -y - itsY * -x);
+            ax += aw * x;
+            ay += aw * y;
+            aSpin += ai * (armX * y - armY * x);
+            bx += bw * -x;
+            by += bw * -y;
+            bSpin += bi * (itsX * -y - itsY * -x);
+            if (mayBeFast(ax, ay, aSpin, bx, by, bSpin)) {
+                ax = Velocity.limitSpeed(ax);
+                ay = Velocity.limitSpeed(ay);
+                aSpin = Velocity.limitSpeed(aSpin);
+                bx = Velocity.limitSpeed(bx);
+                by = Velocity.limitSpeed(by);
+                bSpin = Velocity.limitSpeed(bSpin);
+            }
             if (visits.isHit(row)) {
                 put(a, ax, ay, aSpin);
                 put(b, bx, by, bSpin);
@@ -93,6 +105,10 @@ final class RigidPairVisits {
         float bx = things.vx[b];
         float by = things.vy[b];
         float bSpin = things.omega[b];
+        float aw = things.w[a];
+        float ai = things.i[a];
+        float bw = things.w[b];
+        float bi = things.i[b];
         int normal = begin;
         int grip = begin - 1; // before the first: the normal
         while (normal < end) {
@@ -124,12 +140,20 @@ final class RigidPairVisits {
                     x = -ny * gain;
                     y = nx * gain;
                 }
-                ax = Velocity.afterImpulse(ax, things.w[a], x);
-                ay = Velocity.afterImpulse(ay, things.w[a], y);
-                aSpin = Velocity.afterImpulse(aSpin, things.i[a], armX * y - armY * x);
-                bx = Velocity.afterImpulse(bx, things.w[b], -x);
-                by = Velocity.afterImpulse(by, things.w[b], -y);
-                bSpin = Velocity.afterImpulse(bSpin, things.i[b], itsX * -y - itsY * -x);
+                ax += aw * x;
+                ay += aw * y;
+                aSpin += ai * (armX * y - armY * x);
+                bx += bw * -x;
+                by += bw * -y;
+                bSpin += bi * (itsX * -y - itsY * -x);
+                if (mayBeFast(ax, ay, aSpin, bx, by, bSpin)) {
+                    ax = Velocity.limitSpeed(ax);
+                    ay = Velocity.limitSpeed(ay);
+                    aSpin = Velocity.limitSpeed(aSpin);
+                    bx = Velocity.limitSpeed(bx);
+                    by = Velocity.limitSpeed(by);
+                    bSpin = Velocity.limitSpeed(bSpin);
+                }
             }
             if (++grip == end) {
                 grip = begin - 1;
@@ -138,6 +162,12 @@ final class RigidPairVisits {
         }
         put(a, ax, ay, aSpin);
         put(b, bx, by, bSpin);
+    }
+
+    /** Whether one of some speeds may have to be limited: one look at all is enough nearly always. */
+    private static boolean mayBeFast(float a, float b, float c, float d, float e, float f) {
+        return !(Math.abs(a) + Math.abs(b) + Math.abs(c) + Math.abs(d) + Math.abs(e) + Math.abs(f)
+                <= Tuning.GREATEST_SPEED);
     }
 
     private void put(int t, float x, float y, float spin) {
