@@ -136,7 +136,7 @@ final class RigidPasses {
         order.find();
         pairs.takeCircleSurfaces();
         takeCircles(false);
-        visits.begin(k);
+        visits.begin(k, step.listener != null);
         joints.begin(k);
         pushCircles();
     }

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm;
 /** The table of a contact of rigid bodies: where its numbers lie in {@link RigidContacts#rows}. */
 final class RigidRow {
     /** Floats of a contact. */
-    static final int STRIDE = 24;
+    static final int STRIDE = 25;
 
     /** The normal, from B to A. */
     static final int NX = 0;
@@ -51,6 +51,9 @@ final class RigidRow {
     static final int SPEED_SCALE = 21;
     static final int DECAY = 22;
     static final int BIAS = 23;
+
+    /** What a visit without bias aims at: to come as near as the gap lets. */
+    static final int NEAR = 24;
 
     private RigidRow() {}
 

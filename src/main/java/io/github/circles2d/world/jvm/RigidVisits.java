@@ -53,6 +53,7 @@ final class RigidVisits {
     private boolean summing;
 
     private StepConstants k;
+    private boolean tells;
 
     /** See {@link #areFixed}: then several workers may push at once what does not move. */
     private boolean fixed;
@@ -90,9 +91,10 @@ final class RigidVisits {
         ofPairs = new RigidPairVisits(contacts, things, this);
     }
 
-    /** Begins a step: contacts have been found and measured. */
-    void begin(StepConstants constants) {
+    /** Begins a step: contacts have been found and measured; toTell: whether anybody asks how hard things have touched. */
+    void begin(StepConstants constants, boolean toTell) {
         k = constants;
+        tells = toTell;
         if (share.length < things.bodies) {
             share = new float[2 * things.bodies];
             sums = new long[6 * things.bodies];
@@ -182,6 +184,7 @@ final class RigidVisits {
         rows[row + RigidRow.SPEED_SCALE] = apart ? 1f : k.contactSoftness.massScale;
         rows[row + RigidRow.DECAY] = apart ? 0f : k.contactSoftness.impulseScale;
         rows[row + RigidRow.BIAS] = apart ? gap * k.inverseH : soft;
+        rows[row + RigidRow.NEAR] = apart ? gap * k.inverseH : 0f;
     }
 
     private float pushSpeed(int row) {
@@ -495,18 +498,18 @@ final class RigidVisits {
 
     float relaxedNormal(int row, float mass, float vn) {
         float[] rows = contacts.rows;
-        float next =
-                Constraints.relax(rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
-        return take(row, next);
+        return take(
+                row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
     }
 
     private float take(int row, float wanted) {
         float[] rows = contacts.rows;
         float next = CircleMath.min(wanted, GREATEST_IMPULSE);
         float gain = next - rows[row + RigidRow.IMPULSE];
-        float most = Branchless.greater(rows[row + RigidRow.MOST], next);
         rows[row + RigidRow.IMPULSE] = next;
-        rows[row + RigidRow.MOST] = most;
+        if (tells) {
+            rows[row + RigidRow.MOST] = Branchless.greater(rows[row + RigidRow.MOST], next);
+        }
         return gain;
     }
 
@@ -606,7 +609,8 @@ final class RigidVisits {
 
     /** Whether friction may change something, where nothing rolls. */
     boolean grips(int row) {
-        return !isFree(row) && hasGrip(row);
+        float grip = contacts.rows[row + RigidRow.GRIP];
+        return grip != 0f || contacts.rows[row + RigidRow.IMPULSE] != 0f && hasGrip(row);
     }
 
     /** By the speed along the tangent. Returns what the grip gains. */
