@@ -32,7 +32,7 @@ final class RigidPairVisits {
         return plain;
     }
 
-    /** Visits the contacts of a pair, and again if it is hit. */
+    /** Visits the contacts of a pair that neither bounces nor is hit. */
     void solve(int begin, int end) {
         float[] rows = contacts.rows;
         int a = contacts.a[begin];
@@ -59,14 +59,7 @@ final class RigidPairVisits {
             float itsY = rows[row + RigidRow.BY - swap];
             float vn = ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx
                     + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
-            float before = visits.speedBefore(c);
-            if (visits.mayBounce(row, before)) {
-                put(a, ax, ay, aSpin);
-                put(b, bx, by, bSpin);
-                visits.solve(begin, end, c, 1);
-                return;
-            }
-            float gain = visits.solvedNormal(row, vn, before);
+            float gain = visits.solvedNormal(row, vn);
             float x = nx * gain;
             float y = ny * gain;
             ax += aw * x;
@@ -82,12 +75,6 @@ final class RigidPairVisits {
                 bx = Velocity.limitSpeed(bx);
                 by = Velocity.limitSpeed(by);
                 bSpin = Velocity.limitSpeed(bSpin);
-            }
-            if (visits.isHit(row)) {
-                put(a, ax, ay, aSpin);
-                put(b, bx, by, bSpin);
-                visits.solve(begin, end, c + 1, RigidVisits.OF_HITS);
-                return;
             }
         }
         put(a, ax, ay, aSpin);

@@ -24,7 +24,7 @@ final class RigidVisits {
     private static final float AGREED = 1e-3f;
 
     /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
-    static final int OF_HITS = 16;
+    private static final int OF_HITS = 16;
 
     /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
     private static final float PUSH = 0.5f;
@@ -69,6 +69,9 @@ final class RigidVisits {
     /** By pair without circles: whether it is one of {@link #ofPairs}. */
     private boolean[] plain = new boolean[0];
 
+    /** By pair without circles: whether it may bounce in this sub-step, or be a hit. */
+    private boolean[] mayBounce = new boolean[0];
+
     /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
     private boolean gripsMinusZero;
 
@@ -79,6 +82,7 @@ final class RigidVisits {
     private final Team.Work visit = this::visit;
     private final Team.Work begin = this::begin;
     private final Team.Work warmStart = this::warmStart;
+    private final Team.Work lookAhead = this::lookAhead;
 
     RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
@@ -115,6 +119,7 @@ final class RigidVisits {
         }
         if (plain.length < order.firstWithCircle) {
             plain = new boolean[2 * order.firstWithCircle];
+            mayBounce = new boolean[2 * order.firstWithCircle];
         }
         team.together(begin);
     }
@@ -283,7 +288,31 @@ final class RigidVisits {
 
     void solve() {
         relaxes = false;
+        if (contacts.count < leastShare * team.size()) {
+            lookAhead(0, order.firstWithCircle);
+        } else {
+            team.together(lookAhead);
+        }
         passByColours();
+    }
+
+    private void lookAhead(int worker) {
+        lookAhead(team.part(order.firstWithCircle, worker), team.part(order.firstWithCircle, worker + 1));
+    }
+
+    /** Looks at how contacts come together, before impulses. */
+    private void lookAhead(int from, int end) {
+        float[] rows = contacts.rows;
+        for (int p = from; p < end; p++) {
+            boolean bounces = false;
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int row = RigidRow.of(c);
+                float before = speedBefore(c);
+                rows[row + RigidRow.APPROACH] = Math.max(rows[row + RigidRow.APPROACH], -before);
+                bounces |= isFast(row) || rows[row + RigidRow.RESTITUTION] > 0f && isImpact(row, before);
+            }
+            mayBounce[p] = bounces;
+        }
     }
 
     void relax() {
@@ -319,7 +348,7 @@ final class RigidVisits {
     private void visit(int begin, int end) {
         for (int at = begin; at < end; at++) {
             int p = order.order[at];
-            if (fixed && plain[p]) {
+            if (fixed && plain[p] && (relaxes || !mayBounce[p])) {
                 if (relaxes) {
                     ofPairs.relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
                 } else {
@@ -365,16 +394,11 @@ final class RigidVisits {
 
     /** Visits the contacts of a pair, and again those that must agree. */
     private void solve(int begin, int end) {
-        solve(begin, end, begin, 1);
-    }
-
-    /** The same if the contacts before one have been visited, of which none bounces, and so often at least. */
-    void solve(int begin, int end, int from, int least) {
         float[] rows = contacts.rows;
-        int times = least;
+        int times = 1;
         for (int time = 0; time < times; time++) {
             boolean agree = true;
-            for (int c = time == 0 ? from : begin; c < end; c++) {
+            for (int c = begin; c < end; c++) {
                 int row = RigidRow.of(c);
                 float before = rows[row + RigidRow.IMPULSE];
                 solveNormal(c);
@@ -407,10 +431,13 @@ final class RigidVisits {
     }
 
     /** Whether a contact stops what would come far into the other within a sub-step. */
-    boolean isHit(int row) {
+    private boolean isHit(int row) {
+        return isFast(row) && contacts.rows[row + RigidRow.IMPULSE] > 0f;
+    }
+
+    private boolean isFast(int row) {
         float[] rows = contacts.rows;
-        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH]
-                && rows[row + RigidRow.IMPULSE] > 0f;
+        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH];
     }
 
     private void solveNormal(int c) {
@@ -484,7 +511,7 @@ final class RigidVisits {
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
-    float solvedNormal(int c, float mass, float vn, float before) {
+    private float solvedNormal(int c, float mass, float vn, float before) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float gap = rows[row + RigidRow.GAP];
@@ -514,7 +541,7 @@ final class RigidVisits {
     }
 
     /** Along the normal, before impulses. */
-    float speedBefore(int c) {
+    private float speedBefore(int c) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         int a = contacts.a[c];
@@ -528,17 +555,9 @@ final class RigidVisits {
         return before < 0f && before * before > contacts.rows[row + RigidRow.THRESHOLD];
     }
 
-    /** Whether a contact may bounce. */
-    boolean mayBounce(int row, float before) {
-        return contacts.rows[row + RigidRow.RESTITUTION] > 0f && isImpact(row, before);
-    }
-
     /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
-    float solvedNormal(int row, float vn, float before) {
+    float solvedNormal(int row, float vn) {
         float[] rows = contacts.rows;
-        if (!(rows[row + RigidRow.APPROACH] > -before)) {
-            rows[row + RigidRow.APPROACH] = -before;
-        }
         float impulse = rows[row + RigidRow.IMPULSE];
         return take(
                 row,
