@@ -41,9 +41,10 @@ final class RigidCover {
 
     private boolean[] gone = new boolean[0];
 
-    /** By worker: whether it has marked some. */
+    /** By worker: whether it has found some contacts without impulse, or marked some. */
     private final boolean[] some;
 
+    private final Team.Work list = this::list;
     private final Team.Work mark = this::mark;
 
     RigidCover(RigidContacts contacts, RigidThings things, Team team) {
@@ -65,15 +66,10 @@ final class RigidCover {
             lies = new byte[4 * n];
             plane = new float[PLANE_STRIDE * 4 * n];
         }
-        Arrays.fill(head, 0, things.count, -1);
+        team.together(list);
         boolean idle = false;
-        for (int c = 0; c < n; c++) {
-            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
-                add(2 * c, contacts.a[c], contacts.b[c]);
-                add(2 * c + 1, contacts.b[c], contacts.a[c]);
-            } else {
-                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
-            }
+        for (int worker = 0; worker < team.size(); worker++) {
+            idle |= some[worker];
         }
         if (!idle) {
             return;
@@ -85,6 +81,34 @@ final class RigidCover {
                 return;
             }
         }
+    }
+
+    /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
+    private void list(int worker) {
+        int from = team.part(things.count, worker);
+        int end = team.part(things.count, worker + 1);
+        Arrays.fill(head, from, end, -1);
+        boolean idle = false;
+        for (int c = 0; c < contacts.count; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            boolean ofA = a >= from && a < end;
+            boolean ofB = b >= from && b < end;
+            if (!ofA && !ofB) {
+                continue;
+            }
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+                if (ofA) {
+                    add(2 * c, a, b);
+                }
+                if (ofB) {
+                    add(2 * c + 1, b, a);
+                }
+            } else {
+                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
+            }
+        }
+        some[worker] = idle;
     }
 
     /** Adds a pressed contact on a line to those on which a thing may rest. */

@@ -54,7 +54,8 @@ final class RigidFeatures {
     private int knownTo;
     private float dt;
 
-    // of the thing whose corners meet another one: where it is, how near they may have contacts, within which angle beyond
+    // of the thing whose corners meet another one: where it is, how near they may have contacts, within which angle
+    // beyond
     // their cones, whether one of both comes fast, and whether the thing is the second one of the pair
     private float x;
     private float y;
@@ -193,8 +194,7 @@ final class RigidFeatures {
             cornerOnLines(t, other, c, px, py, ux, uy);
             if (!swapped
                     && !(CircleMath.isLonger(px, py, SLACK * (itsReach + (wide + m)))
-                            || shape != null
-                                    && shape.isFar(cos * px + sin * py, cos * py - sin * px, wide + m))) {
+                            || shape != null && shape.isFar(cos * px + sin * py, cos * py - sin * px, wide + m))) {
                 cornerOnCorners(t, other, c, px, py);
             }
         }

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 
@@ -57,8 +56,8 @@ final class RigidPairVisits {
             float armY = rows[row + RigidRow.AY + swap];
             float itsX = rows[row + RigidRow.BX - swap];
             float itsY = rows[row + RigidRow.BY - swap];
-            float vn = ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx
-                    + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
+            float vn =
+                    ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
             float gain = visits.solvedNormal(row, vn);
             float x = nx * gain;
             float y = ny * gain;

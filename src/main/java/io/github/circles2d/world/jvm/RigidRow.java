@@ -47,7 +47,8 @@ final class RigidRow {
     /** The square of a speed: slower ones do not bounce. */
     static final int THRESHOLD = 20;
 
-    // terms of a biased visit that does not bounce, since contacts were measured: factors of speed and impulse, and a speed
+    // terms of a biased visit that does not bounce, since contacts were measured: factors of speed and impulse, and a
+    // speed
     static final int SPEED_SCALE = 21;
     static final int DECAY = 22;
     static final int BIAS = 23;

@@ -525,8 +525,7 @@ final class RigidVisits {
 
     float relaxedNormal(int row, float mass, float vn) {
         float[] rows = contacts.rows;
-        return take(
-                row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
+        return take(row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
     }
 
     private float take(int row, float wanted) {
