@@ -19,6 +19,8 @@ final class RigidCover {
     /** The cosine of 1.8 degrees: nearer normals are one plane. */
     private static final float SAME = 0.9995f;
 
+    private static final int PLANE_STRIDE = 4;
+
     private static final byte ABOVE = 1;
     private static final byte BELOW = 2;
 
@@ -34,11 +36,15 @@ final class RigidCover {
     /** By contact and side: {@link #ABOVE} or {@link #BELOW}, as that thing is wholly above the plane of the contact or not; 0 if not known yet. Workers find the same. */
     private byte[] lies = new byte[0];
 
+    /** By contact and side: the normal of its plane, towards that thing, and a point on it, against the thing's place. */
+    private float[] plane = new float[0];
+
     private boolean[] gone = new boolean[0];
 
-    /** By worker: whether it has marked some. */
+    /** By worker: whether it has found some contacts without impulse, or marked some. */
     private final boolean[] some;
 
+    private final Team.Work list = this::list;
     private final Team.Work mark = this::mark;
 
     RigidCover(RigidContacts contacts, RigidThings things, Team team) {
@@ -58,16 +64,12 @@ final class RigidCover {
             gone = new boolean[2 * n];
             next = new int[4 * n];
             lies = new byte[4 * n];
+            plane = new float[PLANE_STRIDE * 4 * n];
         }
-        Arrays.fill(head, 0, things.count, -1);
+        team.together(list);
         boolean idle = false;
-        for (int c = 0; c < n; c++) {
-            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
-                add(2 * c, contacts.a[c], contacts.b[c]);
-                add(2 * c + 1, contacts.b[c], contacts.a[c]);
-            } else {
-                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
-            }
+        for (int worker = 0; worker < team.size(); worker++) {
+            idle |= some[worker];
         }
         if (!idle) {
             return;
@@ -81,12 +83,48 @@ final class RigidCover {
         }
     }
 
+    /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
+    private void list(int worker) {
+        int from = team.part(things.count, worker);
+        int end = team.part(things.count, worker + 1);
+        Arrays.fill(head, from, end, -1);
+        boolean idle = false;
+        for (int c = 0; c < contacts.count; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            boolean ofA = a >= from && a < end;
+            boolean ofB = b >= from && b < end;
+            if (!ofA && !ofB) {
+                continue;
+            }
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+                if (ofA) {
+                    add(2 * c, a, b);
+                }
+                if (ofB) {
+                    add(2 * c + 1, b, a);
+                }
+            } else {
+                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
+            }
+        }
+        some[worker] = idle;
+    }
+
     /** Adds a pressed contact on a line to those on which a thing may rest. */
     private void add(int side, int t, int other) {
         if (things.shape[t] != null
                 && things.w[t] > 0f
                 && contacts.rows[RigidRow.of(side >> 1) + RigidRow.GAP] <= 0.5f * slack(t)
                 && things.type[other] != RigidStep.BODY_CIRCLE) {
+            float[] rows = contacts.rows;
+            int row = RigidRow.of(side >> 1);
+            boolean isA = (side & 1) == 0;
+            int at = PLANE_STRIDE * side;
+            plane[at] = isA ? rows[row + RigidRow.NX] : -rows[row + RigidRow.NX];
+            plane[at + 1] = isA ? rows[row + RigidRow.NY] : -rows[row + RigidRow.NY];
+            plane[at + 2] = rows[row + (isA ? RigidRow.AX : RigidRow.BX)];
+            plane[at + 3] = rows[row + (isA ? RigidRow.AY : RigidRow.BY)];
             lies[side] = 0;
             next[side] = head[t];
             head[t] = side;
@@ -108,63 +146,68 @@ final class RigidCover {
         some[worker] = found;
     }
 
+    /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
     private boolean isCovered(int c, int t) {
+        boolean ownCorner = contacts.a[c] == t;
+        boolean meetsLine = ownCorner && contacts.isLine[c];
+        int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
+        if (head[t] < 0 || meetsLine && (things.isHollow(its) || things.type[contacts.b[c]] == RigidStep.BODY_WALL)) {
+            return false;
+        }
+        float slack = slack(t);
+        int row = RigidRow.of(c);
+        float nx = ownCorner ? contacts.rows[row + RigidRow.NX] : -contacts.rows[row + RigidRow.NX];
+        float ny = ownCorner ? contacts.rows[row + RigidRow.NY] : -contacts.rows[row + RigidRow.NY];
+        // the place of the other thing, against that of this one
+        float sign = ownCorner ? -1f : 1f;
+        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
+        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
         for (int side = head[t]; side >= 0; side = next[side]) {
-            if (covers(side >> 1, c, t, slack(t))) {
+            int at = PLANE_STRIDE * side;
+            if (nx * plane[at] + ny * plane[at + 1] <= SAME
+                    && (meetsLine ? isLineUnder(at, its, x, y, slack) : isCornerUnder(at, its, x, y, slack))
+                    && liesAbove(side, t, slack)) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Whether a pressed contact p of a thing is a plane over which what it meets by c is no higher. */
-    private boolean covers(int p, int c, int t, float slack) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(p);
-        boolean isA = contacts.a[p] == t;
-        float nx = isA ? rows[row + RigidRow.NX] : -rows[row + RigidRow.NX];
-        float ny = isA ? rows[row + RigidRow.NY] : -rows[row + RigidRow.NY];
-        float px = rows[row + (isA ? RigidRow.AX : RigidRow.BX)];
-        float py = rows[row + (isA ? RigidRow.AY : RigidRow.BY)];
-        boolean ownCorner = contacts.a[c] == t;
-        float dot = rows[RigidRow.of(c) + RigidRow.NX] * nx + rows[RigidRow.of(c) + RigidRow.NY] * ny;
-        if ((ownCorner ? dot : -dot) > SAME) {
-            return false;
-        }
-        int side = 2 * p + (isA ? 0 : 1);
+    private boolean liesAbove(int side, int t, float slack) {
         if (lies[side] == 0) {
-            lies[side] = isAbove(t, nx, ny, px, py, slack) ? ABOVE : BELOW;
+            int at = PLANE_STRIDE * side;
+            lies[side] = isAbove(t, plane[at], plane[at + 1], plane[at + 2], plane[at + 3], slack) ? ABOVE : BELOW;
         }
-        if (lies[side] == BELOW) {
-            return false;
+        return lies[side] == ABOVE;
+    }
+
+    /** Whether a corner of a thing at (atX, atY) is no higher than a plane. */
+    private boolean isCornerUnder(int of, int its, float atX, float atY, float slack) {
+        float nx = plane[of];
+        float ny = plane[of + 1];
+        float x = atX - plane[of + 2];
+        float y = atY - plane[of + 3];
+        int at = RigidThings.corner(its);
+        if (things.isBent(its)) {
+            x += things.bentX(its, nx, ny);
+            y += things.bentY(its, nx, ny);
         }
-        // the place of the other thing, against that of this one
-        int other = ownCorner ? contacts.b[c] : contacts.a[c];
-        float sign = ownCorner ? -1f : 1f;
-        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]])) - px;
-        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]])) - py;
-        if (!ownCorner || !contacts.isLine[c]) {
-            int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
-            int at = RigidThings.corner(its);
-            if (things.isBent(its)) {
-                x += things.bentX(its, nx, ny);
-                y += things.bentY(its, nx, ny);
-            }
-            return !isHigher(
-                    x + things.turnedCorner[at],
-                    y + things.turnedCorner[at + 1],
-                    nx,
-                    ny,
-                    slack - things.turnedCorner[at + RADIUS]);
-        }
-        if (things.isHollow(contacts.feature[c]) || things.type[other] == RigidStep.BODY_WALL) {
-            return false;
-        }
-        int line = RigidThings.line(contacts.feature[c]);
+        return !isHigher(
+                x + things.turnedCorner[at],
+                y + things.turnedCorner[at + 1],
+                nx,
+                ny,
+                slack - things.turnedCorner[at + RADIUS]);
+    }
+
+    private boolean isLineUnder(int of, int its, float atX, float atY, float slack) {
+        float nx = plane[of];
+        float ny = plane[of + 1];
+        int line = RigidThings.line(its);
         float length = things.turnedLine[line + LENGTH];
         float most = slack - things.turnedLine[line + THICKNESS];
-        float sx = x + things.turnedLine[line];
-        float sy = y + things.turnedLine[line + 1];
+        float sx = atX - plane[of + 2] + things.turnedLine[line];
+        float sy = atY - plane[of + 3] + things.turnedLine[line + 1];
         float ex = sx - things.turnedLine[line + NY] * length;
         float ey = sy + things.turnedLine[line + NX] * length;
         return !isHigher(sx, sy, nx, ny, most) && !isHigher(ex, ey, nx, ny, most);
@@ -192,6 +235,6 @@ final class RigidCover {
     }
 
     long bytes() {
-        return 4L * (head.length + next.length) + gone.length + lies.length;
+        return 4L * (head.length + next.length + plane.length) + gone.length + lies.length;
     }
 }

@@ -54,6 +54,16 @@ final class RigidFeatures {
     private int knownTo;
     private float dt;
 
+    // of the thing whose corners meet another one: where it is, how near they may have contacts, within which angle
+    // beyond
+    // their cones, whether one of both comes fast, and whether the thing is the second one of the pair
+    private float x;
+    private float y;
+    private float margin;
+    private float tolerance;
+    private boolean fast;
+    private boolean swapped;
+
     RigidFeatures(RigidPairs pairs) {
         this.pairs = pairs;
         things = pairs.things;
@@ -133,124 +143,138 @@ final class RigidFeatures {
     }
 
     private void findOfPair(int p, int t, int other) {
-        float m = pairs.margin[p];
-        float x = pairs.ox[p] + (things.dx[t] - things.dx[other]);
-        float y = pairs.oy[p] + (things.dy[t] - things.dy[other]);
+        margin = pairs.margin[p];
+        float atX = pairs.ox[p] + (things.dx[t] - things.dx[other]);
+        float atY = pairs.oy[p] + (things.dy[t] - things.dy[other]);
         if (things.reach[other] < Float.POSITIVE_INFINITY
-                && CircleMath.isLonger(x, y, (things.reach[t] + things.reach[other]) + 1.125f * m)) {
+                && CircleMath.isLonger(atX, atY, (things.reach[t] + things.reach[other]) + 1.125f * margin)) {
             return;
         }
-        cornersOnLines(t, other, x, y, m, false);
-        cornersOnLines(other, t, -x, -y, m, true);
-        cornersOnCorners(t, other, x, y, m);
+        swapped = false;
+        cornersOf(t, other, atX, atY);
+        swapped = true;
+        cornersOf(other, t, -atX, -atY);
     }
 
-    /** Corners of one thing and lines of another, from which the first one is (x, y) away. */
-    private void cornersOnLines(int t, int other, float x, float y, float m, boolean swapped) {
-        float spin = Math.abs(things.omega[t] - things.omega[other]) * dt;
-        float tolerance = TOLERANCE + spin;
-        boolean fast = m > (things.ownW[t] > 0f ? things.thin[t] : things.thin[other]);
-        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
+    /** Corners of one thing, and lines of another, from which the first one is so far away; and both things' corners, unless swapped. */
+    private void cornersOf(int t, int other, float atX, float atY) {
+        x = atX;
+        y = atY;
+        float m = margin;
+        float[] corner = things.turnedCorner;
+        float vx = things.vx[t];
+        float vy = things.vy[t];
+        float omega = things.omega[t];
+        float itsVx = things.vx[other];
+        float itsVy = things.vy[other];
+        float itsOmega = things.omega[other];
+        float itsReach = things.reach[other];
+        float cos = things.cos[other];
+        float sin = things.sin[other];
+        OutlineShape shape = things.shape[other];
+        tolerance = TOLERANCE + Math.abs(omega - itsOmega) * dt;
+        fast = m > (things.ownW[t] > 0f ? things.thin[t] : things.thin[other]);
+        int end = things.firstCorner[t] + things.corners[t];
+        for (int c = things.firstCorner[t]; c < end; c++) {
             int at = RigidThings.corner(c);
-            float px = x + things.turnedCorner[at];
-            float py = y + things.turnedCorner[at + 1];
-            float r = things.turnedCorner[at + RADIUS];
-            float ux = things.vx[t] - things.omega[t] * things.turnedCorner[at + 1] - things.vx[other];
-            float uy = things.vy[t] + things.omega[t] * things.turnedCorner[at] - things.vy[other];
-            ux += things.omega[other] * py;
-            uy -= things.omega[other] * px;
-            if (isFar(c, other, px, py, m + dt * (Math.abs(ux) + Math.abs(uy)))) {
+            float px = atX + corner[at];
+            float py = atY + corner[at + 1];
+            float r = corner[at + RADIUS];
+            float ux = vx - omega * corner[at + 1] - itsVx;
+            float uy = vy + omega * corner[at] - itsVy;
+            ux += itsOmega * py;
+            uy -= itsOmega * px;
+            float wide = r + corner[at + BEND];
+            float near = wide + (m + dt * (Math.abs(ux) + Math.abs(uy)));
+            // surely farther from all that may touch it than this; it spares looking closer
+            if (CircleMath.isLonger(px, py, SLACK * (itsReach + near))
+                    || shape != null && shape.isFar(cos * px + sin * py, cos * py - sin * px, near)) {
                 continue;
             }
-            int from = count;
-            int deepest = -1;
-            float deepestHeight = Float.NEGATIVE_INFINITY;
-            float deepestReach = 0f;
-            float deepestX = px;
-            float deepestY = py;
-            for (int l = things.firstLine[other]; l < things.firstLine[other] + things.lines[other]; l++) {
-                int line = RigidThings.line(l);
-                float rx = px - things.turnedLine[line];
-                float ry = py - things.turnedLine[line + 1];
-                if (things.isHollow(l)) {
-                    cornerInHollow(t, other, c, l, rx, ry, r, m, tolerance, swapped);
-                    continue;
-                }
-                float lx = things.turnedLine[line + NX];
-                float ly = things.turnedLine[line + NY];
-                float bentX = 0f;
-                float bentY = 0f;
-                if (things.isBent(c)) {
-                    bentX = things.bentX(c, -lx, -ly);
-                    bentY = things.bentY(c, -lx, -ly);
-                    rx += bentX;
-                    ry += bentY;
-                }
-                float length = things.turnedLine[line + LENGTH];
-                float height = rx * lx + ry * ly;
-                float reach = r + things.turnedLine[line + THICKNESS];
-                float far = height - reach;
-                if (far > m) {
-                    continue;
-                }
-                float along = ry * lx - rx * ly;
-                if (!(along >= 0f && along <= length)) {
-                    // where it would be as it meets the line
-                    float un = ux * lx + uy * ly;
-                    float then = far > 0f && -un * dt >= far ? along + (uy * lx - ux * ly) * (far / -un) : along;
-                    if (!(then >= 0f && then <= length)) {
-                        continue;
-                    }
-                }
-                // one that comes fast may have turned by then
-                if (!(fast && far > 0f) && !things.isInCone(c, -lx, -ly, tolerance)) {
-                    continue;
-                }
-                if (things.isOfArc(t, c, -lx, -ly)) {
-                    continue;
-                }
-                if (height < 0f) {
-                    if (height > deepestHeight) {
-                        deepestHeight = height;
-                        deepestReach = reach;
-                        deepest = l;
-                        deepestX = px + bentX;
-                        deepestY = py + bentY;
-                    }
-                    continue;
-                }
-                add(t, other, c, l, true, swapped);
-            }
-            if (count == from && deepest >= 0) {
-                boolean holds = things.shape[other] != null
-                        ? deepestHeight > -deepestReach || things.isInside(other, deepestX, deepestY)
-                        : isWall(other)
-                                || wasThere(c - things.firstCorner[t], deepest - things.firstLine[other], swapped)
-                                || isBefore(deepest, x, y);
-                if (holds) {
-                    add(t, other, c, deepest, true, swapped);
-                }
+            cornerOnLines(t, other, c, px, py, ux, uy);
+            if (!swapped
+                    && !(CircleMath.isLonger(px, py, SLACK * (itsReach + (wide + m)))
+                            || shape != null && shape.isFar(cos * px + sin * py, cos * py - sin * px, wide + m))) {
+                cornerOnCorners(t, other, c, px, py);
             }
         }
     }
 
-    /** Whether a corner, which is (x, y) away from a thing, is surely farther from all that may touch it than a distance; this spares looking closer. */
-    private boolean isFar(int c, int thing, float x, float y, float distance) {
-        int at = RigidThings.corner(c);
-        float near = things.turnedCorner[at + RADIUS] + things.turnedCorner[at + BEND] + distance;
-        if (CircleMath.isLonger(x, y, SLACK * (things.reach[thing] + near))) {
-            return true;
+    /** A corner, which is at (px, py) and goes with (ux, uy). */
+    private void cornerOnLines(int t, int other, int c, float px, float py, float ux, float uy) {
+        float m = margin;
+        float[] lines = things.turnedLine;
+        float r = things.turnedCorner[RigidThings.corner(c) + RADIUS];
+        boolean bent = things.isBent(c);
+        int from = count;
+        int deepest = -1;
+        float deepestHeight = Float.NEGATIVE_INFINITY;
+        float deepestReach = 0f;
+        float deepestX = px;
+        float deepestY = py;
+        int end = things.firstLine[other] + things.lines[other];
+        for (int l = things.firstLine[other]; l < end; l++) {
+            int line = RigidThings.line(l);
+            float rx = px - lines[line];
+            float ry = py - lines[line + 1];
+            float length = lines[line + LENGTH];
+            if (length < 0f) {
+                cornerInHollow(t, other, c, l, rx, ry, r);
+                continue;
+            }
+            float lx = lines[line + NX];
+            float ly = lines[line + NY];
+            float bentX = 0f;
+            float bentY = 0f;
+            if (bent) {
+                bentX = things.bentX(c, -lx, -ly);
+                bentY = things.bentY(c, -lx, -ly);
+                rx += bentX;
+                ry += bentY;
+            }
+            float height = rx * lx + ry * ly;
+            float reach = r + lines[line + THICKNESS];
+            float far = height - reach;
+            if (far > m) {
+                continue;
+            }
+            float along = ry * lx - rx * ly;
+            if (!(along >= 0f && along <= length)) {
+                // where it would be as it meets the line
+                float un = ux * lx + uy * ly;
+                float then = far > 0f && -un * dt >= far ? along + (uy * lx - ux * ly) * (far / -un) : along;
+                if (!(then >= 0f && then <= length)) {
+                    continue;
+                }
+            }
+            // one that comes fast may have turned by then
+            if (!(fast && far > 0f) && !things.isInCone(c, -lx, -ly, tolerance) || things.isOfArc(t, c, -lx, -ly)) {
+                continue;
+            }
+            if (height >= 0f) {
+                add(t, other, c, l, true);
+            } else if (height > deepestHeight) {
+                deepestHeight = height;
+                deepestReach = reach;
+                deepest = l;
+                deepestX = px + bentX;
+                deepestY = py + bentY;
+            }
         }
-        OutlineShape shape = things.shape[thing];
-        return shape != null
-                && shape.isFar(
-                        things.cos[thing] * x + things.sin[thing] * y,
-                        things.cos[thing] * y - things.sin[thing] * x,
-                        near);
+        if (count == from && deepest >= 0) {
+            boolean holds = things.shape[other] != null
+                    ? deepestHeight > -deepestReach || things.isInside(other, deepestX, deepestY)
+                    : isWall(other)
+                            || wasThere(c - things.firstCorner[t], deepest - things.firstLine[other])
+                            || isBefore(deepest);
+            if (holds) {
+                add(t, other, c, deepest, true);
+            }
+        }
     }
 
     /** Whether a corner of a body had a contact with a line before. */
-    private boolean wasThere(int itsCorner, int itsLine, boolean swapped) {
+    private boolean wasThere(int itsCorner, int itsLine) {
         int itsFirst = swapped ? key(SWAPPED, itsLine) : key(CORNER_ON_LINE, itsCorner);
         int itsSecond = swapped ? itsCorner : itsLine;
         for (int o = knownFrom; o < knownTo; o++) {
@@ -266,8 +290,8 @@ final class RigidFeatures {
         return form << FORM_SHIFT | feature;
     }
 
-    /** Whether a place is in front of a line. */
-    private boolean isBefore(int l, float x, float y) {
+    /** Whether the place of the thing is in front of a line. */
+    private boolean isBefore(int l) {
         int line = RigidThings.line(l);
         float height = (x - things.turnedLine[line]) * things.turnedLine[line + NX]
                 + (y - things.turnedLine[line + 1]) * things.turnedLine[line + NY];
@@ -279,56 +303,55 @@ final class RigidFeatures {
     }
 
     /** A corner inside an arc that is solid outside, from whose centre it is (atX, atY) away. */
-    private void cornerInHollow(
-            int t, int other, int c, int l, float atX, float atY, float r, float m, float tolerance, boolean swapped) {
+    private void cornerInHollow(int t, int other, int c, int l, float atX, float atY, float r) {
         int line = RigidThings.line(l);
-        float x = atX;
-        float y = atY;
-        float d = CircleMath.length(x, y);
+        float m = margin;
+        float rx = atX;
+        float ry = atY;
+        float d = CircleMath.length(rx, ry);
         if (things.isBent(c) && d > 0f) {
-            x += things.bentX(c, atX / d, atY / d);
-            y += things.bentY(c, atX / d, atY / d);
-            d = CircleMath.length(x, y);
+            rx += things.bentX(c, atX / d, atY / d);
+            ry += things.bentY(c, atX / d, atY / d);
+            d = CircleMath.length(rx, ry);
         }
         float radius = -things.turnedLine[line + LENGTH];
         float far = (radius - d) - r;
         boolean inFront = d > 0f
                 && far <= m
                 && d < radius + r + m
-                && x * things.turnedLine[line + NX] + y * things.turnedLine[line + NY]
+                && rx * things.turnedLine[line + NX] + ry * things.turnedLine[line + NY]
                         >= things.turnedLine[line + THICKNESS] * d;
-        if (inFront && things.isInCone(c, x / d, y / d, tolerance)) {
-            add(t, other, c, l, true, swapped);
+        if (inFront && things.isInCone(c, rx / d, ry / d, tolerance)) {
+            add(t, other, c, l, true);
         }
     }
 
-    private void cornersOnCorners(int t, int other, float x, float y, float m) {
-        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
-            int at = RigidThings.corner(c);
-            if (isFar(c, other, x + things.turnedCorner[at], y + things.turnedCorner[at + 1], m)) {
-                continue;
+    private void cornerOnCorners(int t, int other, int c, float px, float py) {
+        float[] corner = things.turnedCorner;
+        int at = RigidThings.corner(c);
+        int end = things.firstCorner[other] + things.corners[other];
+        for (int o = things.firstCorner[other]; o < end; o++) {
+            int to = RigidThings.corner(o);
+            float rx = px - corner[to];
+            float ry = py - corner[to + 1];
+            float bend = corner[at + BEND] + corner[to + BEND];
+            float most = bend + (corner[at + RADIUS] + corner[to + RADIUS]) + margin;
+            if (CircleMath.isLonger(rx, ry, SLACK * most)) {
+                continue; // surely, without a square root
             }
-            for (int o = things.firstCorner[other]; o < things.firstCorner[other] + things.corners[other]; o++) {
-                int to = RigidThings.corner(o);
-                float rx = x + things.turnedCorner[at] - things.turnedCorner[to];
-                float ry = y + things.turnedCorner[at + 1] - things.turnedCorner[to + 1];
-                float bend = things.turnedCorner[at + BEND] + things.turnedCorner[to + BEND];
-                float reach = things.turnedCorner[at + RADIUS] + things.turnedCorner[to + RADIUS];
-                float d = CircleMath.length(rx, ry);
-                if (d > bend + reach + m || d <= bend) {
-                    continue; // cores that have crossed are at their backs
-                }
-                boolean noGap = things.isRound(c) || things.isRound(o) || bend > 0f;
-                float tolerance = noGap ? NO_GAP : STRICT;
-                if (things.isInCone(o, rx / d, ry / d, tolerance) && things.isInCone(c, -rx / d, -ry / d, tolerance)) {
-                    add(t, other, c, o, false, false);
-                }
+            float d = CircleMath.length(rx, ry);
+            if (d > most || d <= bend) {
+                continue; // cores that have crossed are at their backs
+            }
+            boolean noGap = things.isRound(c) || things.isRound(o) || bend > 0f;
+            float tolerance = noGap ? NO_GAP : STRICT;
+            if (things.isInCone(o, rx / d, ry / d, tolerance) && things.isInCone(c, -rx / d, -ry / d, tolerance)) {
+                add(t, other, c, o, false);
             }
         }
     }
 
-    /** swapped: the corner is of the second thing of the pair. */
-    private void add(int t, int other, int c, int f, boolean line, boolean swapped) {
+    private void add(int t, int other, int c, int f, boolean line) {
         int at = STRIDE * count;
         if (at == found.length) {
             found = Arrays.copyOf(found, Math.max(64 * STRIDE, 2 * at));

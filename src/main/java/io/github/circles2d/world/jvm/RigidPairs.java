@@ -91,7 +91,6 @@ final class RigidPairs {
         step = bodies;
         k = constants;
         terrain = constants.terrain ? ground : null;
-        things.clear();
         addBodies();
     }
 
@@ -120,13 +119,21 @@ final class RigidPairs {
             thingOfBody = new int[step.room()];
         }
         awakeBodies = 0;
+        things.truncate(things.bodies);
+        int t = 0;
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null) {
-                thingOfBody[id] = things.add(BODY_BODY, id, step.x[id], step.y[id]);
-                things.setShape(step.outline[id]);
+                if (!things.isBody(t, id, step.outline[id])) { // else it stays where it is
+                    things.truncate(t);
+                    things.bodies = t;
+                    things.add(BODY_BODY, id, 0f, 0f);
+                    things.setShape(step.outline[id]);
+                }
+                thingOfBody[id] = t++;
                 awakeBodies += step.isAsleep(id) ? 0 : 1;
             }
         }
+        things.truncate(t);
         things.bodies = things.count;
         ensureNear();
         candidates.ensure(things.bodies);
@@ -144,6 +151,9 @@ final class RigidPairs {
 
     private void fillBody(int t) {
         int id = things.id[t];
+        things.x[t] = step.x[id];
+        things.y[t] = step.y[id];
+        things.turned[t] = 0f;
         things.dx[t] = step.restX[id];
         things.dy[t] = step.restY[id];
         things.angle[t] = step.angle[id];
@@ -157,6 +167,8 @@ final class RigidPairs {
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
+        things.ownGainX[t] = 0f;
+        things.ownGainY[t] = 0f;
         if (things.ownW[t] > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
@@ -173,11 +185,10 @@ final class RigidPairs {
         if (things.asleep[t]) {
             things.w[t] = 0f;
             things.i[t] = 0f;
-        } else {
-            things.gainX[t] = things.ownGainX[t];
-            things.gainY[t] = things.ownGainY[t];
-            things.gainOmega[t] = things.ownGainOmega[t];
         }
+        things.gainX[t] = things.asleep[t] ? 0f : things.ownGainX[t];
+        things.gainY[t] = things.asleep[t] ? 0f : things.ownGainY[t];
+        things.gainOmega[t] = things.asleep[t] ? 0f : things.ownGainOmega[t];
         things.turn(t);
     }
 
@@ -185,6 +196,10 @@ final class RigidPairs {
     private void takeSurface(int t, int row) {
         if (k.turning) {
             takeSurface(t, state.turning.surfaces, row);
+        } else {
+            things.friction[t] = 0f;
+            things.rolling[t] = 0f;
+            things.belt[t] = 0f;
         }
     }
 

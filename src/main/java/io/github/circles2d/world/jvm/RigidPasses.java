@@ -169,7 +169,7 @@ final class RigidPasses {
         order.find();
         pairs.takeCircleSurfaces();
         takeCircles(false);
-        visits.begin(k);
+        visits.begin(k, step.listener != null);
         joints.begin(k);
         pushCircles();
     }
@@ -180,11 +180,9 @@ final class RigidPasses {
     /** What drives bodies, and the impulses of the sub-step before. */
     void integrateVelocities() {
         team.together(gain);
-        for (int t = 0; t < things.count; t++) {
+        for (int t = things.bodies; t < things.count; t++) {
             if (things.type[t] != BODY_CIRCLE) {
-                things.beforeX[t] = things.vx[t];
-                things.beforeY[t] = things.vy[t];
-                things.beforeOmega[t] = things.omega[t];
+                setBefore(t);
             }
         }
         joints.warmStart();
@@ -210,7 +208,14 @@ final class RigidPasses {
             if (surfaces != null) {
                 things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
             }
+            setBefore(t);
         }
+    }
+
+    private void setBefore(int t) {
+        things.beforeX[t] = things.vx[t];
+        things.beforeY[t] = things.vy[t];
+        things.beforeOmega[t] = things.omega[t];
     }
 
     /** The biased pass over joints, bodies, pieces and walls. */

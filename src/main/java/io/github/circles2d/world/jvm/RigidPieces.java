@@ -33,9 +33,9 @@ final class RigidPieces {
             int body = BodyRow.of(motion, k.subSteps);
             px = rows[row + PieceRow.PIVOT_X];
             py = rows[row + PieceRow.PIVOT_Y];
-            things.vx[t] = terrain.motion[body + BodyRow.VX];
-            things.vy[t] = terrain.motion[body + BodyRow.VY];
-            things.omega[t] = terrain.motion[body + BodyRow.OMEGA];
+            things.vx[t] = terrain.motion[body + BodyRow.VX] + 0f; // never -0
+            things.vy[t] = terrain.motion[body + BodyRow.VY] + 0f;
+            things.omega[t] = terrain.motion[body + BodyRow.OMEGA] + 0f;
         }
         if (PieceRow.form(shape) == PieceRow.ARC) {
             addArc(rows, row, shape, px, py);
@@ -136,11 +136,11 @@ final class RigidPieces {
         if (wall < 2) {
             t = things.add(type, wall, lower ? k.bounds.minX() : k.bounds.maxX(), 0f);
             things.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
-            things.vx[t] = side * k.walls.speedFor(wall, reach);
+            things.vx[t] = side * k.walls.speedFor(wall, reach) + 0f; // never -0
         } else {
             t = things.add(type, wall, 0f, lower ? k.bounds.minY() : k.bounds.maxY());
             things.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
-            things.vy[t] = side * k.walls.speedFor(wall, reach);
+            things.vy[t] = side * k.walls.speedFor(wall, reach) + 0f;
         }
         poseWall(t, 0, k);
         things.place(t);

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm;
 /** The table of a contact of rigid bodies: where its numbers lie in {@link RigidContacts#rows}. */
 final class RigidRow {
     /** Floats of a contact. */
-    static final int STRIDE = 20;
+    static final int STRIDE = 25;
 
     /** The normal, from B to A. */
     static final int NX = 0;
@@ -43,6 +43,18 @@ final class RigidRow {
 
     /** Lengths are measured by it. */
     static final int LENGTH = 19;
+
+    /** The square of a speed: slower ones do not bounce. */
+    static final int THRESHOLD = 20;
+
+    // terms of a biased visit that does not bounce, since contacts were measured: factors of speed and impulse, and a
+    // speed
+    static final int SPEED_SCALE = 21;
+    static final int DECAY = 22;
+    static final int BIAS = 23;
+
+    /** What a visit without bias aims at: to come as near as the gap lets. */
+    static final int NEAR = 24;
 
     private RigidRow() {}
 

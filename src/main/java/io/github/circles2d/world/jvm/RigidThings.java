@@ -98,13 +98,6 @@ final class RigidThings {
     private int cornerCount;
     private int lineCount;
 
-    /** Forgets all. */
-    void clear() {
-        count = 0;
-        cornerCount = 0;
-        lineCount = 0;
-    }
-
     /** Forgets the things from one on, which have been added last. */
     void truncate(int from) {
         if (from < count) {
@@ -112,6 +105,11 @@ final class RigidThings {
             lineCount = firstLine[from];
             count = from;
         }
+    }
+
+    /** Whether a thing is a body with an outline; nobody else has made it. */
+    boolean isBody(int t, int itsId, OutlineShape outline) {
+        return t < bodies && id[t] == itsId && shape[t] == outline;
     }
 
     static int corner(int c) {
@@ -367,8 +365,14 @@ final class RigidThings {
 
     private void setAngle(int t) {
         int units = Surface.turn(angle[t], turned[t], 1f, 1f);
-        cos[t] = (float) Rotation.cos(units);
-        sin[t] = (float) Rotation.sin(units);
+        // the bits of Rotation.cos and sin, which would each look for the quarter
+        int quarter = Rotation.quarter(units);
+        double beyond = Rotation.fromQuarter(units, quarter);
+        float s = (float) Rotation.sinOfEighth(beyond);
+        float c = (float) Rotation.cosOfEighth(beyond);
+        boolean odd = (quarter & 1) != 0;
+        cos[t] = (odd ? s : c) * (1 - (quarter + 1 & 2));
+        sin[t] = (odd ? c : s) * (1 - (quarter & 2));
     }
 
     /** Turns the outline of a thing as its cosine and sine are. */

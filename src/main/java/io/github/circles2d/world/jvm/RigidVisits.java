@@ -53,6 +53,7 @@ final class RigidVisits {
     private boolean summing;
 
     private StepConstants k;
+    private boolean tells;
 
     /** See {@link #areFixed}: then several workers may push at once what does not move. */
     private boolean fixed;
@@ -63,9 +64,25 @@ final class RigidVisits {
     private int from;
     private int to;
 
+    private final RigidPairVisits ofPairs;
+
+    /** By pair without circles: whether it is one of {@link #ofPairs}. */
+    private boolean[] plain = new boolean[0];
+
+    /** By pair without circles: whether it may bounce in this sub-step, or be a hit. */
+    private boolean[] mayBounce = new boolean[0];
+
+    /** Whether a grip is -0, which a slip of 0 may change; visits make no other so. */
+    private boolean gripsMinusZero;
+
+    /** By worker: whether it has met some. */
+    private final boolean[] minusZero;
+
     private final Team.Work measure = this::measure;
     private final Team.Work visit = this::visit;
     private final Team.Work begin = this::begin;
+    private final Team.Work warmStart = this::warmStart;
+    private final Team.Work lookAhead = this::lookAhead;
 
     RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
@@ -73,12 +90,15 @@ final class RigidVisits {
         this.order = order;
         this.team = team;
         this.leastShare = leastShare;
+        minusZero = new boolean[team.most()];
         things = pairs.things;
+        ofPairs = new RigidPairVisits(contacts, things, this);
     }
 
-    /** Begins a step: contacts have been found and measured. */
-    void begin(StepConstants constants) {
+    /** Begins a step: contacts have been found and measured; toTell: whether anybody asks how hard things have touched. */
+    void begin(StepConstants constants, boolean toTell) {
         k = constants;
+        tells = toTell;
         if (share.length < things.bodies) {
             share = new float[2 * things.bodies];
             sums = new long[6 * things.bodies];
@@ -96,6 +116,10 @@ final class RigidVisits {
         }
         for (int t = 0; t < things.bodies; t++) {
             share[t] = CircleMath.max(share[t], 1f);
+        }
+        if (plain.length < order.firstWithCircle) {
+            plain = new boolean[2 * order.firstWithCircle];
+            mayBounce = new boolean[2 * order.firstWithCircle];
         }
         team.together(begin);
     }
@@ -115,7 +139,17 @@ final class RigidVisits {
             rows[row + RigidRow.LENGTH] = things.ownW[a] == 0f
                     ? 2f * things.thin[b]
                     : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
+            rows[row + RigidRow.THRESHOLD] = Bounce.bounceThreshold(
+                    rows[row + RigidRow.LENGTH],
+                    rows[row + RigidRow.RESTITUTION],
+                    k.thresholdRate,
+                    k.restRate,
+                    k.fixedThreshold);
             setMasses(c);
+        }
+        int endPair = team.part(order.firstWithCircle, worker + 1);
+        for (int p = team.part(order.firstWithCircle, worker); p < endPair; p++) {
+            plain[p] = ofPairs.has(contacts.firstOf[p], contacts.firstOf[p + 1]);
         }
     }
 
@@ -145,6 +179,21 @@ final class RigidVisits {
         float tangentMass = gripMass(c, 1f, 1f);
         contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
         contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
+        setTerms(contacts.rows, row);
+    }
+
+    private void setTerms(float[] rows, int row) {
+        float gap = rows[row + RigidRow.GAP];
+        boolean apart = gap > 0f;
+        float soft = Constraints.softBias(gap, pushSpeed(row), k.contactSoftness, k);
+        rows[row + RigidRow.SPEED_SCALE] = apart ? 1f : k.contactSoftness.massScale;
+        rows[row + RigidRow.DECAY] = apart ? 0f : k.contactSoftness.impulseScale;
+        rows[row + RigidRow.BIAS] = apart ? gap * k.inverseH : soft;
+        rows[row + RigidRow.NEAR] = apart ? gap * k.inverseH : 0f;
+    }
+
+    private float pushSpeed(int row) {
+        return PUSH * k.pushRate * contacts.rows[row + RigidRow.LENGTH];
     }
 
     /** One over the effective mass of A alone along the normal. */
@@ -169,22 +218,49 @@ final class RigidVisits {
     /** What is accumulated acts again; on circles it has acted before. */
     void warmStart() {
         fixed = false;
+        if (contacts.count < leastShare * team.size()) {
+            warmStart(0, 0, things.count);
+        } else {
+            team.together(warmStart);
+        }
+        gripsMinusZero = false;
+        for (int worker = 0; worker < team.size(); worker++) {
+            gripsMinusZero |= minusZero[worker];
+        }
+    }
+
+    private void warmStart(int worker) {
+        warmStart(worker, team.part(things.count, worker), team.part(things.count, worker + 1));
+    }
+
+    /** The same for some things: each gets its impulses in the order of the contacts. */
+    private void warmStart(int worker, int from, int end) {
+        boolean some = false;
         float[] rows = contacts.rows;
         for (int c = 0; c < contacts.count; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            boolean pushesA = a >= from && a < end && things.shape[a] != null;
+            boolean pushesB = b >= from && b < end && things.shape[b] != null;
+            if (!pushesA && !pushesB) {
+                continue;
+            }
             int row = RigidRow.of(c);
             float impulse = rows[row + RigidRow.IMPULSE];
             float grip = rows[row + RigidRow.GRIP];
+            some |= isMinusZero(grip);
             if (impulse != 0f || grip != 0f) {
                 float x = rows[row + RigidRow.NX] * impulse - rows[row + RigidRow.NY] * grip;
                 float y = rows[row + RigidRow.NY] * impulse + rows[row + RigidRow.NX] * grip;
-                if (things.shape[contacts.a[c]] != null) {
-                    push(contacts.a[c], x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
+                if (pushesA) {
+                    push(a, x, y, rows[row + RigidRow.AX], rows[row + RigidRow.AY]);
                 }
-                if (things.shape[contacts.b[c]] != null) {
-                    push(contacts.b[c], -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
+                if (pushesB) {
+                    push(b, -x, -y, rows[row + RigidRow.BX], rows[row + RigidRow.BY]);
                 }
             }
         }
+        minusZero[worker] = some;
     }
 
     private void push(int t, float x, float y, float armX, float armY) {
@@ -212,7 +288,31 @@ final class RigidVisits {
 
     void solve() {
         relaxes = false;
+        if (contacts.count < leastShare * team.size()) {
+            lookAhead(0, order.firstWithCircle);
+        } else {
+            team.together(lookAhead);
+        }
         passByColours();
+    }
+
+    private void lookAhead(int worker) {
+        lookAhead(team.part(order.firstWithCircle, worker), team.part(order.firstWithCircle, worker + 1));
+    }
+
+    /** Looks at how contacts come together, before impulses. */
+    private void lookAhead(int from, int end) {
+        float[] rows = contacts.rows;
+        for (int p = from; p < end; p++) {
+            boolean bounces = false;
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int row = RigidRow.of(c);
+                float before = speedBefore(c);
+                rows[row + RigidRow.APPROACH] = Math.max(rows[row + RigidRow.APPROACH], -before);
+                bounces |= isFast(row) || rows[row + RigidRow.RESTITUTION] > 0f && isImpact(row, before);
+            }
+            mayBounce[p] = bounces;
+        }
     }
 
     void relax() {
@@ -248,7 +348,13 @@ final class RigidVisits {
     private void visit(int begin, int end) {
         for (int at = begin; at < end; at++) {
             int p = order.order[at];
-            if (relaxes) {
+            if (fixed && plain[p] && (relaxes || !mayBounce[p])) {
+                if (relaxes) {
+                    ofPairs.relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
+                } else {
+                    ofPairs.solve(contacts.firstOf[p], contacts.firstOf[p + 1]);
+                }
+            } else if (relaxes) {
                 relax(contacts.firstOf[p], contacts.firstOf[p + 1]);
             } else {
                 solve(contacts.firstOf[p], contacts.firstOf[p + 1]);
@@ -261,12 +367,15 @@ final class RigidVisits {
      * become -0.
      */
     private boolean areFixed() {
+        if (gripsMinusZero) {
+            return false;
+        }
         for (int t = 0; t < things.count; t++) {
             if (order.isOrdered(t)
                     && (isMinusZero(things.vx[t])
                             || isMinusZero(things.vy[t])
                             || isMinusZero(things.omega[t])
-                            || !things.gives(t) && !isLimited(t))) {
+                            || !isLimited(t))) {
                 return false;
             }
         }
@@ -323,9 +432,12 @@ final class RigidVisits {
 
     /** Whether a contact stops what would come far into the other within a sub-step. */
     private boolean isHit(int row) {
+        return isFast(row) && contacts.rows[row + RigidRow.IMPULSE] > 0f;
+    }
+
+    private boolean isFast(int row) {
         float[] rows = contacts.rows;
-        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH]
-                && rows[row + RigidRow.IMPULSE] > 0f;
+        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH];
     }
 
     private void solveNormal(int c) {
@@ -347,16 +459,16 @@ final class RigidVisits {
     }
 
     /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
-    private boolean bouncesLater(int c, float vn) {
+    boolean bouncesLater(int c, float vn) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         return rows[row + RigidRow.RESTITUTION] > 0f
                 && rows[row + RigidRow.IMPULSE] == 0f
                 && !(rows[row + RigidRow.GAP] > 0f)
-                && bounceSpeed(c, PUSH * k.pushRate * rows[row + RigidRow.LENGTH], vn) > 0f;
+                && bounceSpeed(c, vn) > 0f;
     }
 
-    private boolean isIdle(int row) {
+    boolean isIdle(int row) {
         float[] rows = contacts.rows;
         return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
     }
@@ -405,27 +517,25 @@ final class RigidVisits {
         float gap = rows[row + RigidRow.GAP];
         float impulse = rows[row + RigidRow.IMPULSE];
         float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
-        float pushSpeed = PUSH * k.pushRate * rows[row + RigidRow.LENGTH];
-        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, pushSpeed, before) : 0f;
+        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, before) : 0f;
         rows[row + RigidRow.APPROACH] = approach;
         rows[row + RigidRow.BOUNCE] = bounce;
-        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed, k.contactSoftness, k));
+        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed(row), k.contactSoftness, k));
     }
 
-    private float relaxedNormal(int row, float mass, float vn) {
+    float relaxedNormal(int row, float mass, float vn) {
         float[] rows = contacts.rows;
-        float next =
-                Constraints.relax(rows[row + RigidRow.IMPULSE], mass, vn, rows[row + RigidRow.GAP], 0f, k.inverseH);
-        return take(row, next);
+        return take(row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
     }
 
     private float take(int row, float wanted) {
         float[] rows = contacts.rows;
         float next = CircleMath.min(wanted, GREATEST_IMPULSE);
         float gain = next - rows[row + RigidRow.IMPULSE];
-        float most = Branchless.greater(rows[row + RigidRow.MOST], next);
         rows[row + RigidRow.IMPULSE] = next;
-        rows[row + RigidRow.MOST] = most;
+        if (tells) {
+            rows[row + RigidRow.MOST] = Branchless.greater(rows[row + RigidRow.MOST], next);
+        }
         return gain;
     }
 
@@ -439,14 +549,35 @@ final class RigidVisits {
                 + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
     }
 
+    /** Whether a contact with a restitution is fast enough to bounce. */
+    private boolean isImpact(int row, float before) {
+        return before < 0f && before * before > contacts.rows[row + RigidRow.THRESHOLD];
+    }
+
+    /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
+    float solvedNormal(int row, float vn) {
+        float[] rows = contacts.rows;
+        float impulse = rows[row + RigidRow.IMPULSE];
+        return take(
+                row,
+                Constraints.visit(
+                        impulse,
+                        rows[row + RigidRow.NORMAL_MASS],
+                        rows[row + RigidRow.SPEED_SCALE],
+                        vn,
+                        rows[row + RigidRow.BIAS],
+                        rows[row + RigidRow.DECAY] * impulse));
+    }
+
     /** Of a contact with a restitution. */
-    private float bounceSpeed(int c, float pushSpeed, float before) {
+    private float bounceSpeed(int c, float before) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         float e = rows[row + RigidRow.RESTITUTION];
-        float threshold =
-                Bounce.bounceThreshold(rows[row + RigidRow.LENGTH], e, k.thresholdRate, k.restRate, k.fixedThreshold);
-        if (!(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed) > 0f)) {
+        float threshold = rows[row + RigidRow.THRESHOLD];
+        if (!isImpact(row, before)
+                || !(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed(row))
+                        > 0f)) {
             return 0f;
         }
         int a = contacts.a[c];
@@ -466,17 +597,13 @@ final class RigidVisits {
         if (fixed && isFree(row)) {
             return;
         }
-        float friction = rows[row + RigidRow.FRICTION];
-        if (friction > 0f || rows[row + RigidRow.GRIP] != 0f) { // it may have gone since
-            float before = rows[row + RigidRow.GRIP];
+        if (hasGrip(row)) {
             float nx = rows[row + RigidRow.NX];
             float ny = rows[row + RigidRow.NY];
             float ux = speedX(rows, row, things.vx, things.omega, a, b);
             float uy = speedY(rows, row, things.vy, things.omega, a, b);
-            float slip = (uy * nx - ux * ny) - rows[row + RigidRow.BELTS];
-            float next = Surface.grip(before, mass, slip, friction * rows[row + RigidRow.IMPULSE]);
-            rows[row + RigidRow.GRIP] = next;
-            pushBoth(c, -ny * (next - before), nx * (next - before));
+            float gain = gripped(row, mass, uy * nx - ux * ny);
+            pushBoth(c, -ny * gain, nx * gain);
         }
         float resistance = rows[row + RigidRow.ROLLING];
         float turns = resistance > 0f ? things.ownI[a] + things.ownI[b] : 0f;
@@ -491,6 +618,27 @@ final class RigidVisits {
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
         }
+    }
+
+    /** Whether there is friction, or has been. */
+    private boolean hasGrip(int row) {
+        return contacts.rows[row + RigidRow.FRICTION] > 0f || contacts.rows[row + RigidRow.GRIP] != 0f;
+    }
+
+    /** Whether friction may change something, where nothing rolls. */
+    boolean grips(int row) {
+        float grip = contacts.rows[row + RigidRow.GRIP];
+        return grip != 0f || contacts.rows[row + RigidRow.IMPULSE] != 0f && hasGrip(row);
+    }
+
+    /** By the speed along the tangent. Returns what the grip gains. */
+    float gripped(int row, float mass, float along) {
+        float[] rows = contacts.rows;
+        float before = rows[row + RigidRow.GRIP];
+        float slip = along - rows[row + RigidRow.BELTS];
+        float next = Surface.grip(before, mass, slip, rows[row + RigidRow.FRICTION] * rows[row + RigidRow.IMPULSE]);
+        rows[row + RigidRow.GRIP] = next;
+        return next - before;
     }
 
     /** Whether nothing presses or grips, so that the next friction changes nothing. */

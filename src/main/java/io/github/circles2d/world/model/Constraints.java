@@ -95,10 +95,15 @@ public final class Constraints {
             Softness softness,
             StepConstants k) {
         int rigid = Branchless.isPositive(separation) | Branchless.isPositive(bounceSpeed);
-        float soft = softness.massScale * pushOut(separation, pushSpeed, k.deepRate, softness.biasRate);
+        float soft = softBias(separation, pushSpeed, softness, k);
         float bias = bias(separation, bounceSpeed, k.inverseH, soft);
         float decay = Branchless.choose(rigid, 0f, softness.impulseScale) * normalImpulse;
         return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, softness.massScale), vn, bias, decay);
+    }
+
+    /** What {@link #solve} aims at where surfaces overlap. */
+    public static float softBias(float separation, float pushSpeed, Softness softness, StepConstants k) {
+        return softness.massScale * pushOut(separation, pushSpeed, k.deepRate, softness.biasRate);
     }
 
     /** Negative: in proportion to the depth, then constant, so that piles do not burst, then growing, so that no pair stays deep. */
@@ -113,7 +118,8 @@ public final class Constraints {
         return visit(normalImpulse, mass, 1f, vn, bias(separation, bounceSpeed, inverseH, 0f), 0f);
     }
 
-    private static float visit(float normalImpulse, float mass, float massScale, float vn, float bias, float decay) {
+    /** The normal impulse after a visit by the terms of {@link #solve}. */
+    public static float visit(float normalImpulse, float mass, float massScale, float vn, float bias, float decay) {
         return Branchless.positive((normalImpulse - mass * (massScale * vn + bias)) - decay);
     }
 

@@ -16,8 +16,8 @@ public final class Rotation {
     private Rotation() {}
 
     public static double sin(int units) {
-        int quarter = units + EIGHTH >>> QUARTER_LOG;
-        double x = (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
+        int quarter = quarter(units);
+        double x = fromQuarter(units, quarter);
         double value = (quarter & 1) == 0 ? sinOfEighth(x) : cosOfEighth(x);
         return (quarter & 2) == 0 ? value : -1 * value; // -value loses the sign of a zero on some platforms
     }
@@ -26,14 +26,24 @@ public final class Rotation {
         return sin(units + (1 << QUARTER_LOG));
     }
 
-    private static double sinOfEighth(double x) {
+    /** The quarter of a turn that is nearest, from 0 to 3. */
+    public static int quarter(int units) {
+        return units + EIGHTH >>> QUARTER_LOG;
+    }
+
+    /** By how much an angle is beyond its quarter, in radians: an eighth of a turn at most. */
+    public static double fromQuarter(int units, int quarter) {
+        return (units - (quarter << QUARTER_LOG)) * RADIANS_PER_UNIT;
+    }
+
+    public static double sinOfEighth(double x) {
         double z = x * x;
         double sum = 2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10);
         sum = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * sum);
         return x + x * z * (-1.66666666666666324348e-01 + z * sum);
     }
 
-    private static double cosOfEighth(double x) {
+    public static double cosOfEighth(double x) {
         double z = x * x;
         double sum = -2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11);
         sum = -1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * sum);
