@@ -127,7 +127,7 @@ public final class Contacts {
         for (int worker = 0; worker < found.length; worker++) {
             found[worker] = new FoundPairs();
         }
-        kept = new KeptPairs(state, grid, levels, team, bands, pairs, candidates, found);
+        kept = new KeptPairs(state, grid, levels, team, bands, pairs, candidates, resting, found);
     }
 
     /** Begins a step. */
@@ -219,7 +219,7 @@ public final class Contacts {
         all = listsAll;
         bands.divide(null, null, 0);
         cross.find(all);
-        kept.begin(!all && !resting.areAny());
+        kept.begin(!all);
         team.all(findPairs);
         if (!overflowed()) {
             layOut();

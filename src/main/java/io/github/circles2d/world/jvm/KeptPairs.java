@@ -45,6 +45,7 @@ final class KeptPairs {
     private final Bands bands;
     private final Pairs pairs;
     private final Candidates candidates;
+    private final NearResting resting;
     private final FoundPairs[] found;
 
     private final Team.Work noteWays = this::noteWays;
@@ -94,6 +95,7 @@ final class KeptPairs {
             Bands bands,
             Pairs pairs,
             Candidates candidates,
+            NearResting resting,
             FoundPairs[] found) {
         this.state = state;
         this.grid = grid;
@@ -102,6 +104,7 @@ final class KeptPairs {
         this.bands = bands;
         this.pairs = pairs;
         this.candidates = candidates;
+        this.resting = resting;
         this.found = found;
     }
 
@@ -110,7 +113,7 @@ final class KeptPairs {
         return 4L * (last.length + lastBucket.length + 3L * way.length + 5L * keptAt.length);
     }
 
-    /** Begins the finding of a step, whose bands have been divided; possible: whether all pairs are to be found, of circles in the grid alone. */
+    /** Begins the finding of a step, whose bands have been divided; possible: whether all pairs are to be found. */
     void begin(boolean possible) {
         on = possible && !state.wraps && !pauses();
         step += on ? 1 : 2;
@@ -224,6 +227,7 @@ final class KeptPairs {
         int begin = grid.start[bucket];
         int end = grid.start[endBucket];
         boolean same = circles[span] == end - begin;
+        boolean rest = resting.areAny();
         float longest = 0f;
         for (int slot = begin; slot < end; slot++) {
             int id = state.id[slot];
@@ -234,6 +238,9 @@ final class KeptPairs {
                     + Math.abs(y - last[3 * id + 1])
                     + CircleMath.max(distance - last[3 * id + 2], 0f);
             longest = CircleMath.max(longest, gone);
+            if (rest && resting.first(slot) < resting.first(slot + 1)) {
+                longest = Float.POSITIVE_INFINITY; // its pairs lie among those of its groups, which are found anew
+            }
             last[3 * id] = x;
             last[3 * id + 1] = y;
             last[3 * id + 2] = distance;
