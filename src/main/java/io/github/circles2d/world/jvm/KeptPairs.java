@@ -33,7 +33,7 @@ final class KeptPairs {
     private static final int LEAST_STEPS = 3;
 
     /** Steps of a pause. */
-    private static final int PAUSE = 30;
+    private static final int PAUSE = 8;
 
     /** It pauses unless so great a part of what was looked at is kept, and of what was kept, used. */
     private static final int LEAST_PART = 4;
