@@ -360,10 +360,7 @@ final class KeptPairs {
             ids[count] = pair;
             slots[count] = (long) lower << 32 | higher;
             count -= PairRule.isNear(
-                    circle[b + X] - circle[a + X],
-                    circle[b + Y] - circle[a + Y],
-                    distance[lower],
-                    distance[higher]);
+                    circle[b + X] - circle[a + X], circle[b + Y] - circle[a + Y], distance[lower], distance[higher]);
         }
         if (state.filtering || state.parting != null || levels.hasStatics) {
             int near = count;

@@ -177,8 +177,9 @@ class BroadPhaseTest {
             case 2 -> world.simulation.circles.set(Commands.POSITION, circle, x, y);
             case 3 -> world.simulation.circles.set(Commands.VELOCITY, circle, 6 * x - 3, 6 * y - 3);
             case 4 -> world.simulation.circles.set(Commands.RADIUS, circle, 0.007f + 0.003f * random.nextFloat(), 0);
-            default -> world.simulation.circles.set(
-                    Commands.MASS, circle, random.nextBoolean() ? Float.POSITIVE_INFINITY : 1, 0);
+            default ->
+                world.simulation.circles.set(
+                        Commands.MASS, circle, random.nextBoolean() ? Float.POSITIVE_INFINITY : 1, 0);
         }
     }
 

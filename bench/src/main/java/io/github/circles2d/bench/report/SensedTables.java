@@ -12,7 +12,8 @@ final class SensedTables {
 
     /** Steps that report by silent ones; misses of what is asked are bold. Empty if the folder has no such file. */
     static String cost(Path folder) {
-        StringBuilder text = new StringBuilder("| machine | case | grains | larger circles | silent, ms | reporting, ms |")
+        StringBuilder text = new StringBuilder(
+                        "| machine | case | grains | larger circles | silent, ms | reporting, ms |")
                 .append(" times as long | of the shortest steps | asked |\n|---|---|--:|--:|--:|--:|--:|--:|--:|\n");
         List<Map<String, String>> rows = Table.rowsOf(folder.resolve("sensed.csv"), List.of("machine", "case", "n"));
         for (Map<String, String> row : rows) {
