@@ -11,11 +11,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * A main class that measures how long steps take beside other work, with one thread and with the default number, in turn.
  *
- * <p>Arguments: numbers of circles.
+ * <p>Arguments: numbers of circles. It prints a line of a CSV file for each of them and for each kind of other work: medians of {@value #ROUNDS} rounds of
+ * a median, and of a mean, in ms a step; the median and the greatest of the rounds' ratios.
  */
 final class BusyMachine {
     private static final int ROUNDS = 5;
@@ -163,22 +165,31 @@ final class BusyMachine {
         }
     }
 
-    private static void print(String what, List<Round> rounds) {
+    private static void print(String circles, Beside beside, List<Round> ofOne, List<Round> ofAll) {
+        double[] ratios = IntStream.range(0, ROUNDS)
+                .mapToDouble(k -> ofAll.get(k).median() / ofOne.get(k).median())
+                .sorted()
+                .toArray();
         System.out.printf(
                 Locale.ROOT,
-                "  %s: %.3f, %.3f, %.3f%n",
-                what,
-                least(rounds, Round::median),
-                least(rounds, Round::mean),
-                least(rounds, round -> round.quantile(0.95)));
+                "%s,%s,%.3f,%.3f,%.2f,%.2f,%.3f,%.3f,%s%n",
+                circles,
+                beside.name().toLowerCase(Locale.ROOT).replace('_', ' '),
+                middle(ofOne, Round::median),
+                middle(ofAll, Round::median),
+                ratios[ROUNDS / 2],
+                ratios[ROUNDS - 1],
+                middle(ofOne, Round::mean),
+                middle(ofAll, Round::mean),
+                "1.5");
     }
 
-    private static double least(List<Round> rounds, ToDoubleFunction<Round> of) {
-        return rounds.stream().mapToDouble(of).min().orElseThrow();
+    private static double middle(List<Round> rounds, ToDoubleFunction<Round> of) {
+        return rounds.stream().mapToDouble(of).sorted().toArray()[ROUNDS / 2];
     }
 
     public static void main(String[] arguments) {
-        System.out.println("ms a step, least of " + ROUNDS + " rounds: median, mean, 95th percentile");
+        System.out.println("n,beside,one_ms,default_ms,ratio,worst_ratio,one_mean_ms,default_mean_ms,asked");
         for (String circles : arguments) {
             Scene scene = Scenes.packed(Integer.parseInt(circles), 1);
             try (World one = world(scene, 1);
@@ -194,9 +205,7 @@ final class BusyMachine {
                         ofOne.add(round(one, scene.timeStep(), beside));
                         ofAll.add(round(all, scene.timeStep(), beside));
                     }
-                    System.out.println(circles + " circles, beside " + beside);
-                    print("one thread", ofOne);
-                    print("default", ofAll);
+                    print(circles, beside, ofOne, ofAll);
                 }
             }
         }

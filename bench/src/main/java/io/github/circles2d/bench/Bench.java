@@ -6,6 +6,7 @@ import io.github.circles2d.bench.games.BodyCosts;
 import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.games.JointCosts;
 import io.github.circles2d.bench.games.MovingCrowd;
+import io.github.circles2d.bench.games.SensedCosts;
 import io.github.circles2d.bench.games.SleepCosts;
 import io.github.circles2d.bench.games.SurfaceCosts;
 import io.github.circles2d.bench.games.TerrainCosts;
@@ -88,6 +89,9 @@ public final class Bench {
                     break;
                 case "surfaces":
                     SurfaceCosts.run(rest, System.out);
+                    break;
+                case "sensed":
+                    SensedCosts.run(rest, System.out);
                     break;
                 case "sleep":
                     SleepCosts.run(rest, System.out);

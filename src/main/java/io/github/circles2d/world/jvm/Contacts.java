@@ -53,6 +53,7 @@ public final class Contacts {
     private final Pairs pairs;
     private final CrossContacts cross;
     private final NearResting resting;
+    private final KeptPairs kept;
 
     /** The rows whose contacts each worker lists. */
     private final Bands bands;
@@ -126,6 +127,7 @@ public final class Contacts {
         for (int worker = 0; worker < found.length; worker++) {
             found[worker] = new FoundPairs();
         }
+        kept = new KeptPairs(state, grid, levels, team, bands, pairs, candidates, resting, found);
     }
 
     /** Begins a step. */
@@ -217,6 +219,7 @@ public final class Contacts {
         all = listsAll;
         bands.divide(null, null, 0);
         cross.find(all);
+        kept.begin(!all);
         team.all(findPairs);
         if (!overflowed()) {
             layOut();
@@ -243,6 +246,10 @@ public final class Contacts {
         int end = bands.first(level, worker + 1);
         for (int row = bands.first(level, worker); row < end && !f.overflowed; row++) {
             rowStart[levels.firstRow[level] + row] = f.count;
+            if (kept.has(level)) {
+                kept.find(worker, level, row);
+                continue;
+            }
             for (int odd = 0; odd < 2; odd++) {
                 for (int column = odd; column < columns; column += 2) {
                     pairs.find(f, level, column, row);
@@ -538,6 +545,7 @@ public final class Contacts {
         long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
                 + rows.bytes()
                 + candidates.bytes()
+                + kept.bytes()
                 + resting.bytes()
                 + cross.bytes();
         for (FoundPairs f : found) {

@@ -53,6 +53,23 @@ final class FoundPairs {
 
     private int groups;
 
+    // ---- what KeptPairs works with
+
+    /** By which distance pairs may be farther apart than contacts, and whether all such pairs are gathered; 0 for contacts alone. */
+    float slack;
+
+    /** Kept pairs of this step and of the one before, as {@link #ids}. */
+    long[] kept = new long[256];
+
+    long[] keptBefore = new long[256];
+    int keptCount;
+
+    /** Spans of this step: all, those whose pairs are kept, and those of them that were kept before. */
+    int spans;
+
+    int spansKept;
+    int spansUsed;
+
     /** What {@link Pairs} works with. */
     final long[] hits = Pairs.newHits();
 
@@ -116,11 +133,7 @@ final class FoundPairs {
     /** The first pair of each group, then the second of each: groups share no circle, so a processor works on neighbours at once. */
     void flush() {
         ensure(count + gathered);
-        int open = groups;
-        for (int k = 0; k < open; k++) {
-            next[k] = groupStart[k];
-            end[k] = groupStart[k + 1];
-        }
+        int open = begin();
         while (open > 0) {
             int left = 0;
             for (int k = 0; k < open; k++) {
@@ -138,7 +151,74 @@ final class FoundPairs {
         groups = 0;
     }
 
-    private void ensure(int pairs) {
+    /** Begins a step in which pairs are kept. */
+    void beginKeeping() {
+        long[] list = kept;
+        kept = keptBefore;
+        keptBefore = list;
+        keptCount = 0;
+        spans = 0;
+        spansKept = 0;
+        spansUsed = 0;
+    }
+
+    /** Keeps pairs of another list. */
+    void keep(long[] list, int from, int to) {
+        ensureKept(keptCount + to - from);
+        System.arraycopy(list, from, kept, keptCount, to - from);
+        keptCount += to - from;
+    }
+
+    /** As {@link #endGroup}, of one of a few groups whose pairs are kept. */
+    void endKeptGroup() {
+        int from = groupStart[groups];
+        if (gathered > from) {
+            sort(from, gathered);
+            groupStart[++groups] = gathered;
+        }
+    }
+
+    /** As {@link #flush}, of groups whose pairs are kept. */
+    void flushKept() {
+        ensureKept(keptCount + gathered);
+        int open = begin();
+        while (open > 0) {
+            int left = 0;
+            for (int k = 0; k < open; k++) {
+                int from = next[k];
+                kept[keptCount++] = gatheredIds[from];
+                if (from + 1 < end[k]) {
+                    next[left] = from + 1;
+                    end[left++] = end[k];
+                }
+            }
+            open = left;
+        }
+        gathered = 0;
+        groups = 0;
+    }
+
+    private void ensureKept(int pairs) {
+        if (pairs > kept.length) {
+            kept = Arrays.copyOf(kept, Math.max(pairs, kept.length + (kept.length >> 1)));
+        }
+    }
+
+    /** Notes whether there is still room. */
+    void noteRoom() {
+        overflowed |= count > room;
+    }
+
+    /** Begins to take pairs of each group in turn; returns the number of groups. */
+    private int begin() {
+        for (int k = 0; k < groups; k++) {
+            next[k] = groupStart[k];
+            end[k] = groupStart[k + 1];
+        }
+        return groups;
+    }
+
+    void ensure(int pairs) {
         if (pairs > ids.length) {
             int c = Math.max(pairs, ids.length + (ids.length >> 1));
             long[] newIds = Arrays.copyOf(ids, c);
@@ -150,6 +230,6 @@ final class FoundPairs {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 16L * (ids.length + gatheredIds.length);
+        return 16L * (ids.length + gatheredIds.length) + 8L * (kept.length + keptBefore.length);
     }
 }

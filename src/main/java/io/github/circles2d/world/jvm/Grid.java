@@ -68,6 +68,8 @@ public final class Grid {
 
     private final Sums sums;
 
+    private final Team.Work findBuckets = this::findBuckets;
+    private final Team.Work setStarts = this::setStarts;
     private final Team.Work clear = this::clear;
     private final Team.Work count = this::count;
     private final Team.Work scatter = this::scatter;
@@ -78,6 +80,9 @@ public final class Grid {
     private final Team.Work describe = this::describe;
 
     private StepConstants constants;
+
+    /** Whether no circle has to move for the sort, as where all rests. */
+    private volatile boolean sorted;
 
     private volatile boolean moved;
     private volatile boolean fast;
@@ -122,6 +127,7 @@ public final class Grid {
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
         }
+        sorted = true;
         moved = false;
         fast = false;
         movingStatics = false;
@@ -130,6 +136,16 @@ public final class Grid {
 
     void build(StepConstants k) {
         constants = k;
+        team.all(findBuckets);
+        if (sorted) {
+            team.all(setStarts);
+        } else {
+            sort();
+        }
+        team.all(describe);
+    }
+
+    private void sort() {
         team.all(clear);
         team.all(count);
         sums.sumUp(start, levels.buckets());
@@ -144,7 +160,6 @@ public final class Grid {
                 team.all(takeBack);
             }
         }
-        team.all(describe);
     }
 
     private int from(int worker) {
@@ -187,20 +202,58 @@ public final class Grid {
         describe(from(worker), to(worker));
     }
 
-    private void count(int from, int to) {
-        float[] circle = state.circle;
-        boolean shared = team.size() > 1;
-        boolean bySheet = sheets;
-        for (int slot = from; slot < to; slot++) {
-            int s = CircleRow.of(slot);
-            int atLevel = levels.level(circle[s + RADIUS]);
-            int bucket;
-            if (bySheet) {
-                bucket = bucketAndSheet(slot, circle[s + X], circle[s + Y], atLevel);
-            } else {
-                bucket = bucket(circle[s + X], circle[s + Y], atLevel);
+    private void findBuckets(int worker) {
+        int to = to(worker);
+        boolean inOrder = true;
+        int before = from(worker) > 0 ? findBucket(from(worker) - 1) : 0;
+        for (int slot = from(worker); slot < to; slot++) {
+            int bucket = findBucket(slot);
+            if (inOrder) {
+                inOrder = before < bucket || before == bucket && (slot == 0 || !isBefore(slot, slot - 1));
+                before = bucket;
             }
             bucketBefore[slot] = bucket;
+        }
+        if (!inOrder) {
+            sorted = false;
+        }
+    }
+
+    private int findBucket(int slot) {
+        int s = CircleRow.of(slot);
+        float x = state.circle[s + X];
+        float y = state.circle[s + Y];
+        int atLevel = levels.level(state.circle[s + RADIUS]);
+        return sheets ? bucketAndSheet(slot, x, y, atLevel) : bucket(x, y, atLevel);
+    }
+
+    /** Whether one of two circles of a bucket comes first. */
+    private boolean isBefore(int slot, int other) {
+        return HeapSort.isBefore(slot, other, sheets ? sheetKeyBefore : null, state.id);
+    }
+
+    /** All circles are where they belong: what is left to know is where buckets begin. */
+    private void setStarts(int worker) {
+        int to = to(worker);
+        for (int slot = from(worker); slot < to; slot++) {
+            int bucket = bucketBefore[slot];
+            for (int empty = slot == 0 ? 0 : bucketBefore[slot - 1] + 1; empty <= bucket; empty++) {
+                start[empty] = slot;
+            }
+            bucketOf[slot] = bucket;
+            if (sheets) {
+                sheetKey[slot] = sheetKeyBefore[slot];
+            }
+        }
+        if (worker == team.size() - 1) {
+            Arrays.fill(start, to == 0 ? 0 : bucketBefore[to - 1] + 1, levels.buckets() + 1, to);
+        }
+    }
+
+    private void count(int from, int to) {
+        boolean shared = team.size() > 1;
+        for (int slot = from; slot < to; slot++) {
+            int bucket = bucketBefore[slot];
             rank[slot] = shared ? SharedInts.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
     }

@@ -219,7 +219,7 @@ public final class JvmPipeline implements Pipeline {
         state.kindMotion = constants.driving ? input.motion.rows : null;
         state.ownMotion = constants.ownMotion;
         if (constants.turning) {
-            state.turning.surfaces = input.surfaces.rows;
+            state.turning.take(input.surfaces);
         }
         state.asking = recorder == null ? null : recorder.asking(reports);
         Touches touches = recorder == null ? null : recorder.touches(reports);

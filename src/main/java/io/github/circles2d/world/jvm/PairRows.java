@@ -105,24 +105,33 @@ final class PairRows {
     void fill(int c, int first, int second, float share) {
         int a = CircleRow.of(first);
         int b = CircleRow.of(second);
-        float[] surfaces = state.turning.circleSurfaces;
-        int ofA = KindSurface.of(first);
-        int ofB = KindSurface.of(second);
-        float[] spin = state.turning.spin;
+        Turning t = state.turning;
+        float[] spin = t.spin;
         float[] traits = state.traits;
         float[] v = values;
         int o = of(c);
-        float rA = state.circle[a + RADIUS];
-        float rB = state.circle[b + RADIUS];
         float iA = spin[a + INVERSE_INERTIA];
         float iB = spin[b + INVERSE_INERTIA];
-        float resistance = CircleMath.max(
-                surfaces[ofA + KindSurface.ROLLING_RESISTANCE], surfaces[ofB + KindSurface.ROLLING_RESISTANCE]);
-        float reach = resistance * CircleMath.max(rA, rB);
-        v[o + FRICTION] = Surface.friction(surfaces[ofA + KindSurface.FRICTION], surfaces[ofB + KindSurface.FRICTION]);
-        v[o + BELT] = surfaces[ofA + KindSurface.BELT] + surfaces[ofB + KindSurface.BELT];
+        float resistance = t.pairResistance;
+        if (t.alike) { // which spares the reads, and a root
+            v[o + FRICTION] = t.pairFriction;
+            v[o + BELT] = t.pairBelts;
+        } else {
+            float[] surfaces = t.circleSurfaces;
+            int ofA = KindSurface.of(first);
+            int ofB = KindSurface.of(second);
+            v[o + FRICTION] =
+                    Surface.friction(surfaces[ofA + KindSurface.FRICTION], surfaces[ofB + KindSurface.FRICTION]);
+            v[o + BELT] = surfaces[ofA + KindSurface.BELT] + surfaces[ofB + KindSurface.BELT];
+            resistance = CircleMath.max(
+                    surfaces[ofA + KindSurface.ROLLING_RESISTANCE], surfaces[ofB + KindSurface.ROLLING_RESISTANCE]);
+        }
         v[o + TANGENT_MASS] = Surface.tangentMass(traits[a + INVERSE_MASS], iA, traits[b + INVERSE_MASS], iB, share);
-        if (reach > 0f) {
+        float reach = 0f;
+        if (resistance > 0f) {
+            float rA = state.circle[a + RADIUS];
+            float rB = state.circle[b + RADIUS];
+            reach = resistance * CircleMath.max(rA, rB);
             float mass = Surface.rollingMass(rA, iA, rB, iB, share);
             v[o + ROLLING_MASS] = mass;
             // if nothing rotates the circles, rolling resistance has nothing to do

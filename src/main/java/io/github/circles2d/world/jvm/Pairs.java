@@ -168,7 +168,7 @@ public final class Pairs {
         long[] hits = f.hits;
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
-        float own = speculativeDistance[slot];
+        float own = speculativeDistance[slot] + f.slack;
         int count = hitsBefore;
         for (int begin = from; begin < to; begin += BLOCK) {
             int end = Math.min(to, begin + BLOCK);
@@ -212,7 +212,7 @@ public final class Pairs {
         for (int k = 0; k < count && !f.overflowed; k++) {
             int slot = (int) (f.hits[k] >>> 32);
             int other = (int) f.hits[k];
-            if (candidates.keeps(slot, other)) {
+            if (f.slack > 0f || candidates.keeps(slot, other)) {
                 f.gather(slot, id[slot], other, id[other]);
             }
         }

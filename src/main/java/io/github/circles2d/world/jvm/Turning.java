@@ -40,6 +40,15 @@ final class Turning {
     /** Within a step: the surfaces of kinds and walls, by {@link KindSurface}. */
     float[] surfaces;
 
+    /** Within a step: whether all circles have one friction, one rolling resistance and one belt speed. */
+    boolean alike;
+
+    /** If so, of two circles: the friction, the greater rolling resistance, the sum of the belt speeds. */
+    float pairFriction;
+
+    float pairResistance;
+    float pairBelts;
+
     private int[] angleSpare = new int[0];
     private float[] angularVelocitySpare = new float[0];
     private float[] wallRowsSpare = new float[0];
@@ -117,6 +126,20 @@ final class Turning {
     float ownInverseInertia(int slot) {
         int kind = KindSurface.of(state.fields.getInt(CircleField.KIND, state.id[slot]));
         return state.ownInverseMass(slot) * surfaces[kind + KindSurface.INERTIA];
+    }
+
+    /** Takes the surfaces of the steps to come. */
+    void take(KindSurface of) {
+        surfaces = of.rows;
+        alike = of.areAlike();
+        if (alike) {
+            float friction = surfaces[KindSurface.FRICTION];
+            float resistance = surfaces[KindSurface.ROLLING_RESISTANCE];
+            float belt = surfaces[KindSurface.BELT];
+            pairFriction = Surface.friction(friction, friction);
+            pairResistance = CircleMath.max(resistance, resistance);
+            pairBelts = belt + belt;
+        }
     }
 
     /** Makes circles ready for a step. */

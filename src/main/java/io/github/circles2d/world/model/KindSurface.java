@@ -41,6 +41,8 @@ public final class KindSurface {
     private boolean torques;
     private boolean own;
 
+    private boolean alike;
+
     public interface Values {
         float beltSpeed(int kind);
 
@@ -100,10 +102,27 @@ public final class KindSurface {
             rows[row + ROLLING_RESISTANCE] = k.surfaces.wallRollingResistance(wall);
         }
         rows[OWN] = own ? 1f : 0f;
+        alike = !own && kindsAreAlike();
         rows[DRIVES] = drives ? 1f : 0f;
         h = k.h;
         settings = k.surfaces;
         kindsVersion = ofVersion;
         version++;
+    }
+
+    private boolean kindsAreAlike() {
+        boolean same = true;
+        for (int kind = 1; kind < PairTable.KINDS; kind++) {
+            int row = of(kind);
+            same &= rows[row + BELT] == rows[BELT]
+                    && rows[row + FRICTION] == rows[FRICTION]
+                    && rows[row + ROLLING_RESISTANCE] == rows[ROLLING_RESISTANCE];
+        }
+        return same;
+    }
+
+    /** Whether all circles have one friction, one rolling resistance and one belt speed, those of the first row. */
+    public boolean areAlike() {
+        return alike;
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.snapshots.SavedState;
@@ -131,6 +132,54 @@ class BroadPhaseTest {
                 compareOneStep(world);
                 assertThat(world.pipeline.contacts()).isGreaterThan(300);
             }
+        }
+    }
+
+    /** Where hardly anything moves, pairs are kept from step to step. What comes, goes, moves or grows there is found all the same. */
+    @Test
+    void findsThePairsOfAHeapThatHardlyMoves() {
+        for (int threads = 1; threads <= 3; threads += 2) {
+            Random random = new Random(threads);
+            try (JvmWorld world = new JvmWorld(new Bounds(0, 0, 1, 1), threads)) {
+                for (int i = 0; i < 1600; i++) {
+                    float speed = i == 800 ? 0.6f : 0.003f;
+                    world.add(
+                            0.02f + 0.0203f * (i % 40),
+                            0.02f + 0.0203f * (i / 40),
+                            0.01f * (0.97f + 0.03f * random.nextFloat()),
+                            1,
+                            0,
+                            speed * (random.nextFloat() - 0.5f),
+                            speed * (random.nextFloat() - 0.5f));
+                }
+                int kept = 0;
+                for (int k = 0; k < 120; k++) {
+                    if (k % 3 == 2) {
+                        change(world, random);
+                    }
+                    compareOneStep(world);
+                    // if all cells are looked at, about seven pairs are tested for each circle
+                    kept += world.pipeline.candidatePairs() < 4L * 1600 ? 1 : 0;
+                }
+                assertThat(kept).isGreaterThan(20);
+            }
+        }
+    }
+
+    private static void change(JvmWorld world, Random random) {
+        long[] handles = world.handles();
+        long circle = handles[random.nextInt(handles.length)];
+        float x = 0.02f + 0.8f * random.nextFloat();
+        float y = 0.02f + 0.8f * random.nextFloat();
+        switch (random.nextInt(6)) {
+            case 0 -> world.simulation.circles.remove(circle);
+            case 1 -> world.add(x, y, 0.008f, 1, 0, 0, 0);
+            case 2 -> world.simulation.circles.set(Commands.POSITION, circle, x, y);
+            case 3 -> world.simulation.circles.set(Commands.VELOCITY, circle, 6 * x - 3, 6 * y - 3);
+            case 4 -> world.simulation.circles.set(Commands.RADIUS, circle, 0.007f + 0.003f * random.nextFloat(), 0);
+            default ->
+                world.simulation.circles.set(
+                        Commands.MASS, circle, random.nextBoolean() ? Float.POSITIVE_INFINITY : 1, 0);
         }
     }
 

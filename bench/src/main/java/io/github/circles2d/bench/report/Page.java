@@ -67,6 +67,8 @@ public final class Page {
         part("joints cost", () -> beside("joints", JointTables::cost));
         part("joints swarm", () -> beside("joints", JointTables::swarm));
         part("sleep cost", () -> beside("sleep", SleepTables::cost));
+        part("busy steps", () -> beside("busy", BusyTables::steps));
+        part("sensed cost", () -> beside("events", SensedTables::cost));
         part("bodies cost", () -> beside("bodies", BodyTables::cost));
         part("bodies on a device", () -> beside("bodies", BodyTables::devices));
         part("moves", () -> beside("moves", Moves::totals));
