@@ -32,9 +32,4 @@ public record Steps(
     boolean sharePasses() {
         return joints || !haveOneLevel();
     }
-
-    /** The level of all circles, where they are of one. */
-    int level() {
-        return levels.used[0];
-    }
 }
