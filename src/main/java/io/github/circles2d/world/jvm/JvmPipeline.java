@@ -209,7 +209,7 @@ public final class JvmPipeline implements Pipeline {
         state.setArena(constants.arena);
         state.setSleeps(constants.sleeping);
         state.filtering = constants.filtering;
-        state.responses = input.responses.table;
+        state.responses = input.responses;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         state.ownMotion = constants.ownMotion;
         if (constants.turning) {
