@@ -82,8 +82,13 @@ INLINE void turnBodies(Bodies *b, float ofA, float ofB) {
 // Of B against A; before the impulse of the visit, so that neither waits for the other.
 INLINE float speedAlong(float2 n, float2 va, float2 vb) { return dotf(-n.y, n.x, vb.x - va.x, vb.y - va.y); }
 
-// n: normal; along: see speedAlong; keep: whether impulses accumulate.
-INLINE void visitRows(Bodies *b, const PairSurface *s, RowImpulses *i, float2 n, float along, float normalImpulse, bool keep) {
+bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
+
+// Behind the visit of the contact, in the relaxing pass and if it bounces freely. along: see speedAlong.
+INLINE void visitRows(Bodies *b, const PairSurface *s, RowImpulses *i, const Visit *v, const Visited *visited, float along) {
+    float2 n = (float2)(v->nx, v->ny);
+    float normalImpulse = visited->solved ? visited->whole : visited->leaves ? 0.0f : visited->impulse;
+    bool keep = visited->solved && !(v->ready.bounce > 0.0f); // whether impulses accumulate
     if (s->reach > 0.0f) {
         float omega = b->sb / b->rb - b->sa / b->ra;
         float next = rolling(i->ROLLING_IMPULSE, s->rollingMass, omega, s->reach * normalImpulse);
@@ -122,11 +127,6 @@ float2 spinImpulses(const World *w, uint2 p, const PairSurface *s, RowImpulses i
 float slipOfPair(const PairSurface *s, float2 n, float2 beforeA, float2 beforeB, float sa, float sb) {
     return hitSlip(s->friction, speedAlong(n, beforeA, beforeB), sa, sb, s->belt);
 }
-
-// The normal impulse that bounds rows in a visit.
-float impulseForRows(const Visited *v) { return v->solved ? v->whole : v->leaves ? 0.0f : v->impulse; }
-bool keepsRows(const Visit *v, const Visited *visited) { return visited->solved && !(v->ready.bounce > 0.0f); }
-bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
 
 // By entry of the step before, or zeros.
 RowImpulses cachedRows(const World *w, int first, int higherId) {

@@ -10,8 +10,9 @@ void gatherTurning(const World *w, int slot, int from, int id, float4 c, float i
     float4 own = any ? w->homeOwn[from] : INITIAL_OWN;
     global float *surface = surfaceOfCircle(w, slot);
     vstore8(vload8(0, kind), 0, surface);
-    surface[SURFACE_FRICTION] = orOfKind(own.OWN_FRICTION, kind[SURFACE_FRICTION]);
-    surface[SURFACE_ROLLING_RESISTANCE] = orOfKind(own.OWN_ROLLING_RESISTANCE, kind[SURFACE_ROLLING_RESISTANCE]);
+    for (int k = 0; k < SURFACE_FIELDS; k++) {
+        surface[SURFACE_OF_CIRCLES + k] = orOfKind(((const float *) &own)[k], kind[SURFACE_OF_CIRCLES + k]);
+    }
     w->turn[slot] = turn_;
     if (any) w->own[slot] = own;
     w->wallRows[slot] = w->homeWallRows[from];

@@ -11,7 +11,7 @@ int4 restarted(float4 c, float4 m) {
 }
 
 bool isOfSurfaceOrKind(int field) {
-    return field == FIELD_KIND || field == FIELD_GROUP || field == FIELD_FRICTION || field == FIELD_ROLLING_RESISTANCE;
+    return field == FIELD_KIND || field == FIELD_GROUP || (field >= TURNING_FIELDS && field < TURNING_FIELDS + SURFACE_FIELDS);
 }
 
 bool isOfMotion(int field) { return field >= MOTION_FIELDS; }

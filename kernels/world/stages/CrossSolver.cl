@@ -79,7 +79,7 @@ float crossSpeedAlong(const World *w, const Cross *x, float2 n, float2 v) {
 }
 
 // As visitRowsAt. v, s: velocity and surface speed of the light circle.
-void visitCrossRows(const World *w, int c, const Cross *x, float2 n, float along, float normalImpulse, bool keep, float2 *v, float *s) {
+void visitCrossRows(const World *w, int c, const Cross *x, const Visit *visit_, const Visited *visited, float along, float2 *v, float *s) {
     PairSurface surface = surfaceAt(w, c);
     if (!rowsAct(&surface)) return;
     RowImpulses i = w->rowImpulses[c];
@@ -95,7 +95,7 @@ void visitCrossRows(const World *w, int c, const Cross *x, float2 n, float along
                 .isHeavyA = !lower, .isHeavyB = lower, .scale = scaleOf(velocityRangeOf(w, x->heavy)),
                 .velocitySums = moves ? sumsOf(w, x->heavy) : 0,
                 .spinSum = moves ? (global long *) (w->heavySpin + x->heavy) : 0};
-    visitRows(&b, &surface, &i, n, along, normalImpulse, keep);
+    visitRows(&b, &surface, &i, visit_, visited, along);
     *v = lower ? b.va : b.vb;
     *s = lower ? b.sa : b.sb;
     w->rowImpulses[c] = i;
@@ -165,12 +165,11 @@ void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(f
     Visited visited;
     Pair p = takeToSolve(w, c, w->pair[c], &visit_);
 #ifdef TURNING
-    float2 n = (float2)(p.nx, p.ny);
-    float along = crossSpeedAlong(w, &x, n, *v);
+    float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);
 #endif
     visitCross(w, &x, &p, &visit_, false, v, &visited);
 #ifdef TURNING
-    if (bouncesFreely(&visited)) visitCrossRows(w, c, &x, n, along, visited.impulse, false, v, s);
+    if (bouncesFreely(&visited)) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);
 #endif
     keepSolved(w, c, &visit_, &visited);
 }
@@ -182,19 +181,16 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
     Visited visited;
     Pair p = takeToRelax(w, c, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &visit_);
 #ifdef TURNING
-    float2 n = (float2)(p.nx, p.ny);
-    float along = crossSpeedAlong(w, &x, n, *v);
+    float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);
 #endif
     float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
-    float next = visited.normalImpulse;
 #ifdef TURNING
-    if (!visited.still) visitCrossRows(w, c, &x, n, along, impulseForRows(&visited), keepsRows(&visit_, &visited), v, s);
-    if (last) storeRows(w, c);
+    if (!visited.still) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);
 #endif
     if (last) {
-        if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+        storeVisited(w, c, pr, &visited);
     } else if (carriesOn(&visit_, vn, &visited)) {
-        gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
+        gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherCrossSpin(w, c, &x);
 #endif

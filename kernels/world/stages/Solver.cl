@@ -143,8 +143,8 @@ float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bo
 }
 
 #ifdef TURNING
-// The other rows of a contact of one level. n: normal; along: see speedAlong; keep: whether impulses accumulate.
-void visitRowsAt(const World *w, int c, uint2 pr, float2 n, float along, float normalImpulse, bool keep) {
+// The other rows of a contact of one level; see visitRows.
+void visitRowsAt(const World *w, int c, uint2 pr, const Visit *v, const Visited *visited, float along) {
     PairSurface s = surfaceAt(w, c);
     if (!rowsAct(&s)) return;
     RowImpulses i = w->rowImpulses[c];
@@ -155,7 +155,7 @@ void visitRowsAt(const World *w, int c, uint2 pr, float2 n, float along, float n
                 .wa = q.INVERSE_MASS_A, .wb = q.INVERSE_MASS_B, .ia = w->inverseInertia[pr.LOWER],
                 .ib = w->inverseInertia[pr.HIGHER],
                 .ra = w->circle[pr.LOWER].RADIUS, .rb = w->circle[pr.HIGHER].RADIUS, .isHeavyA = false, .isHeavyB = false};
-    visitRows(&b, &s, &i, n, along, normalImpulse, keep);
+    visitRows(&b, &s, &i, v, visited, along);
     ma.VELOCITY = b.va;
     mb.VELOCITY = b.vb;
     w->motion[pr.LOWER] = ma;
@@ -181,6 +181,15 @@ void keepRelaxed(const World *w, int c, const Pair *p, const Visit *v, const Vis
 #endif
 }
 
+// What the next step starts with, behind the last visit.
+void storeVisited(const World *w, int c, uint2 pr, const Visited *visited) {
+    float next = visited->normalImpulse;
+#ifdef TURNING
+    storeRows(w, c);
+#endif
+    if (visited->solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+}
+
 void solveContact(const World *w, int c) {
     uint2 pr = w->pair[c];
     Visit v;
@@ -190,8 +199,8 @@ void solveContact(const World *w, int c) {
     takeToSolve(w, c, pr, &v);
     visitAt(w, pr, ma, mb, &v, false, &visited);
 #ifdef TURNING
-    float2 n = (float2)(v.nx, v.ny);
-    if (bouncesFreely(&visited)) visitRowsAt(w, c, pr, n, speedAlong(n, ma.VELOCITY, mb.VELOCITY), visited.impulse, false);
+    float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);
+    if (bouncesFreely(&visited)) visitRowsAt(w, c, pr, &v, &visited, along);
 #endif
     keepSolved(w, c, &v, &visited);
 }
@@ -204,17 +213,14 @@ void relaxContact(const World *w, int c, bool last) {
     Visited visited;
     Pair p = takeToRelax(w, c, pr, ma, mb, &v);
     float vn = visitAt(w, pr, ma, mb, &v, true, &visited);
-    float next = visited.normalImpulse;
 #ifdef TURNING
-    float2 n = (float2)(v.nx, v.ny);
-    float along = speedAlong(n, ma.VELOCITY, mb.VELOCITY);
-    if (!visited.still) visitRowsAt(w, c, pr, n, along, impulseForRows(&visited), keepsRows(&v, &visited));
-    if (last) storeRows(w, c);
+    float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);
+    if (!visited.still) visitRowsAt(w, c, pr, &v, &visited, along);
 #endif
     if (last) {
-        if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+        storeVisited(w, c, pr, &visited);
     } else if (carriesOn(&v, vn, &visited)) {
-        gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), next), true);
+        gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherSpin(w, c, pr);
 #endif

@@ -207,8 +207,7 @@ void visitRowsInTile(const World *w, local const Tile *t, TileVisit *v, int i, i
     b->wa = v->visit.invMassA;
     b->wb = v->visit.invMassB;
     b->isHeavyA = b->isHeavyB = false;
-    float normalImpulse = relaxing ? impulseForRows(visited) : visited->impulse;
-    visitRows(b, &s, &rows, (float2)(v->visit.nx, v->visit.ny), along, normalImpulse, relaxing && keepsRows(&v->visit, visited));
+    visitRows(b, &s, &rows, &v->visit, visited, along);
     v->rows = rows;
 }
 #endif

@@ -1,8 +1,8 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.changes.Kinds;
-import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.model.BeltSpeed;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 
 /**

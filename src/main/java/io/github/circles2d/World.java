@@ -542,7 +542,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setFriction(long handle, float friction) {
-        simulation.fields.setFriction(handle, friction);
+        simulation.fields.setOwn(CircleField.FRICTION, handle, friction);
     }
 
     /**
@@ -555,7 +555,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRollingResistance(long handle, float resistance) {
-        simulation.fields.setRollingResistance(handle, resistance);
+        simulation.fields.setOwn(CircleField.ROLLING_RESISTANCE, handle, resistance);
     }
 
     /**
@@ -568,7 +568,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setGravityScale(long handle, float scale) {
-        simulation.fields.setMotion(CircleField.GRAVITY_SCALE, handle, scale);
+        simulation.fields.setOwn(CircleField.GRAVITY_SCALE, handle, scale);
     }
 
     /**
@@ -580,7 +580,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setDamping(long handle, float damping) {
-        simulation.fields.setMotion(CircleField.DAMPING, handle, damping);
+        simulation.fields.setOwn(CircleField.DAMPING, handle, damping);
     }
 
     /**
@@ -592,7 +592,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setGreatestSpeed(long handle, float speed) {
-        simulation.fields.setMotion(CircleField.GREATEST_SPEED, handle, speed);
+        simulation.fields.setOwn(CircleField.GREATEST_SPEED, handle, speed);
     }
 
     /**
@@ -1639,7 +1639,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float friction(long handle) {
-        return simulation.fields.friction(handle);
+        return simulation.fields.own(CircleField.FRICTION, handle);
     }
 
     /**
@@ -1650,7 +1650,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float rollingResistance(long handle) {
-        return simulation.fields.rollingResistance(handle);
+        return simulation.fields.own(CircleField.ROLLING_RESISTANCE, handle);
     }
 
     /**
@@ -1661,7 +1661,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float gravityScale(long handle) {
-        return simulation.fields.motion(CircleField.GRAVITY_SCALE, handle);
+        return simulation.fields.own(CircleField.GRAVITY_SCALE, handle);
     }
 
     /**
@@ -1672,7 +1672,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float damping(long handle) {
-        return simulation.fields.motion(CircleField.DAMPING, handle);
+        return simulation.fields.own(CircleField.DAMPING, handle);
     }
 
     /**
@@ -1683,7 +1683,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale
      */
     public float greatestSpeed(long handle) {
-        return simulation.fields.motion(CircleField.GREATEST_SPEED, handle);
+        return simulation.fields.own(CircleField.GREATEST_SPEED, handle);
     }
 
     /**
@@ -2302,12 +2302,6 @@ public final class World implements AutoCloseable {
          */
         public Builder moving(boolean moving) {
             wish.moving = moving;
-            return this;
-        }
-
-        /** Lets the first step on a device wait for the kernels of its fastest plan: for measurements. */
-        Builder waitForPlans() {
-            wish.waits = true;
             return this;
         }
 

@@ -45,10 +45,6 @@ record Options(
     /** Frames of a picture where the command line names no number: long enough for the circles to fall and settle. */
     static final int PICTURE_FRAMES = 600;
 
-    static Options defaults() {
-        return new OptionsParser().options();
-    }
-
     /** The circles to start with. */
     Scene scene() {
         return packed ? Scenes.packed(circles, seed) : Scenes.thesis(circles, seed);

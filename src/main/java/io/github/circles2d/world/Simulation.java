@@ -246,7 +246,8 @@ public final class Simulation implements AutoCloseable {
         StepConstants constants = world.input.constants;
         world.settings.computeConstants(constants, timeStep);
         constants.filtering = kinds.filter();
-        world.input.responses.set(world.kinds.responses(), world.kinds.version());
+        world.input.responses = world.kinds.responses();
+        world.input.responsesVersion = world.kinds.version();
         constants.ownMotion = world.needs.ownMotion();
         constants.driving = world.kinds.moves() || forces.drive() || constants.ownMotion;
         if (constants.driving) {
@@ -258,7 +259,7 @@ public final class Simulation implements AutoCloseable {
         constants.turning = world.needs.turns();
         if (constants.turning) {
             CircleFields fields = world.handles.fields();
-            boolean own = fields.isUsed(CircleField.FRICTION) || fields.isUsed(CircleField.ROLLING_RESISTANCE);
+            boolean own = fields.areSurfacesUsed();
             boolean torques = fields.isUsed(CircleField.TORQUE) || fields.isUsed(CircleField.APPLIED_TORQUE);
             world.input.surfaces.update(constants, world.kinds, world.kinds.version(), own, torques);
         }

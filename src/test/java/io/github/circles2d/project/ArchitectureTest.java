@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
@@ -40,6 +42,26 @@ class ArchitectureTest {
         for (String room : Rooms.MAY_USE.keySet()) {
             assertThat(Rooms.below(room)).as(room).doesNotContain(room);
         }
+    }
+
+    /** Lines that are not blank. Who needs more takes something away, or raises the bound for a reason. */
+    @ParameterizedTest
+    @CsvSource({"src/main/java, .java, 77600", "kernels, .cl, 10400", "src/test/java, .java, 70500"})
+    void codeHasFewLines(Path folder, String suffix, int most) throws IOException {
+        long lines = 0;
+        for (Path file : Rooms.filesBelow(folder, suffix)) {
+            lines += Files.readString(file)
+                    .lines()
+                    .filter(line -> !line.isBlank())
+                    .count();
+        }
+        assertThat(lines).isLessThanOrEqualTo(most);
+    }
+
+    @Test
+    void worldHasFewFiles() throws IOException {
+        assertThat(Rooms.filesBelow(MAIN.resolve("io/github/circles2d/world"), ".java"))
+                .hasSizeLessThanOrEqualTo(406);
     }
 
     @Test

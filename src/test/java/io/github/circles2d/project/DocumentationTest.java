@@ -327,6 +327,24 @@ class DocumentationTest {
         assertThat(read(page).trim().split("\\s+")).hasSizeLessThanOrEqualTo(words);
     }
 
+    /** All pages that somebody writes; programs write those with the figures of one machine. */
+    @Test
+    void thePagesTogetherHaveFewWords() throws IOException {
+        long words = 0;
+        for (Path page : pages()) {
+            if (!page.getFileName().toString().startsWith("benchmarks-")) {
+                words += read(page.toString()).trim().split("\\s+").length;
+            }
+        }
+        assertThat(words).isLessThanOrEqualTo(94_200);
+    }
+
+    @Test
+    void theGlossaryHasFewWords() throws IOException {
+        assertThat(read("docs/glossary.md").lines().filter(line -> line.startsWith("| ")))
+                .hasSizeLessThanOrEqualTo(81); // the heading is one
+    }
+
     /** A name in code style that begins with a capital and has a small letter: a class, an example's variables apart, or a kernel file. */
     @ParameterizedTest
     @ValueSource(strings = {"ARCHITECTURE.md", "docs/decisions.md", "docs/glossary.md", "docs/patterns.md"})

@@ -2,8 +2,6 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
-import io.github.circles2d.world.circles.KindField;
-import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Calls;
 import io.github.circles2d.world.shared.WorldParts;
@@ -57,74 +55,25 @@ public final class FieldCalls implements Calls.Effects {
         world.calls.end();
     }
 
-    /** Gives a circle friction of its own, or takes it away. */
-    public void setFriction(long handle, float friction) {
-        set(
-                CircleField.FRICTION,
-                handle,
-                Float.isNaN(friction) ? CircleField.NONE : CircleField.bits(Limits.friction(friction)));
-    }
-
-    /** Gives a circle rolling resistance of its own, or takes it away. */
-    public void setRollingResistance(long handle, float resistance) {
-        set(
-                CircleField.ROLLING_RESISTANCE,
-                handle,
-                Float.isNaN(resistance) ? CircleField.NONE : CircleField.bits(Limits.rollingResistance(resistance)));
-    }
-
-    /** The friction of a circle: its own, else that of its kind, else the world's. */
-    public float friction(long handle) {
-        world.guard.check();
-        int id = world.circle(handle);
-        float own = fields.getFloat(CircleField.FRICTION, id);
-        return Float.isNaN(own) ? kinds.friction(kindOf(id)) : own;
-    }
-
-    /** Likewise. */
-    public float rollingResistance(long handle) {
-        world.guard.check();
-        int id = world.circle(handle);
-        float own = fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
-        return Float.isNaN(own) ? kinds.rollingResistance(kindOf(id)) : own;
-    }
-
-    /**
-     * Gives a circle a value of its own, or takes it away.
-     *
-     * @param field {@link CircleField#GRAVITY_SCALE}, {@code DAMPING} or {@code GREATEST_SPEED}
-     */
-    public void setMotion(CircleField field, long handle, float value) {
+    /** Gives a circle a value of its own in place of that of its kind, or takes it away, by NaN. */
+    public void setOwn(CircleField field, long handle, float value) {
         if (!Float.isNaN(value)) {
-            ofKind(field).check(Float.floatToRawIntBits(value));
+            field.ofKind().check(Float.floatToRawIntBits(value));
         }
         set(field, handle, Float.isNaN(value) ? CircleField.NONE : CircleField.bits(value));
     }
 
-    /** One of these values of a circle: its own, else that of its kind. */
-    public float motion(CircleField field, long handle) {
+    /** What a circle has: its own, else that of its kind, else the world's. */
+    public float own(CircleField field, long handle) {
         world.guard.check();
         int id = world.circle(handle);
         float own = fields.getFloat(field, id);
-        return Float.isNaN(own) ? kinds.getFloat(ofKind(field), kindOf(id)) : own;
-    }
-
-    private static KindField ofKind(CircleField field) {
-        return switch (field) {
-            case GRAVITY_SCALE -> KindField.GRAVITY_SCALE;
-            case DAMPING -> KindField.DAMPING;
-            case GREATEST_SPEED -> KindField.GREATEST_SPEED;
-            default -> throw new AssertionError(field);
-        };
+        return Float.isNaN(own) ? kinds.ofCircles(field.ofKind(), fields.getInt(CircleField.KIND, id)) : own;
     }
 
     /** Sets the torque on a circle. */
     public void setTorque(long handle, float torque) {
         set(CircleField.TORQUE, handle, CircleField.bits(torque));
-    }
-
-    private int kindOf(int id) {
-        return fields.getInt(CircleField.KIND, id);
     }
 
     /** What is set for a circle: {@link CircleField#FORCE_X}, {@code FORCE_Y} or {@code TORQUE}. */

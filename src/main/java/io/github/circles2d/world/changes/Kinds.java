@@ -2,8 +2,9 @@ package io.github.circles2d.world.changes;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
-import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.KindField;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Calls;
@@ -129,14 +130,15 @@ public final class Kinds implements Calls.Effects {
         return restitution(kind, world.settings.defaultRestitution());
     }
 
-    /** The friction of circles of a kind that have none of their own: that of the kind, else the world's. */
-    float friction(int kind) {
-        return own(KindField.FRICTION, kind, world.settings.surfaces().friction);
-    }
-
-    /** Likewise. */
-    float rollingResistance(int kind) {
-        return own(KindField.ROLLING_RESISTANCE, kind, world.settings.surfaces().rollingResistance);
+    /** What circles of a kind have that have nothing of their own: the kind's value, else the world's. */
+    float ofCircles(KindField field, int kind) {
+        float ofWorld =
+                switch (field) {
+                    case FRICTION -> world.settings.surfaces().friction;
+                    case ROLLING_RESISTANCE -> world.settings.surfaces().rollingResistance;
+                    default -> Float.NaN; // kinds have a value
+                };
+        return own(field, kind, ofWorld);
     }
 
     /** What a kind has of a field, unless it has none. */
@@ -147,7 +149,7 @@ public final class Kinds implements Calls.Effects {
 
     /** The inverse inertia of the circles of a kind by their inverse mass. */
     float inertia(int kind) {
-        return world.kinds.inertia(kind);
+        return KindSurface.inertia(world.kinds, kind);
     }
 
     /** Whether some pair of circles may have to be filtered: a pair of kinds is not solid, or a circle has had a group. */

@@ -1,8 +1,10 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -24,16 +26,16 @@ public enum CircleField {
     GROUP(3, "group", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, true),
 
     /** The force that is set for the circle, along x. For steps, with what is applied in the one that is made. */
-    FORCE_X(4, "forceX", Limits.FORCE, true),
+    FORCE_X(4, "forceX", Part.OF_ALL, Limits.FORCE, true),
 
     /** The same along y. */
-    FORCE_Y(5, "forceY", Limits.FORCE, true),
+    FORCE_Y(5, "forceY", Part.OF_ALL, Limits.FORCE, true),
 
     /** The force that is applied in the next step alone, along x. */
-    APPLIED_X(6, "applied force x", Limits.FORCE, false),
+    APPLIED_X(6, "applied force x", Part.OF_ALL, Limits.FORCE, false),
 
     /** The same along y. */
-    APPLIED_Y(7, "applied force y", Limits.FORCE, false),
+    APPLIED_Y(7, "applied force y", Part.OF_ALL, Limits.FORCE, false),
 
     /** Where a static circle travels in the next step, by {@link #place}; at first nowhere. {@code Travels} alone sets it. */
     TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false),
@@ -42,25 +44,27 @@ public enum CircleField {
     GROWTH(10, "growth", 0, Long.MIN_VALUE, Long.MAX_VALUE, false),
 
     /** The circle's own friction, or NaN for that of its kind. */
-    FRICTION(11, "friction", 0, Limits.FRICTION),
+    FRICTION(11, "friction", KindField.FRICTION, Part.SURFACE, 0, Limits.FRICTION),
 
     /** The circle's own rolling resistance, or NaN for that of its kind. */
-    ROLLING_RESISTANCE(12, "rollingResistance", 0, Limits.ROLLING_RESISTANCE),
+    ROLLING_RESISTANCE(
+            12, "rollingResistance", KindField.ROLLING_RESISTANCE, Part.SURFACE, 0, Limits.ROLLING_RESISTANCE),
 
     /** The torque that is set for the circle. For steps, with what is applied in the one that is made. */
-    TORQUE(13, "torque", Limits.TORQUE, true),
+    TORQUE(13, "torque", Part.TORQUE, Limits.TORQUE, true),
 
     /** The torque that is applied in the next step alone. */
-    APPLIED_TORQUE(14, "applied torque", Limits.TORQUE, false),
+    APPLIED_TORQUE(14, "applied torque", Part.TORQUE, Limits.TORQUE, false),
 
     /** What gravity is multiplied by for the circle, or NaN for what its kind has. */
-    GRAVITY_SCALE(15, "gravityScale", -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE),
+    GRAVITY_SCALE(
+            15, "gravityScale", KindField.GRAVITY_SCALE, Part.MOTION, -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE),
 
     /** The circle's own damping, 1/s, or NaN for that of its kind. */
-    DAMPING(16, "damping", 0, Limits.VELOCITY_DAMPING),
+    DAMPING(16, "damping", KindField.DAMPING, Part.MOTION, 0, Limits.VELOCITY_DAMPING),
 
     /** The circle's own greatest speed, which may be infinite, or NaN for that of its kind. */
-    GREATEST_SPEED(17, "greatestSpeed", 0, Float.POSITIVE_INFINITY);
+    GREATEST_SPEED(17, "greatestSpeed", KindField.GREATEST_SPEED, Part.MOTION, 0, Float.POSITIVE_INFINITY);
 
     /** The bits that stand for no value of a float. */
     public static final int NONE = Float.floatToRawIntBits(Float.NaN);
@@ -68,8 +72,22 @@ public enum CircleField {
     public static final List<CircleField> ALL = List.of(values());
 
     /** The fields that steps read; their places in this list number them in commands and in the kernels' struct. */
-    public static final List<CircleField> OF_STEPS =
-            Arrays.stream(values()).filter(f -> f.ofSteps).collect(Collectors.toUnmodifiableList());
+    public static final List<CircleField> OF_STEPS = Arrays.stream(values())
+            .filter(f -> f.ofSteps)
+            .sorted(Comparator.comparing(f -> f.part))
+            .collect(Collectors.toUnmodifiableList());
+
+    /** The fields of surfaces, in the order of these. No list, whose iterators would be garbage of each call. */
+    private static final CircleField[] SURFACE =
+            Arrays.stream(values()).filter(CircleField::isOfSurface).toArray(CircleField[]::new);
+
+    /** Which worlds have a field: all; those in which circles can rotate; those in which circles move in another way than their kind. */
+    private enum Part {
+        OF_ALL,
+        SURFACE,
+        TORQUE,
+        MOTION
+    }
 
     private final int number;
     private final String label;
@@ -77,6 +95,10 @@ public enum CircleField {
     private final long least;
     private final long greatest;
     private final boolean ofSteps;
+    private final Part part;
+
+    /** Null if kinds have no such value. */
+    private final KindField ofKind;
 
     /** Greatest magnitude of a float; 0 if the field is a whole number. */
     private final float most;
@@ -92,28 +114,34 @@ public enum CircleField {
         this.least = least;
         this.greatest = greatest;
         this.ofSteps = ofSteps;
+        part = Part.OF_ALL;
+        ofKind = null;
         most = 0;
     }
 
     /** A float, by its bits, 0 at first; most is the greatest magnitude. */
-    CircleField(int number, String label, float most, boolean ofSteps) {
+    CircleField(int number, String label, Part part, float most, boolean ofSteps) {
         this.number = number;
         this.label = label;
         initial = 0;
         least = Integer.MIN_VALUE;
         greatest = Integer.MAX_VALUE;
         this.ofSteps = ofSteps;
+        this.part = part;
+        ofKind = null;
         this.most = most;
     }
 
-    /** A float that steps read, none at first: from 0 on, or of a magnitude of up to most. */
-    CircleField(int number, String label, float least, float most) {
+    /** A float that steps read in place of the kind's, none at first: from 0 on, or of a magnitude of up to most. */
+    CircleField(int number, String label, KindField ofKind, Part part, float least, float most) {
         this.number = number;
         this.label = label;
         initial = Float.floatToRawIntBits(Float.NaN);
         this.least = least < 0 ? Integer.MIN_VALUE : 0;
         greatest = Integer.MAX_VALUE;
         ofSteps = true;
+        this.part = part;
+        this.ofKind = ofKind;
         this.most = most;
     }
 
@@ -191,12 +219,32 @@ public enum CircleField {
 
     /** Whether circles can rotate once one has another value than the initial one. */
     public boolean isOfTurning() {
-        return ordinal() >= FRICTION.ordinal() && !isOfMotion();
+        return isOfSurface() || part == Part.TORQUE;
     }
 
     /** Whether circles move in another way than those of their kind once one has another value than the initial one. */
     public boolean isOfMotion() {
-        return ordinal() >= GRAVITY_SCALE.ordinal();
+        return part == Part.MOTION;
+    }
+
+    /** Whether it is a part of the circle's surface. */
+    public boolean isOfSurface() {
+        return part == Part.SURFACE;
+    }
+
+    /** How many fields surfaces have. */
+    public static int surfaces() {
+        return SURFACE.length;
+    }
+
+    /** Field number k of surfaces. */
+    public static CircleField surface(int k) {
+        return SURFACE[k];
+    }
+
+    /** The field of kinds that counts for circles with no value of their own; null if kinds have no such value. */
+    public KindField ofKind() {
+        return ofKind;
     }
 
     /** Ints that a value takes. */

@@ -133,6 +133,16 @@ public final class CircleFields {
         return end(field) > 0;
     }
 
+    /** The same of surfaces. */
+    public boolean areSurfacesUsed() {
+        for (int k = 0; k < CircleField.surfaces(); k++) {
+            if (isUsed(CircleField.surface(k))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** The ids from which on all circles have the initial value of a field. */
     public int end(CircleField field) {
         return words[field.ordinal()].length / field.words();

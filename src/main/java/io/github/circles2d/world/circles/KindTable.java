@@ -1,9 +1,6 @@
 package io.github.circles2d.world.circles;
 
-import io.github.circles2d.world.model.KindMotion;
-import io.github.circles2d.world.model.KindSleep;
-import io.github.circles2d.world.model.KindSurface;
-import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
@@ -12,15 +9,12 @@ import java.util.Arrays;
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable implements KindMotion.Values, KindSleep.Values, KindSurface.Values, KindTerrain.Values {
+public final class KindTable implements KindField.Values {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 
     /** In the matrix: the number above this one is a response of {@link PairTable}. */
     public static final int RESPONSE = 1;
-
-    /** The bits that stand for no value of a float. */
-    static final int NONE = Float.floatToRawIntBits(Float.NaN);
 
     /** By kind and field. */
     private final int[] values = new int[PairTable.KINDS * KindField.ALL.size()];
@@ -68,10 +62,12 @@ public final class KindTable implements KindMotion.Values, KindSleep.Values, Kin
         return Limits.within("the kind", kind, 0, PairTable.KINDS - 1);
     }
 
+    @Override
     public int get(KindField field, int kind) {
         return values[at(field, kind)];
     }
 
+    @Override
     public float getFloat(KindField field, int kind) {
         return Float.intBitsToFloat(get(field, kind));
     }
@@ -151,61 +147,6 @@ public final class KindTable implements KindMotion.Values, KindSleep.Values, Kin
     /** Whether circles of some kind may grip or carry others. */
     public boolean grips() {
         return surfaces > 0;
-    }
-
-    @Override
-    public float beltSpeed(int kind) {
-        return getFloat(KindField.BELT_SPEED, kind);
-    }
-
-    @Override
-    public float inertia(int kind) {
-        return 2f - get(KindField.INERTIA, kind);
-    }
-
-    @Override
-    public float angularDamping(int kind) {
-        return getFloat(KindField.ANGULAR_DAMPING, kind);
-    }
-
-    @Override
-    public float friction(int kind) {
-        return getFloat(KindField.FRICTION, kind);
-    }
-
-    @Override
-    public float rollingResistance(int kind) {
-        return getFloat(KindField.ROLLING_RESISTANCE, kind);
-    }
-
-    @Override
-    public float restitution(int kind) {
-        return getFloat(KindField.RESTITUTION, kind);
-    }
-
-    @Override
-    public boolean oneWay(int kind) {
-        return get(KindField.ONE_WAY, kind) != 0;
-    }
-
-    @Override
-    public float gravityScale(int kind) {
-        return getFloat(KindField.GRAVITY_SCALE, kind);
-    }
-
-    @Override
-    public float damping(int kind) {
-        return getFloat(KindField.DAMPING, kind);
-    }
-
-    @Override
-    public boolean sleeps(int kind) {
-        return get(KindField.AWAKE, kind) == 0;
-    }
-
-    @Override
-    public float greatestSpeed(int kind) {
-        return getFloat(KindField.GREATEST_SPEED, kind);
     }
 
     /** Counts the changes. */

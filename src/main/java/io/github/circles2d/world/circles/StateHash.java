@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.JointState;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.SurfaceSettings;
 
 /**

@@ -35,8 +35,4 @@ public final class BrokenJoints {
     public int id(int k) {
         return (int) joint[k];
     }
-
-    public int step(int k) {
-        return (int) (joint[k] >>> 32);
-    }
 }

@@ -149,11 +149,6 @@ public final class JointTable {
         return breakable > 0;
     }
 
-    /** How many may break. */
-    public int breakable() {
-        return breakable;
-    }
-
     /** Whether a joint keeps two circles from colliding. */
     boolean parts() {
         return parting > 0;

@@ -163,12 +163,9 @@ final class CirclePasses {
             float sideY = Walls.wallSide(circle[s + Y], minY, maxY);
             if (turning != null) {
                 turning.start(slot, k);
-                // a wall that does not press holds nothing
-                if (wallX != 0f || wallY != 0f) {
-                    walls.rows.start(slot, sideX, sideY);
-                    nextX = m[s + VX];
-                    nextY = m[s + VY];
-                }
+                walls.rows.start(slot, sideX, sideY);
+                nextX = m[s + VX];
+                nextY = m[s + VY];
             }
             float gapX = Walls.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
             float gapY = Walls.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
@@ -177,10 +174,10 @@ final class CirclePasses {
             int clear = Constraints.staysClear(gapX, impulseX, sideX * nextX, sideX * vx, h, inverseH)
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
-                walls.leave(slot, sideX, sideY);
-                if (turning != null && (wallX != 0f || wallY != 0f)) {
-                    turning.forget(slot);
+                if (turning != null) {
+                    walls.rows.leave(slot);
                 }
+                walls.leave(slot, sideX, sideY);
             } else {
                 walls.solve(slot, X, minX, maxX, k, sub);
                 // the friction of each wall acts along the other axis

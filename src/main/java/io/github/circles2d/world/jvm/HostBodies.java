@@ -147,7 +147,7 @@ public final class HostBodies implements AutoCloseable {
         input.constants.warmScale = warmScale;
         state.setArena(input.constants.arena);
         state.filtering = input.constants.filtering;
-        state.responses = input.responses.table;
+        state.responses = input.responses;
         state.kindMotion = input.constants.driving ? input.motion.rows : null;
         state.ownMotion = input.constants.ownMotion;
         state.turning.surfaces = input.surfaces.rows;
@@ -309,7 +309,7 @@ public final class HostBodies implements AutoCloseable {
     private void beginHere() {
         bodies.touches = 0;
         bodies.touchesStay = true;
-        sensing.beginWithoutCircles(bodies, input.responses);
+        sensing.beginWithoutCircles(bodies, input);
         passes.begin(null);
     }
 

@@ -18,7 +18,6 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.JointStep;
-import io.github.circles2d.world.model.PairResponses;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.StepReports;
@@ -106,8 +105,8 @@ public final class JvmPipeline implements Pipeline {
     /** What the step is to be made with. */
     StepConstants constants;
 
+    private StepInput stepInput;
     private StepReports reports;
-    private PairResponses responses;
 
     /** Records what is reported; null if nobody is told. */
     private Recorder recorder;
@@ -201,6 +200,7 @@ public final class JvmPipeline implements Pipeline {
     public void step(StepInput input, GridLevels all, int count) {
         shape = all;
         constants = input.constants;
+        stepInput = input;
         reports = input.reports;
         terrain = input.terrain;
         jointStep = input.joints;
@@ -214,8 +214,7 @@ public final class JvmPipeline implements Pipeline {
         state.setArena(constants.arena);
         state.setSleeps(constants.sleeping);
         state.filtering = constants.filtering;
-        state.responses = input.responses.table;
-        responses = input.responses;
+        state.responses = input.responses;
         state.kindMotion = constants.driving ? input.motion.rows : null;
         state.ownMotion = constants.ownMotion;
         if (constants.turning) {
@@ -288,7 +287,7 @@ public final class JvmPipeline implements Pipeline {
                 rigidSensing = new RigidSensing(state);
             }
             if (rigidSensing != null) {
-                rigidSensing.begin(rigids, responses);
+                rigidSensing.begin(rigids, stepInput);
             }
         }
         if (constants.joints) {

@@ -109,11 +109,6 @@ final class NearResting {
         return sum;
     }
 
-    /** Room of a worker for what it finds, outside of {@link #find}. */
-    Resting.Found found(int worker) {
-        return found[worker];
-    }
-
     /** Finds them. */
     void find() {
         team.all(lookAll);

@@ -12,11 +12,11 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
-import io.github.circles2d.world.model.PairResponses;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
@@ -93,10 +93,10 @@ final class RigidSensing {
     }
 
     /** Whether kinds sense each other. */
-    private boolean learn(PairResponses of) {
-        responses = of.table;
-        if (version != of.version) {
-            version = of.version;
+    private boolean learn(StepInput of) {
+        responses = of.responses;
+        if (version != of.responsesVersion) {
+            version = of.responsesVersion;
             kindCount = 0;
             for (int kind = 0; kind < PairTable.KINDS; kind++) {
                 senses[kind] = false;
@@ -115,20 +115,20 @@ final class RigidSensing {
     }
 
     /** A step begins: notes where all is that takes part. */
-    void begin(RigidStep of, PairResponses table) {
-        beginWithoutCircles(of, table);
+    void begin(RigidStep of, StepInput input) {
+        beginWithoutCircles(of, input);
         if (withCircles) {
             noteCircles();
         }
     }
 
     /** The same, but circles are noted as the step ends. */
-    void beginWithoutCircles(RigidStep of, PairResponses table) {
+    void beginWithoutCircles(RigidStep of, StepInput input) {
         step = of;
         bodyCount = 0;
         circleCount = 0;
         withCircles = false;
-        if (step.listener == null || !state.filtering || !learn(table)) {
+        if (step.listener == null || !state.filtering || !learn(input)) {
             return;
         }
         noteBodies();

@@ -408,13 +408,14 @@ public final class State implements ContactEvents.Sleepers {
         if (sleepers == null) {
             return;
         }
-        switch (field) {
-            case KIND, GROUP, FRICTION, ROLLING_RESISTANCE -> {
-                sleepers.restart(wake(slotOf[circleId]));
-                wakeNear(slotOf[circleId]);
-            }
-            case GRAVITY_SCALE, DAMPING, GREATEST_SPEED -> sleepers.restart(wake(slotOf[circleId]));
-            default -> sleepers.suspect(circleId); // its force
+        boolean meets = field == CircleField.KIND || field == CircleField.GROUP || field.isOfSurface();
+        if (!meets && !field.isOfMotion()) {
+            sleepers.suspect(circleId); // its force
+            return;
+        }
+        sleepers.restart(wake(slotOf[circleId]));
+        if (meets) {
+            wakeNear(slotOf[circleId]);
         }
     }
 

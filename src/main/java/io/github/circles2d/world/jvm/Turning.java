@@ -148,14 +148,13 @@ final class Turning {
             int s = CircleRow.of(slot);
             int id = state.id[slot];
             int kind = state.fields.getInt(CircleField.KIND, id);
-            float friction = state.fields.getFloat(CircleField.FRICTION, id);
-            float resistance = state.fields.getFloat(CircleField.ROLLING_RESISTANCE, id);
             int own = KindSurface.of(slot);
             KindSurface.copy(surfaces, kind, circleSurfaces, slot);
-            circleSurfaces[own + KindSurface.FRICTION] =
-                    CircleMath.orOfKind(friction, circleSurfaces[own + KindSurface.FRICTION]);
-            circleSurfaces[own + KindSurface.ROLLING_RESISTANCE] =
-                    CircleMath.orOfKind(resistance, circleSurfaces[own + KindSurface.ROLLING_RESISTANCE]);
+            for (int k = 0; k < CircleField.surfaces(); k++) {
+                int at = own + KindSurface.OF_CIRCLES + k;
+                float value = state.fields.getFloat(CircleField.surface(k), id);
+                circleSurfaces[at] = CircleMath.orOfKind(value, circleSurfaces[at]);
+            }
             spin[s + SURFACE_SPEED] = angularVelocity[slot] * state.circle[s + RADIUS];
             spin[s + SPIN_IMPULSE] = 0f;
             spin[s + TURNED] = 0f;

@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.WALL_X;
+import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
@@ -41,10 +42,25 @@ final class WallRows {
         return hold(slot, X) | hold(slot, Y);
     }
 
+    /** Whether some wall presses. One that does not holds nothing. */
+    private boolean press(int slot) {
+        int s = CircleRow.of(slot);
+        return state.traits[s + WALL_X] != 0f || state.traits[s + WALL_Y] != 0f;
+    }
+
     /** The warm start of both axes. */
     void start(int slot, float sideX, float sideY) {
-        start(slot, X, sideX);
-        start(slot, Y, sideY);
+        if (press(slot)) {
+            start(slot, X, sideX);
+            start(slot, Y, sideY);
+        }
+    }
+
+    /** Before {@link WallVisits#leave}. */
+    void leave(int slot) {
+        if (press(slot)) {
+            state.turning.forget(slot);
+        }
     }
 
     private void start(int slot, int axis, float side) {

@@ -35,22 +35,12 @@ public final class KindMotion {
     private float gravityY;
     private int kindsVersion = -1;
 
-    public interface Values {
-        float gravityScale(int kind);
-
-        /** 1/s */
-        float damping(int kind);
-
-        /** May be infinite. */
-        float greatestSpeed(int kind);
-    }
-
     public static int of(int kind) {
         return STRIDE * kind;
     }
 
     /** Does nothing if nothing has changed. */
-    public void update(StepConstants k, Values kinds, int ofVersion) {
+    public void update(StepConstants k, KindField.Values kinds, int ofVersion) {
         if (kindsVersion == ofVersion
                 && dt == k.dt
                 && subSteps == k.subSteps
@@ -59,7 +49,12 @@ public final class KindMotion {
             return;
         }
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            set(kind, k, kinds.gravityScale(kind), kinds.damping(kind), kinds.greatestSpeed(kind));
+            set(
+                    kind,
+                    k,
+                    kinds.getFloat(KindField.GRAVITY_SCALE, kind),
+                    kinds.getFloat(KindField.DAMPING, kind),
+                    kinds.getFloat(KindField.GREATEST_SPEED, kind));
         }
         dt = k.dt;
         subSteps = k.subSteps;

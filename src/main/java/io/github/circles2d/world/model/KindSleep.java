@@ -16,25 +16,18 @@ public final class KindSleep {
 
     private int kindsVersion = -1;
 
-    public interface Values {
-        /** 1/s */
-        float damping(int kind);
-
-        boolean sleeps(int kind);
-    }
-
     public static int of(int kind) {
         return STRIDE * kind;
     }
 
     /** Does nothing if nothing has changed. */
-    public void update(Values kinds, int ofVersion) {
+    public void update(KindField.Values kinds, int ofVersion) {
         if (kindsVersion == ofVersion) {
             return;
         }
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            rows[of(kind) + DAMPING] = kinds.damping(kind);
-            rows[of(kind) + AWAKE] = kinds.sleeps(kind) ? 0f : 1f;
+            rows[of(kind) + DAMPING] = kinds.getFloat(KindField.DAMPING, kind);
+            rows[of(kind) + AWAKE] = kinds.get(KindField.AWAKE, kind);
         }
         kindsVersion = ofVersion;
         version++;

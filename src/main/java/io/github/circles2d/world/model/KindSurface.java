@@ -14,10 +14,12 @@ public final class KindSurface {
     /** Share of angular velocity that a sub-step leaves. */
     public static final int DAMPING_FACTOR = 2;
 
-    /** Of circles that have none of their own: the kind's, else the world's. */
-    public static final int FRICTION = 3;
+    /** The first of those that circles have of their own, or else of the kind, or else of the world; in the order of the fields of circles. */
+    public static final int OF_CIRCLES = 3;
 
-    public static final int ROLLING_RESISTANCE = 4;
+    public static final int FRICTION = OF_CIRCLES;
+
+    public static final int ROLLING_RESISTANCE = OF_CIRCLES + 1;
 
     /** In the first row: 1 if circles have surfaces or torques of their own. */
     public static final int OWN = 5;
@@ -43,22 +45,6 @@ public final class KindSurface {
 
     private boolean alike;
 
-    public interface Values {
-        float beltSpeed(int kind);
-
-        /** {@link #INERTIA} */
-        float inertia(int kind);
-
-        /** 1/s */
-        float angularDamping(int kind);
-
-        /** NaN if the world's counts. */
-        float friction(int kind);
-
-        /** NaN if the world's counts. */
-        float rollingResistance(int kind);
-    }
-
     public static int of(int kind) {
         return STRIDE * kind;
     }
@@ -68,13 +54,18 @@ public final class KindSurface {
         System.arraycopy(from, of(kind), to, of(circle), STRIDE);
     }
 
+    /** {@link #INERTIA} */
+    public static float inertia(KindField.Values kinds, int kind) {
+        return 2f - kinds.get(KindField.INERTIA, kind);
+    }
+
     /** The row of a wall, by {@link WallMotion#of}. */
     public static int ofWall(int wall) {
         return of(PairTable.KINDS + wall);
     }
 
     /** Does nothing if nothing has changed. The last two: whether circles have surfaces, and torques, of their own. */
-    public void update(StepConstants k, Values kinds, int ofVersion, boolean ofCircles, boolean someTorques) {
+    public void update(StepConstants k, KindField.Values kinds, int ofVersion, boolean ofCircles, boolean someTorques) {
         if (kindsVersion == ofVersion
                 && h == k.h
                 && settings == k.surfaces
@@ -87,13 +78,13 @@ public final class KindSurface {
         boolean drives = torques;
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             int row = of(kind);
-            rows[row + BELT] = kinds.beltSpeed(kind);
-            rows[row + INERTIA] = kinds.inertia(kind);
-            rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.angularDamping(kind) * k.h);
+            rows[row + BELT] = kinds.getFloat(KindField.BELT_SPEED, kind);
+            rows[row + INERTIA] = inertia(kinds, kind);
+            rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.getFloat(KindField.ANGULAR_DAMPING, kind) * k.h);
             drives |= rows[row + DAMPING_FACTOR] != 1f;
-            rows[row + FRICTION] = CircleMath.orOfKind(kinds.friction(kind), k.surfaces.friction);
-            rows[row + ROLLING_RESISTANCE] =
-                    CircleMath.orOfKind(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+            rows[row + FRICTION] = CircleMath.orOfKind(kinds.getFloat(KindField.FRICTION, kind), k.surfaces.friction);
+            rows[row + ROLLING_RESISTANCE] = CircleMath.orOfKind(
+                    kinds.getFloat(KindField.ROLLING_RESISTANCE, kind), k.surfaces.rollingResistance);
         }
         for (int wall = 0; wall < WallMotion.COUNT; wall++) {
             int row = ofWall(wall);

@@ -16,26 +16,19 @@ public final class KindTerrain {
 
     private int kindsVersion = -1;
 
-    public interface Values {
-        /** NaN if there is none. */
-        float restitution(int kind);
-
-        boolean oneWay(int kind);
-    }
-
     public static int of(int kind) {
         return STRIDE * kind;
     }
 
     /** Does nothing if nothing has changed. */
-    public void update(Values kinds, int ofVersion) {
+    public void update(KindField.Values kinds, int ofVersion) {
         if (kindsVersion == ofVersion) {
             return;
         }
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            float restitution = kinds.restitution(kind);
+            float restitution = kinds.getFloat(KindField.RESTITUTION, kind);
             rows[of(kind) + RESTITUTION] = restitution > 0f ? restitution : 0f;
-            rows[of(kind) + ONE_WAY] = kinds.oneWay(kind) ? 1f : 0f;
+            rows[of(kind) + ONE_WAY] = kinds.get(KindField.ONE_WAY, kind);
         }
         kindsVersion = ofVersion;
         version++;

@@ -68,7 +68,7 @@ public final class StepConstants {
     /** Whether circles may have a gravity scale, a damping or a greatest speed of their own. */
     public boolean ownMotion;
 
-    /** Whether the step reads {@link PairResponses}. */
+    /** Whether the step reads {@link StepInput#responses}. */
     public boolean filtering;
 
     /** Whether the step reads {@link KindMotion}. */

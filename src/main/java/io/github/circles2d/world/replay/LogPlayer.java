@@ -57,11 +57,6 @@ public final class LogPlayer {
         return call == null ? -1 : call.words;
     }
 
-    /** Steps between two hashes. */
-    public int hashEvery() {
-        return log.hashEvery();
-    }
-
     public long steps() {
         return steps;
     }

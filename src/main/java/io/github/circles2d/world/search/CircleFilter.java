@@ -2,7 +2,7 @@ package io.github.circles2d.world.search;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
-import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.RemoteSearch;

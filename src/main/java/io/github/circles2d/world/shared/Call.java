@@ -2,10 +2,10 @@ package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.bodies.RigidRules;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.model.WallMotion;

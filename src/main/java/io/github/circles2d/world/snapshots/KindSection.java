@@ -1,7 +1,7 @@
 package io.github.circles2d.world.snapshots;
 
-import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 

@@ -107,17 +107,19 @@ final class TerrainSection {
         if (!t.bodyLives[id]) {
             return generation;
         }
-        boolean moves = !(isZero(t.vx[id]) && isZero(t.vy[id]) && isZero(t.omega[id]));
+        boolean moves = !(isZero(t.bodies.vx[id]) && isZero(t.bodies.vy[id]) && isZero(t.bodies.omega[id]));
         return LIVES
                 | generation
                 | (moves ? MOVES : 0)
-                | (t.travels[id] ? TRAVELS : 0)
+                | (t.bodies.travels[id] ? TRAVELS : 0)
                 | (hasMovedOtherwise(t, id) ? MOVED_OTHERWISE : 0);
     }
 
     /** Whether a body has not moved in the last step as its velocities say. */
     private static boolean hasMovedOtherwise(SavedTerrain t, int id) {
-        return t.lastVx[id] != t.vx[id] || t.lastVy[id] != t.vy[id] || t.lastOmega[id] != t.omega[id];
+        return t.bodies.lastVx[id] != t.bodies.vx[id]
+                || t.bodies.lastVy[id] != t.bodies.vy[id]
+                || t.bodies.lastOmega[id] != t.bodies.omega[id];
     }
 
     private static int pieceFlags(SavedTerrain t, int piece) {
@@ -152,16 +154,16 @@ final class TerrainSection {
             Varint.put(out, t.bodyGeneration[id]);
         }
         if ((flags & LIVES) != 0) {
-            out.putDouble(t.x[id]).putDouble(t.y[id]).putInt(t.angle[id]);
+            out.putDouble(t.bodies.x[id]).putDouble(t.bodies.y[id]).putInt(t.bodies.angle[id]);
         }
         if ((flags & MOVES) != 0) {
-            out.putFloat(t.vx[id]).putFloat(t.vy[id]).putFloat(t.omega[id]);
+            out.putFloat(t.bodies.vx[id]).putFloat(t.bodies.vy[id]).putFloat(t.bodies.omega[id]);
         }
         if ((flags & TRAVELS) != 0) {
-            out.putFloat(t.targetX[id]).putFloat(t.targetY[id]).putInt(t.targetAngle[id]);
+            out.putFloat(t.bodies.targetX[id]).putFloat(t.bodies.targetY[id]).putInt(t.bodies.targetAngle[id]);
         }
         if ((flags & MOVED_OTHERWISE) != 0) {
-            out.putFloat(t.lastVx[id]).putFloat(t.lastVy[id]).putFloat(t.lastOmega[id]);
+            out.putFloat(t.bodies.lastVx[id]).putFloat(t.bodies.lastVy[id]).putFloat(t.bodies.lastOmega[id]);
         }
     }
 
@@ -280,45 +282,46 @@ final class TerrainSection {
                 "a body of terrain has no such flags");
         t.bodyGeneration[id] = SnapshotCodec.getGeneration(in, (flags & HAS_GENERATION) != 0);
         t.bodyLives[id] = lives;
-        t.x[id] = 0;
-        t.y[id] = 0;
-        t.angle[id] = 0;
+        t.bodies.x[id] = 0;
+        t.bodies.y[id] = 0;
+        t.bodies.angle[id] = 0;
         if (lives) {
             room(in, POSE);
-            t.x[id] = place(in.getDouble(), bounds.minX(), bounds.maxX(), bounds.periodX());
-            t.y[id] = place(in.getDouble(), bounds.minY(), bounds.maxY(), bounds.periodY());
-            t.angle[id] = in.getInt();
+            t.bodies.x[id] = place(in.getDouble(), bounds.minX(), bounds.maxX(), bounds.periodX());
+            t.bodies.y[id] = place(in.getDouble(), bounds.minY(), bounds.maxY(), bounds.periodY());
+            t.bodies.angle[id] = in.getInt();
         }
         boolean moves = (flags & MOVES) != 0;
-        t.vx[id] = 0f;
-        t.vy[id] = 0f;
-        t.omega[id] = 0f;
+        t.bodies.vx[id] = 0f;
+        t.bodies.vy[id] = 0f;
+        t.bodies.omega[id] = 0f;
         if (moves) {
             room(in, MOTION);
-            t.vx[id] = velocity(in.getFloat());
-            t.vy[id] = velocity(in.getFloat());
-            t.omega[id] = velocity(in.getFloat());
+            t.bodies.vx[id] = velocity(in.getFloat());
+            t.bodies.vy[id] = velocity(in.getFloat());
+            t.bodies.omega[id] = velocity(in.getFloat());
             SnapshotCodec.require(
-                    t.vx[id] != 0f || t.vy[id] != 0f || t.omega[id] != 0f, "a body of terrain moves that is at rest");
+                    t.bodies.vx[id] != 0f || t.bodies.vy[id] != 0f || t.bodies.omega[id] != 0f,
+                    "a body of terrain moves that is at rest");
         }
-        t.travels[id] = (flags & TRAVELS) != 0;
-        t.targetX[id] = 0f;
-        t.targetY[id] = 0f;
-        t.targetAngle[id] = 0;
-        if (t.travels[id]) {
+        t.bodies.travels[id] = (flags & TRAVELS) != 0;
+        t.bodies.targetX[id] = 0f;
+        t.bodies.targetY[id] = 0f;
+        t.bodies.targetAngle[id] = 0;
+        if (t.bodies.travels[id]) {
             room(in, TARGET);
-            t.targetX[id] = (float) place(in.getFloat(), bounds.minX(), bounds.maxX(), bounds.periodX());
-            t.targetY[id] = (float) place(in.getFloat(), bounds.minY(), bounds.maxY(), bounds.periodY());
-            t.targetAngle[id] = in.getInt();
+            t.bodies.targetX[id] = (float) place(in.getFloat(), bounds.minX(), bounds.maxX(), bounds.periodX());
+            t.bodies.targetY[id] = (float) place(in.getFloat(), bounds.minY(), bounds.maxY(), bounds.periodY());
+            t.bodies.targetAngle[id] = in.getInt();
         }
-        t.lastVx[id] = t.vx[id];
-        t.lastVy[id] = t.vy[id];
-        t.lastOmega[id] = t.omega[id];
+        t.bodies.lastVx[id] = t.bodies.vx[id];
+        t.bodies.lastVy[id] = t.bodies.vy[id];
+        t.bodies.lastOmega[id] = t.bodies.omega[id];
         if ((flags & MOVED_OTHERWISE) != 0) {
             room(in, MOTION);
-            t.lastVx[id] = velocity(in.getFloat());
-            t.lastVy[id] = velocity(in.getFloat());
-            t.lastOmega[id] = velocity(in.getFloat());
+            t.bodies.lastVx[id] = velocity(in.getFloat());
+            t.bodies.lastVy[id] = velocity(in.getFloat());
+            t.bodies.lastOmega[id] = velocity(in.getFloat());
             SnapshotCodec.require(hasMovedOtherwise(t, id), "a body of terrain has not moved otherwise");
         }
     }

@@ -14,33 +14,13 @@ import java.util.Arrays;
  * Bodies of terrain: where they are, how they move, and where they travel. Body 0 is the ground, which stays where it is. A place has double
  * precision, so a slow body creeps as far as its velocity says.
  */
-public final class BodyTable {
+public final class BodyTable extends BodyStates {
     public static final int GROUND = 0;
 
     /** A body turns so far in a sub-step at most, in units of an angle: a sixteenth less than half a turn. */
     private static final long MOST_TURN = 15L << 27;
 
     public final IdTable ids = new IdTable(Handle.BODY);
-
-    double[] x = new double[0];
-    double[] y = new double[0];
-    int[] angle = new int[0];
-    float[] vx = new float[0];
-    float[] vy = new float[0];
-    float[] omega = new float[0];
-
-    /** How the body has moved in the last step, since it jumped. No later step depends on it. */
-    float[] lastVx = new float[0];
-
-    float[] lastVy = new float[0];
-    float[] lastOmega = new float[0];
-
-    /** Whether the body travels to its target in the next step. */
-    boolean[] travels = new boolean[0];
-
-    float[] targetX = new float[0];
-    float[] targetY = new float[0];
-    int[] targetAngle = new int[0];
 
     /** The first piece, or -1. */
     int[] firstPiece = new int[0];
@@ -68,36 +48,12 @@ public final class BodyTable {
         add(0f, 0f, 0);
     }
 
-    private void setRoom(int bodies) {
-        double[] newX = Arrays.copyOf(x, bodies);
-        double[] newY = Arrays.copyOf(y, bodies);
-        int[] newAngle = Arrays.copyOf(angle, bodies);
-        float[] newVx = Arrays.copyOf(vx, bodies);
-        float[] newVy = Arrays.copyOf(vy, bodies);
-        float[] newOmega = Arrays.copyOf(omega, bodies);
-        float[] newLastVx = Arrays.copyOf(lastVx, bodies);
-        float[] newLastVy = Arrays.copyOf(lastVy, bodies);
-        float[] newLastOmega = Arrays.copyOf(lastOmega, bodies);
-        boolean[] newTravels = Arrays.copyOf(travels, bodies);
-        float[] newTargetX = Arrays.copyOf(targetX, bodies);
-        float[] newTargetY = Arrays.copyOf(targetY, bodies);
-        int[] newTargetAngle = Arrays.copyOf(targetAngle, bodies);
+    @Override
+    void setRoom(int bodies) {
         int[] newFirstPiece = Arrays.copyOf(firstPiece, bodies);
         int[] newMovers = Arrays.copyOf(movers, bodies);
         boolean[] newIsMover = Arrays.copyOf(isMover, bodies);
-        x = newX;
-        y = newY;
-        angle = newAngle;
-        vx = newVx;
-        vy = newVy;
-        omega = newOmega;
-        lastVx = newLastVx;
-        lastVy = newLastVy;
-        lastOmega = newLastOmega;
-        travels = newTravels;
-        targetX = newTargetX;
-        targetY = newTargetY;
-        targetAngle = newTargetAngle;
+        super.setRoom(bodies);
         firstPiece = newFirstPiece;
         movers = newMovers;
         isMover = newIsMover;
@@ -376,19 +332,7 @@ public final class BodyTable {
         for (int id = 0; id < n; id++) {
             to.bodyLives[id] = ids.lives(id);
         }
-        System.arraycopy(x, 0, to.x, 0, n);
-        System.arraycopy(y, 0, to.y, 0, n);
-        System.arraycopy(angle, 0, to.angle, 0, n);
-        System.arraycopy(vx, 0, to.vx, 0, n);
-        System.arraycopy(vy, 0, to.vy, 0, n);
-        System.arraycopy(omega, 0, to.omega, 0, n);
-        System.arraycopy(lastVx, 0, to.lastVx, 0, n);
-        System.arraycopy(lastVy, 0, to.lastVy, 0, n);
-        System.arraycopy(lastOmega, 0, to.lastOmega, 0, n);
-        System.arraycopy(travels, 0, to.travels, 0, n);
-        System.arraycopy(targetX, 0, to.targetX, 0, n);
-        System.arraycopy(targetY, 0, to.targetY, 0, n);
-        System.arraycopy(targetAngle, 0, to.targetAngle, 0, n);
+        to.bodies.copy(this, n);
     }
 
     /** Makes room for bodies of a saved state. */
@@ -426,19 +370,7 @@ public final class BodyTable {
         moverCount = 0;
         jumps++;
         Arrays.fill(isMover, false);
-        System.arraycopy(from.x, 0, x, 0, n);
-        System.arraycopy(from.y, 0, y, 0, n);
-        System.arraycopy(from.angle, 0, angle, 0, n);
-        System.arraycopy(from.vx, 0, vx, 0, n);
-        System.arraycopy(from.vy, 0, vy, 0, n);
-        System.arraycopy(from.omega, 0, omega, 0, n);
-        System.arraycopy(from.lastVx, 0, lastVx, 0, n);
-        System.arraycopy(from.lastVy, 0, lastVy, 0, n);
-        System.arraycopy(from.lastOmega, 0, lastOmega, 0, n);
-        System.arraycopy(from.travels, 0, travels, 0, n);
-        System.arraycopy(from.targetX, 0, targetX, 0, n);
-        System.arraycopy(from.targetY, 0, targetY, 0, n);
-        System.arraycopy(from.targetAngle, 0, targetAngle, 0, n);
+        copy(from.bodies, n);
         for (int id = 1; id < n; id++) {
             if (ids.lives(id)) {
                 note(id);

@@ -37,30 +37,12 @@ public final class SavedTerrain {
 
     public int[] bodyGeneration = new int[1];
     public boolean[] bodyLives = new boolean[1];
-    public double[] x = new double[1];
-    public double[] y = new double[1];
 
-    /** In units of an angle. */
-    public int[] angle = new int[1];
+    public final BodyStates bodies = new BodyStates();
 
-    public float[] vx = new float[1];
-    public float[] vy = new float[1];
-    public float[] omega = new float[1];
-
-    /** By body: how it has moved in the last step. */
-    public float[] lastVx = new float[1];
-
-    public float[] lastVy = new float[1];
-    public float[] lastOmega = new float[1];
-
-    /** By body: whether it travels to its target in the next step. */
-    public boolean[] travels = new boolean[1];
-
-    public float[] targetX = new float[1];
-    public float[] targetY = new float[1];
-    public int[] targetAngle = new int[1];
-
-    public SavedTerrain() {}
+    public SavedTerrain() {
+        bodies.setRoom(1);
+    }
 
     /** As it is at first. */
     public void clear() {
@@ -88,10 +70,10 @@ public final class SavedTerrain {
     }
 
     /** Makes room, without the contents so far, and sets the numbers. */
-    public void setIds(int pieces, int bodies) {
-        if (half.length < pieces) {
+    public void setIds(int ofPieces, int ofBodies) {
+        if (half.length < ofPieces) {
             // All arrays are made before one is assigned: a growth that fails changes nothing.
-            int c = Math.max(pieces, half.length + (half.length >> 1));
+            int c = Math.max(ofPieces, half.length + (half.length >> 1));
             int[] newPieceGeneration = new int[c];
             byte[] newShape = new byte[c];
             byte[] newKind = new byte[c];
@@ -107,41 +89,16 @@ public final class SavedTerrain {
             form = newForm;
             half = newHalf;
         }
-        if (targetAngle.length < bodies) {
-            int c = Math.max(bodies, targetAngle.length + (targetAngle.length >> 1));
+        if (bodies.room() < ofBodies) {
+            int c = Math.max(ofBodies, bodies.room() + (bodies.room() >> 1));
             int[] newBodyGeneration = new int[c];
             boolean[] newBodyLives = new boolean[c];
-            double[] newX = new double[c];
-            double[] newY = new double[c];
-            int[] newAngle = new int[c];
-            float[] newVx = new float[c];
-            float[] newVy = new float[c];
-            float[] newOmega = new float[c];
-            float[] newLastVx = new float[c];
-            float[] newLastVy = new float[c];
-            float[] newLastOmega = new float[c];
-            boolean[] newTravels = new boolean[c];
-            float[] newTargetX = new float[c];
-            float[] newTargetY = new float[c];
-            int[] newTargetAngle = new int[c];
+            bodies.setRoom(c);
             bodyGeneration = newBodyGeneration;
             bodyLives = newBodyLives;
-            x = newX;
-            y = newY;
-            angle = newAngle;
-            vx = newVx;
-            vy = newVy;
-            omega = newOmega;
-            lastVx = newLastVx;
-            lastVy = newLastVy;
-            lastOmega = newLastOmega;
-            travels = newTravels;
-            targetX = newTargetX;
-            targetY = newTargetY;
-            targetAngle = newTargetAngle;
         }
-        pieceIds = pieces;
-        bodyIds = bodies;
+        pieceIds = ofPieces;
+        bodyIds = ofBodies;
         bodyLives[0] = true;
     }
 }

@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.PairTable.SENSE;
 import static io.github.circles2d.world.model.PairTable.SOLID;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;

@@ -12,7 +12,6 @@ import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.changes.Pieces;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.KindField;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.EventRows;
@@ -23,6 +22,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.Readiness;
 import io.github.circles2d.world.shared.Pipeline;
@@ -730,8 +730,8 @@ final class Twins implements AutoCloseable {
         float velocity = (random.nextInt(3) - 1) * PipelinesAgreeTest.power(random, -9, 6);
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.fields.setFriction(handles[id], friction);
-                simulation.fields.setRollingResistance(handles[id], resistance);
+                simulation.fields.setOwn(CircleField.FRICTION, handles[id], friction);
+                simulation.fields.setOwn(CircleField.ROLLING_RESISTANCE, handles[id], resistance);
                 simulation.forces.applyTorque(handles[id], torque);
                 simulation.circles.setAngularVelocity(handles[id], velocity);
                 simulation.circles.applyAngularImpulse(handles[id], -torque);
@@ -742,8 +742,8 @@ final class Twins implements AutoCloseable {
     /** Makes one of the changes of a circle that make it turn. */
     private static void turnOne(Simulation simulation, int change, long handle, float a, float b) {
         switch (change % 8) {
-            case 0 -> simulation.fields.setFriction(handle, a);
-            case 1 -> simulation.fields.setRollingResistance(handle, 0.2f * a);
+            case 0 -> simulation.fields.setOwn(CircleField.FRICTION, handle, a);
+            case 1 -> simulation.fields.setOwn(CircleField.ROLLING_RESISTANCE, handle, 0.2f * a);
             case 2 -> simulation.fields.setTorque(handle, 0.01f * b);
             case 3 -> simulation.forces.applyTorque(handle, b);
             case 4 -> simulation.circles.setAngle(handle, 9 * b);
@@ -887,7 +887,7 @@ final class Twins implements AutoCloseable {
     /** Begins to turn and ends with the surfaces that all circles had before. */
     void turnWithoutGrip() {
         for (Simulation simulation : simulations) {
-            simulation.fields.setFriction(handles[0], 1);
+            simulation.fields.setOwn(CircleField.FRICTION, handles[0], 1);
             simulation.fields.set(CircleField.FRICTION, handles[0], CircleField.FRICTION.initial());
         }
     }
@@ -1042,13 +1042,13 @@ final class Twins implements AutoCloseable {
 
     private void giveMotion(Simulation simulation, int id) {
         if (id % 4 == 1) {
-            simulation.fields.setMotion(CircleField.GRAVITY_SCALE, handles[id], 0.25f * (id % 12 - 4));
+            simulation.fields.setOwn(CircleField.GRAVITY_SCALE, handles[id], 0.25f * (id % 12 - 4));
         }
         if (id % 6 == 1) {
-            simulation.fields.setMotion(CircleField.DAMPING, handles[id], id % 9);
+            simulation.fields.setOwn(CircleField.DAMPING, handles[id], id % 9);
         }
         if (id % 10 == 1) {
-            simulation.fields.setMotion(CircleField.GREATEST_SPEED, handles[id], id % 3 == 0 ? 0.125f : 1e9f);
+            simulation.fields.setOwn(CircleField.GREATEST_SPEED, handles[id], id % 3 == 0 ? 0.125f : 1e9f);
         }
     }
 

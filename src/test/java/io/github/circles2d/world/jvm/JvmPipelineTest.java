@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.model.KindField;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;

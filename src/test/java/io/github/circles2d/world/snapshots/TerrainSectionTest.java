@@ -118,16 +118,16 @@ class TerrainSectionTest {
             differs.accept(s -> s.terrain.kind[1] = 7);
             differs.accept(s -> s.terrain.half[2]++);
             differs.accept(s -> s.terrain.after[3] = -1);
-            differs.accept(s -> s.terrain.x[2] = 70.5);
-            differs.accept(s -> s.terrain.y[2] = 20.5);
-            differs.accept(s -> s.terrain.angle[2]++);
-            differs.accept(s -> s.terrain.vx[2] = 5);
-            differs.accept(s -> s.terrain.vy[2] = 5);
-            differs.accept(s -> s.terrain.omega[2] = 5);
-            differs.accept(s -> s.terrain.travels[2] = false);
-            differs.accept(s -> s.terrain.targetX[2] = 5);
-            differs.accept(s -> s.terrain.targetY[2] = 5);
-            differs.accept(s -> s.terrain.targetAngle[2]++);
+            differs.accept(s -> s.terrain.bodies.x[2] = 70.5);
+            differs.accept(s -> s.terrain.bodies.y[2] = 20.5);
+            differs.accept(s -> s.terrain.bodies.angle[2]++);
+            differs.accept(s -> s.terrain.bodies.vx[2] = 5);
+            differs.accept(s -> s.terrain.bodies.vy[2] = 5);
+            differs.accept(s -> s.terrain.bodies.omega[2] = 5);
+            differs.accept(s -> s.terrain.bodies.travels[2] = false);
+            differs.accept(s -> s.terrain.bodies.targetX[2] = 5);
+            differs.accept(s -> s.terrain.bodies.targetY[2] = 5);
+            differs.accept(s -> s.terrain.bodies.targetAngle[2]++);
         }
     }
 
@@ -151,14 +151,14 @@ class TerrainSectionTest {
         refused("cannot follow", s -> s.terrain.after[3] = 0);
         refused("cannot follow", s -> s.terrain.after[3] = 2);
         refused("cannot follow", s -> s.terrain.after[4] = s.terrain.after[3]);
-        refused("out of range", s -> s.terrain.x[2] = 100.5);
-        refused("out of range", s -> s.terrain.y[2] = Double.NaN);
-        refused("out of range", s -> s.terrain.y[2] = 2e9);
-        refused("velocity", s -> s.terrain.vx[2] = Float.POSITIVE_INFINITY);
-        refused("velocity", s -> s.terrain.omega[2] = -0f);
-        refused("velocity", s -> s.terrain.lastVx[2] = Float.NaN);
-        refused("velocity", s -> s.terrain.lastOmega[2] = 2e9f);
-        refused("out of range", s -> s.terrain.targetX[2] = -1);
+        refused("out of range", s -> s.terrain.bodies.x[2] = 100.5);
+        refused("out of range", s -> s.terrain.bodies.y[2] = Double.NaN);
+        refused("out of range", s -> s.terrain.bodies.y[2] = 2e9);
+        refused("velocity", s -> s.terrain.bodies.vx[2] = Float.POSITIVE_INFINITY);
+        refused("velocity", s -> s.terrain.bodies.omega[2] = -0f);
+        refused("velocity", s -> s.terrain.bodies.lastVx[2] = Float.NaN);
+        refused("velocity", s -> s.terrain.bodies.lastOmega[2] = 2e9f);
+        refused("out of range", s -> s.terrain.bodies.targetX[2] = -1);
         refused("generation", s -> s.terrain.pieceGeneration[0] = -1);
         refused("generation", s -> s.terrain.bodyGeneration[2] = -1);
     }

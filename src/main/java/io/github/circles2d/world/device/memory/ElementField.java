@@ -101,8 +101,6 @@ enum ElementField {
     ANGLE(DeviceArray.TURN, 0, 1),
     ANGULAR_VELOCITY(DeviceArray.TURN, 1, 1),
 
-    OWN_FRICTION(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.FRICTION), 1),
-    OWN_ROLLING_RESISTANCE(DeviceArray.OWN, FieldsStruct.turningPlace(CircleField.ROLLING_RESISTANCE), 1),
     OWN_GRAVITY_SCALE(DeviceArray.OWN_MOTION, FieldsStruct.motionPlace(CircleField.GRAVITY_SCALE), 1),
     OWN_DAMPING(DeviceArray.OWN_MOTION, FieldsStruct.motionPlace(CircleField.DAMPING), 1),
     OWN_GREATEST_SPEED(DeviceArray.OWN_MOTION, FieldsStruct.motionPlace(CircleField.GREATEST_SPEED), 1),

@@ -338,11 +338,6 @@ public final class EventArrays implements AutoCloseable {
         return ids;
     }
 
-    /** The number of the step that is enqueued next. */
-    public int step() {
-        return step;
-    }
-
     @Override
     public void close() {
         GrownBuffer.close(touching, newcomers, openHits, drafts, order, tally, starts, blockSums, reported);

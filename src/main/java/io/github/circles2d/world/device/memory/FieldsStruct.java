@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
@@ -14,17 +15,11 @@ import java.util.stream.Collectors;
 public final class FieldsStruct {
     static final String NAME = "CircleFields";
 
-    /** The first of those that other worlds do not have; they come last, those of motion behind those of turning. */
-    private static final int FIRST_TURNING = CircleField.OF_STEPS.indexOf(CircleField.FRICTION);
+    private static final List<CircleField> FIELDS = those(f -> !f.isOfTurning() && !f.isOfMotion());
 
-    private static final int FIRST_MOTION = CircleField.OF_STEPS.indexOf(CircleField.GRAVITY_SCALE);
+    private static final List<CircleField> TURNING = those(CircleField::isOfTurning);
 
-    private static final List<CircleField> FIELDS = CircleField.OF_STEPS.subList(0, FIRST_TURNING);
-
-    private static final List<CircleField> TURNING = CircleField.OF_STEPS.subList(FIRST_TURNING, FIRST_MOTION);
-
-    private static final List<CircleField> MOTION =
-            CircleField.OF_STEPS.subList(FIRST_MOTION, CircleField.OF_STEPS.size());
+    private static final List<CircleField> MOTION = those(CircleField::isOfMotion);
 
     /** Floats of an element of {@link DeviceArray#HOME_OWN}, and of {@link DeviceArray#OWN_MOTION}. */
     public static final int STRIDE = 4;
@@ -35,6 +30,11 @@ public final class FieldsStruct {
     static final int BYTES = Integer.BYTES * WORDS;
 
     private FieldsStruct() {}
+
+    /** They come in this order, since a number in a command finds a place. */
+    private static List<CircleField> those(Predicate<CircleField> are) {
+        return CircleField.OF_STEPS.stream().filter(are).collect(Collectors.toUnmodifiableList());
+    }
 
     /** The place of such a field among those of its kind. */
     static int turningPlace(CircleField field) {
@@ -56,9 +56,12 @@ public final class FieldsStruct {
         boolean none = FIELDS.isEmpty();
         return "typedef struct {\n" + (none ? "    int none; // steps read no fields\n" : members) + "} " + NAME + ";\n"
                 + "#define INITIAL_FIELDS {" + (none ? "0" : initial) + "}\n"
-                + "#define TURNING_FIELDS " + FIRST_TURNING + " // the number of the first field that lies in homeOwn\n"
+                + "#define TURNING_FIELDS " + FIELDS.size() + " // the number of the first field that lies in homeOwn\n"
+                + "#define SURFACE_FIELDS " + CircleField.surfaces()
+                + " // those of surfaces, which come first in homeOwn\n"
                 + "#define INITIAL_OWN " + initial(TURNING) + "\n"
-                + "#define MOTION_FIELDS " + FIRST_MOTION + " // the number of the first field that lies in ownMotion\n"
+                + "#define MOTION_FIELDS " + (FIELDS.size() + TURNING.size())
+                + " // the number of the first field that lies in ownMotion\n"
                 + "#define INITIAL_MOTION " + initial(MOTION) + "\n";
     }
 

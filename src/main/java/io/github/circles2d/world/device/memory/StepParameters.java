@@ -166,9 +166,9 @@ public final class StepParameters {
         CONSTANTS.pack(input.constants, constants);
         WALLS.pack(input.constants.walls, walls);
         LEVELS.pack(shape, levels);
-        if (responsesVersion != input.responses.version) {
-            System.arraycopy(input.responses.table, 0, responses, 0, responses.length);
-            responsesVersion = input.responses.version;
+        if (responsesVersion != input.responsesVersion) {
+            System.arraycopy(input.responses, 0, responses, 0, responses.length);
+            responsesVersion = input.responsesVersion;
             responsesSent = false;
         }
         if (motionVersion != input.motion.version) {
@@ -235,7 +235,7 @@ public final class StepParameters {
         WALLS.pack(input.constants.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return responsesVersion == input.responses.version
+        return responsesVersion == input.responsesVersion
                 && motionVersion == input.motion.version
                 && sleepVersion == input.sleep.version
                 && surfacesAreOf(input)

@@ -12,16 +12,36 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.jvm.HostBodies;
+import io.github.circles2d.world.model.GridLevels;
 
 /** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of a step that has one launch per stage. */
 public final class Stages {
+    /** Work-items of a kernel that has nothing to do in most steps. */
+    private static final int MOST_CARRY_ITEMS = 1 << 15;
+
     private final Device device;
     private final StageKernels kernels;
     private final DeviceArrays arrays;
     private final StepParameters parameters;
-    private final GridStage grid;
-    private final ContinuousCollisionStage continuousCollision;
-    private final ContactsStage contacts;
+
+    // Grid.cl; world.jvm.Grid does the same
+    private final Kernel gridCount;
+    private final Kernel gridScatter;
+    private final Kernel gridGather;
+
+    // ContinuousCollision.cl; world.jvm.ContinuousCollision does the same
+    private final Kernel sweepPrepare;
+    private final Kernel sweepLook;
+    private final Kernel sweepCarry;
+    private final Kernel sweepClamp;
+
+    // Neighbours.cl and ContactList.cl: contacts in no order within a group
+    private final Kernel contactsCrowd;
+    private final Kernel contactsCount;
+    private final Kernel contactsCountByLevel;
+    private final Kernel contactsCountBySheet;
+    private final Kernel contactsCountByLevelAndSheet;
+    private final Kernel contactsList;
 
     /** Null in a world without terrain. */
     private final Kernel pieces;
@@ -65,9 +85,19 @@ public final class Stages {
         this.arrays = arrays;
         this.parameters = parameters;
         scan = new Scan(kernels);
-        grid = new GridStage(kernels, arrays, scan);
-        continuousCollision = new ContinuousCollisionStage(kernels);
-        contacts = new ContactsStage(kernels, arrays, scan);
+        gridCount = kernels.staged("grid_count");
+        gridScatter = kernels.staged("grid_scatter");
+        gridGather = kernels.staged("grid_gather");
+        sweepPrepare = kernels.staged("continuousCollision_prepare");
+        sweepLook = kernels.staged("continuousCollision_look");
+        sweepCarry = kernels.staged("continuousCollision_carry");
+        sweepClamp = kernels.staged("continuousCollision_clamp");
+        contactsCrowd = kernels.staged("contacts_crowd");
+        contactsCount = kernels.staged("contacts_count");
+        contactsCountByLevel = kernels.staged("contacts_countByLevel");
+        contactsCountBySheet = kernels.staged("contacts_countBySheet");
+        contactsCountByLevelAndSheet = kernels.staged("contacts_countByLevelAndSheet");
+        contactsList = kernels.staged("contacts_list");
         pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
         sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints()) : null;
@@ -167,7 +197,7 @@ public final class Stages {
         for (int step = 0; step < steps.count(); step++) {
             warmScale = step == 0 ? steps.warmScale() : 1f;
             send(warmScale, slots, circles);
-            grid.build(steps.levels(), slots, circles, steps.waking());
+            buildGrid(steps.levels(), slots, circles, steps.waking());
             if (steps.waking()) {
                 sleep.wake(circles);
             }
@@ -178,18 +208,51 @@ public final class Stages {
                 bodies.free();
             }
             if (steps.sweeping()) {
-                continuousCollision.sweep(steps.levels(), circles);
+                sweep(steps.levels(), circles);
             }
             if (pieces != null) {
                 pieces.run(circles);
             }
-            contacts.list(steps.levels(), circles, steps.thinning());
+            listContacts(steps.levels(), circles, steps.thinning());
             rest.run();
             if (!steps.reportsBehind()) {
                 end(circles);
             }
             slots = circles;
         }
+    }
+
+    private void buildGrid(GridLevels levels, int slots, int circles, boolean waking) {
+        gridCount.run(slots);
+        scan.run(arrays, levels.buckets() + 1, DeviceArray.BUCKET_START);
+        gridScatter.run(slots);
+        if (arrays.sleeping()) {
+            gridGather.arg(StageKernels.own(0), waking ? 1 : 0);
+        }
+        gridGather.run(circles);
+    }
+
+    private void sweep(GridLevels levels, int circles) {
+        sweepPrepare.run(circles);
+        sweepLook.run((levels.usedCount + 1L) * circles);
+        for (int note = 0; note < 2; note++) {
+            sweepCarry.arg(StageKernels.own(0), note).run(Math.min(circles, MOST_CARRY_ITEMS));
+        }
+        sweepClamp.run(circles);
+    }
+
+    private void listContacts(GridLevels levels, int circles, boolean thinning) {
+        if (thinning) {
+            contactsCrowd.run(circles);
+        }
+        boolean bySheet = levels.haveSheets();
+        if (levels.usedCount == 1) {
+            (bySheet ? contactsCountBySheet : contactsCount).run(circles);
+        } else {
+            (bySheet ? contactsCountByLevelAndSheet : contactsCountByLevel).run((long) levels.usedCount * circles);
+        }
+        scan.run(arrays, levels.groups(circles) + 1, DeviceArray.GROUP_START);
+        contactsList.run(2L * circles);
     }
 
     /** Lets circles fall asleep, behind a step and what it reports. */

@@ -34,9 +34,4 @@ public record Steps(
     boolean sharePasses() {
         return joints || bodies || !haveOneLevel();
     }
-
-    /** The level of all circles, where they are of one. */
-    int level() {
-        return levels.used[0];
-    }
 }
