@@ -73,12 +73,7 @@ final class RigidVisits {
     private final Team.Work lookAhead = this::lookAhead;
 
     RigidVisits(
-            RigidContacts contacts,
-            RigidPairs pairs,
-            RigidRules rules,
-            RigidOrder order,
-            Team team,
-            int leastShare) {
+            RigidContacts contacts, RigidPairs pairs, RigidRules rules, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
         this.pairs = pairs;
         this.rules = rules;
@@ -484,7 +479,11 @@ final class RigidVisits {
         }
         float mass = RigidRules.massOf(shareA * rules.massOfA(c) + shareB * rules.massOfB(c));
         float vn = rules.normalSpeed(c);
-        apply(c, withoutBias ? rules.relaxedNormal(row, mass, vn) : rules.solvedNormal(c, mass, vn, rules.speedBefore(c)));
+        apply(
+                c,
+                withoutBias
+                        ? rules.relaxedNormal(row, mass, vn)
+                        : rules.solvedNormal(c, mass, vn, rules.speedBefore(c)));
         if (withoutBias || contacts.rows[row + RigidRow.BOUNCE] > 0f) {
             solveGrip(c, rules.gripMass(c, shareA, shareB));
         }
