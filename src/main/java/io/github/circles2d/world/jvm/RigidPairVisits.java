@@ -14,12 +14,12 @@ final class RigidPairVisits {
 
     private final RigidContacts contacts;
     private final RigidThings things;
-    private final RigidVisits visits;
+    private final RigidRules rules;
 
-    RigidPairVisits(RigidContacts contacts, RigidThings things, RigidVisits visits) {
+    RigidPairVisits(RigidContacts contacts, RigidThings things, RigidRules rules) {
         this.contacts = contacts;
         this.things = things;
-        this.visits = visits;
+        this.rules = rules;
     }
 
     /** Whether no contact of a pair resists rolling. */
@@ -58,7 +58,7 @@ final class RigidPairVisits {
             float itsY = rows[row + RigidRow.BY - swap];
             float vn =
                     ((ax - aSpin * armY) - (bx - bSpin * itsY)) * nx + ((ay + aSpin * armX) - (by + bSpin * itsX)) * ny;
-            float gain = visits.solvedNormal(row, vn);
+            float gain = rules.solvedNormal(row, vn);
             float x = nx * gain;
             float y = ny * gain;
             ax += aw * x;
@@ -100,7 +100,7 @@ final class RigidPairVisits {
         while (normal < end) {
             int c = grip < begin ? normal : grip;
             int row = RigidRow.of(c);
-            if (grip < begin ? !visits.isIdle(row) : visits.grips(row)) {
+            if (grip < begin ? !rules.isIdle(row) : rules.grips(row)) {
                 int swap = contacts.a[c] == a ? 0 : SWAP;
                 float side = swap == 0 ? 1f : -1f;
                 float nx = side * rows[row + RigidRow.NX];
@@ -116,13 +116,13 @@ final class RigidPairVisits {
                 float gain;
                 if (grip < begin) {
                     float vn = ux * nx + uy * ny;
-                    gain = visits.bouncesLater(c, vn)
+                    gain = rules.bouncesLater(c, vn)
                             ? 0f
-                            : visits.relaxedNormal(row, rows[row + RigidRow.NORMAL_MASS], vn);
+                            : rules.relaxedNormal(row, rows[row + RigidRow.NORMAL_MASS], vn);
                     x = nx * gain;
                     y = ny * gain;
                 } else {
-                    gain = visits.gripped(row, rows[row + RigidRow.TANGENT_MASS], uy * nx - ux * ny);
+                    gain = rules.gripped(row, rows[row + RigidRow.TANGENT_MASS], uy * nx - ux * ny);
                     x = -ny * gain;
                     y = nx * gain;
                 }

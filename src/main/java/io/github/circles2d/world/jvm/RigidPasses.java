@@ -74,10 +74,11 @@ final class RigidPasses {
         contacts = new RigidContacts(pairs, team);
         cover = new RigidCover(contacts, things, team);
         order = new RigidOrder(contacts, pairs);
-        visits = new RigidVisits(contacts, pairs, order, team, leastShare / PAIRS);
+        RigidRules rules = new RigidRules(contacts, things);
+        visits = new RigidVisits(contacts, pairs, rules, order, team, leastShare / PAIRS);
         joints = new RigidJoints(state, pairs);
         resting = new RigidResting(state, pairs);
-        waking = new WakingByBodies(state, contacts, pairs, visits, resting, joints);
+        waking = new WakingByBodies(state, contacts, pairs, rules, resting, joints);
     }
 
     /** How many workers are worth their while. */

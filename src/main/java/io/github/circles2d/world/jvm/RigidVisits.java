@@ -1,14 +1,10 @@
 package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
-import io.github.circles2d.world.model.Bounce;
-import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Surface;
-import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Velocity;
 import java.util.Arrays;
 
@@ -25,14 +21,6 @@ final class RigidVisits {
 
     /** Visits of a pair that comes fast: the contacts of a body that hits askew must agree before it moves on. */
     private static final int OF_HITS = 16;
-
-    /** Greatest speed of push-outs, by that of circles: half thicknesses are greater than what touches. */
-    private static final float PUSH = 0.5f;
-
-    private static final float LEAST_BOUNCE = 1e-6f;
-
-    /** No masses and speeds that a world takes need more. It and the greatest speed keep all finite: of what is not, processors make what they like. */
-    private static final float GREATEST_IMPULSE = 1e20f;
 
     private final RigidContacts contacts;
     private final RigidPairs pairs;
@@ -53,7 +41,6 @@ final class RigidVisits {
     private boolean summing;
 
     private StepConstants k;
-    private boolean tells;
 
     /** See {@link #areFixed}: then several workers may push at once what does not move. */
     private boolean fixed;
@@ -64,6 +51,7 @@ final class RigidVisits {
     private int from;
     private int to;
 
+    private final RigidRules rules;
     private final RigidPairVisits ofPairs;
 
     /** By pair without circles: whether it is one of {@link #ofPairs}. */
@@ -84,21 +72,23 @@ final class RigidVisits {
     private final Team.Work warmStart = this::warmStart;
     private final Team.Work lookAhead = this::lookAhead;
 
-    RigidVisits(RigidContacts contacts, RigidPairs pairs, RigidOrder order, Team team, int leastShare) {
+    RigidVisits(
+            RigidContacts contacts, RigidPairs pairs, RigidRules rules, RigidOrder order, Team team, int leastShare) {
         this.contacts = contacts;
         this.pairs = pairs;
+        this.rules = rules;
         this.order = order;
         this.team = team;
         this.leastShare = leastShare;
         minusZero = new boolean[team.most()];
         things = pairs.things;
-        ofPairs = new RigidPairVisits(contacts, things, this);
+        ofPairs = new RigidPairVisits(contacts, things, rules);
     }
 
     /** Begins a step: contacts have been found and measured; toTell: whether anybody asks how hard things have touched. */
     void begin(StepConstants constants, boolean toTell) {
         k = constants;
-        tells = toTell;
+        rules.begin(constants, toTell);
         if (share.length < things.bodies) {
             share = new float[2 * things.bodies];
             sums = new long[6 * things.bodies];
@@ -108,7 +98,7 @@ final class RigidVisits {
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
                 int body = pairs.a[contacts.pair[p]];
                 int circle = pairs.b[contacts.pair[p]];
-                float kb = contacts.a[c] == body ? massOfA(c) : massOfB(c);
+                float kb = contacts.a[c] == body ? rules.massOfA(c) : rules.massOfB(c);
                 if (kb > 0f) {
                     share[body] += kb / (kb + things.ownW[circle]);
                 }
@@ -124,28 +114,10 @@ final class RigidVisits {
         team.together(begin);
     }
 
-    /** What both things of a contact have together. */
     private void begin(int worker) {
-        float[] rows = contacts.rows;
         int end = team.part(contacts.count, worker + 1);
         for (int c = team.part(contacts.count, worker); c < end; c++) {
-            int a = contacts.a[c];
-            int b = contacts.b[c];
-            int row = RigidRow.of(c);
-            rows[row + RigidRow.FRICTION] = Surface.friction(things.friction[a], things.friction[b]);
-            rows[row + RigidRow.ROLLING] = CircleMath.max(things.rolling[a], things.rolling[b]);
-            rows[row + RigidRow.BELTS] = things.belt[a] + things.belt[b];
-            rows[row + RigidRow.RESTITUTION] = CircleMath.max(things.restitution[a], things.restitution[b]);
-            rows[row + RigidRow.LENGTH] = things.ownW[a] == 0f
-                    ? 2f * things.thin[b]
-                    : things.ownW[b] == 0f ? 2f * things.thin[a] : things.thin[a] + things.thin[b];
-            rows[row + RigidRow.THRESHOLD] = Bounce.bounceThreshold(
-                    rows[row + RigidRow.LENGTH],
-                    rows[row + RigidRow.RESTITUTION],
-                    k.thresholdRate,
-                    k.restRate,
-                    k.fixedThreshold);
-            setMasses(c);
+            rules.begin(c);
         }
         int endPair = team.part(order.firstWithCircle, worker + 1);
         for (int p = team.part(order.firstWithCircle, worker); p < endPair; p++) {
@@ -169,50 +141,8 @@ final class RigidVisits {
     private void measure(int begin, int end) {
         for (int c = begin; c < end; c++) {
             contacts.measures.measure(c);
-            setMasses(c);
+            rules.setMasses(c);
         }
-    }
-
-    private void setMasses(int c) {
-        int row = RigidRow.of(c);
-        float normalMass = massOf(massOfA(c) + massOfB(c));
-        float tangentMass = gripMass(c, 1f, 1f);
-        contacts.rows[row + RigidRow.NORMAL_MASS] = normalMass;
-        contacts.rows[row + RigidRow.TANGENT_MASS] = tangentMass;
-        setTerms(contacts.rows, row);
-    }
-
-    private void setTerms(float[] rows, int row) {
-        float gap = rows[row + RigidRow.GAP];
-        boolean apart = gap > 0f;
-        float soft = Constraints.softBias(gap, pushSpeed(row), k.contactSoftness, k);
-        rows[row + RigidRow.SPEED_SCALE] = apart ? 1f : k.contactSoftness.massScale;
-        rows[row + RigidRow.DECAY] = apart ? 0f : k.contactSoftness.impulseScale;
-        rows[row + RigidRow.BIAS] = apart ? gap * k.inverseH : soft;
-        rows[row + RigidRow.NEAR] = apart ? gap * k.inverseH : 0f;
-    }
-
-    private float pushSpeed(int row) {
-        return PUSH * k.pushRate * contacts.rows[row + RigidRow.LENGTH];
-    }
-
-    /** One over the effective mass of A alone along the normal. */
-    float massOfA(int c) {
-        int t = contacts.a[c];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float arm =
-                rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
-        return things.ownW[t] + things.ownI[t] * arm * arm;
-    }
-
-    float massOfB(int c) {
-        int t = contacts.b[c];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float arm =
-                rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
-        return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
     /** What is accumulated acts again; on circles it has acted before. */
@@ -307,9 +237,9 @@ final class RigidVisits {
             boolean bounces = false;
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
                 int row = RigidRow.of(c);
-                float before = speedBefore(c);
+                float before = rules.speedBefore(c);
                 rows[row + RigidRow.APPROACH] = Math.max(rows[row + RigidRow.APPROACH], -before);
-                bounces |= isFast(row) || rows[row + RigidRow.RESTITUTION] > 0f && isImpact(row, before);
+                bounces |= rules.isFast(row) || rows[row + RigidRow.RESTITUTION] > 0f && rules.isImpact(row, before);
             }
             mayBounce[p] = bounces;
         }
@@ -407,7 +337,7 @@ final class RigidVisits {
                     agree &= !(Math.abs(impulse - before) > AGREED * impulse);
                 }
                 times = rows[row + RigidRow.BOUNCE] > 0f ? Math.max(times, OF_BOUNCES) : times;
-                times = isHit(row) ? OF_HITS : times;
+                times = rules.isHit(row) ? OF_HITS : times;
                 for (int other = begin; other < end && times > 1; other++) {
                     if (rows[RigidRow.of(other) + RigidRow.BOUNCE] > 0f) {
                         solveGrip(other, rows[RigidRow.of(other) + RigidRow.TANGENT_MASS]);
@@ -430,47 +360,22 @@ final class RigidVisits {
         }
     }
 
-    /** Whether a contact stops what would come far into the other within a sub-step. */
-    private boolean isHit(int row) {
-        return isFast(row) && contacts.rows[row + RigidRow.IMPULSE] > 0f;
-    }
-
-    private boolean isFast(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.APPROACH] * k.h > Tuning.CAP * rows[row + RigidRow.LENGTH];
-    }
-
     private void solveNormal(int c) {
         float mass = contacts.rows[RigidRow.of(c) + RigidRow.NORMAL_MASS];
-        float vn = normalSpeed(c);
-        apply(c, solvedNormal(c, mass, vn, speedBefore(c)));
+        float vn = rules.normalSpeed(c);
+        apply(c, rules.solvedNormal(c, mass, vn, rules.speedBefore(c)));
     }
 
     private void relaxNormal(int c) {
         int row = RigidRow.of(c);
-        if (isIdle(row)) {
+        if (rules.isIdle(row)) {
             return;
         }
         float mass = contacts.rows[row + RigidRow.NORMAL_MASS];
-        float vn = normalSpeed(c);
-        if (!bouncesLater(c, vn)) {
-            apply(c, relaxedNormal(row, mass, vn));
+        float vn = rules.normalSpeed(c);
+        if (!rules.bouncesLater(c, vn)) {
+            apply(c, rules.relaxedNormal(row, mass, vn));
         }
-    }
-
-    /** Whether a contact has closed without an impulse, as a body turns: it is to bounce in the next sub-step, not to stop now. */
-    boolean bouncesLater(int c, float vn) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        return rows[row + RigidRow.RESTITUTION] > 0f
-                && rows[row + RigidRow.IMPULSE] == 0f
-                && !(rows[row + RigidRow.GAP] > 0f)
-                && bounceSpeed(c, vn) > 0f;
-    }
-
-    boolean isIdle(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.GAP] > 0f && rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f;
     }
 
     private void apply(int c, float gain) {
@@ -493,116 +398,21 @@ final class RigidVisits {
         push(contacts.b[c], -x, -y, bx, by);
     }
 
-    private float normalSpeed(int c) {
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        return speedX(rows, row, things.vx, things.omega, a, b) * rows[row + RigidRow.NX]
-                + speedY(rows, row, things.vy, things.omega, a, b) * rows[row + RigidRow.NY];
-    }
-
-    private static float speedX(float[] rows, int row, float[] vx, float[] omega, int a, int b) {
-        return (vx[a] - omega[a] * rows[row + RigidRow.AY]) - (vx[b] - omega[b] * rows[row + RigidRow.BY]);
-    }
-
-    private static float speedY(float[] rows, int row, float[] vy, float[] omega, int a, int b) {
-        return (vy[a] + omega[a] * rows[row + RigidRow.AX]) - (vy[b] + omega[b] * rows[row + RigidRow.BX]);
-    }
-
-    /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
-    private float solvedNormal(int c, float mass, float vn, float before) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float gap = rows[row + RigidRow.GAP];
-        float impulse = rows[row + RigidRow.IMPULSE];
-        float approach = Branchless.greater(rows[row + RigidRow.APPROACH], -before);
-        float bounce = rows[row + RigidRow.RESTITUTION] > 0f ? bounceSpeed(c, before) : 0f;
-        rows[row + RigidRow.APPROACH] = approach;
-        rows[row + RigidRow.BOUNCE] = bounce;
-        return take(row, Constraints.solve(impulse, mass, vn, gap, bounce, pushSpeed(row), k.contactSoftness, k));
-    }
-
-    float relaxedNormal(int row, float mass, float vn) {
-        float[] rows = contacts.rows;
-        return take(row, Constraints.visit(rows[row + RigidRow.IMPULSE], mass, 1f, vn, rows[row + RigidRow.NEAR], 0f));
-    }
-
-    private float take(int row, float wanted) {
-        float[] rows = contacts.rows;
-        float next = CircleMath.min(wanted, GREATEST_IMPULSE);
-        float gain = next - rows[row + RigidRow.IMPULSE];
-        rows[row + RigidRow.IMPULSE] = next;
-        if (tells) {
-            rows[row + RigidRow.MOST] = Branchless.greater(rows[row + RigidRow.MOST], next);
-        }
-        return gain;
-    }
-
-    /** Along the normal, before impulses. */
-    private float speedBefore(int c) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        return speedX(rows, row, things.beforeX, things.beforeOmega, a, b) * rows[row + RigidRow.NX]
-                + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
-    }
-
-    /** Whether a contact with a restitution is fast enough to bounce. */
-    private boolean isImpact(int row, float before) {
-        return before < 0f && before * before > contacts.rows[row + RigidRow.THRESHOLD];
-    }
-
-    /** Solves with bias along the normal of a contact that does not bounce. Returns what the impulse gains. */
-    float solvedNormal(int row, float vn) {
-        float[] rows = contacts.rows;
-        float impulse = rows[row + RigidRow.IMPULSE];
-        return take(
-                row,
-                Constraints.visit(
-                        impulse,
-                        rows[row + RigidRow.NORMAL_MASS],
-                        rows[row + RigidRow.SPEED_SCALE],
-                        vn,
-                        rows[row + RigidRow.BIAS],
-                        rows[row + RigidRow.DECAY] * impulse));
-    }
-
-    /** Of a contact with a restitution. */
-    private float bounceSpeed(int c, float before) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float e = rows[row + RigidRow.RESTITUTION];
-        float threshold = rows[row + RigidRow.THRESHOLD];
-        if (!isImpact(row, before)
-                || !(Constraints.bounceSpeed(e, 1f, before, rows[row + RigidRow.GAP], k.h, threshold, pushSpeed(row))
-                        > 0f)) {
-            return 0f;
-        }
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        int falls = things.w[a] == 0f ? b : a;
-        float fall = things.gainX[falls] * rows[row + RigidRow.NX] + things.gainY[falls] * rows[row + RigidRow.NY];
-        float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
-        return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
-    }
-
     /** Friction and rolling resistance, by the normal impulse. */
     private void solveGrip(int c, float mass) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
         int a = contacts.a[c];
         int b = contacts.b[c];
-        if (fixed && isFree(row)) {
+        if (fixed && rules.isFree(row)) {
             return;
         }
-        if (hasGrip(row)) {
+        if (rules.hasGrip(row)) {
             float nx = rows[row + RigidRow.NX];
             float ny = rows[row + RigidRow.NY];
-            float ux = speedX(rows, row, things.vx, things.omega, a, b);
-            float uy = speedY(rows, row, things.vy, things.omega, a, b);
-            float gain = gripped(row, mass, uy * nx - ux * ny);
+            float ux = RigidRules.speedX(rows, row, things.vx, things.omega, a, b);
+            float uy = RigidRules.speedY(rows, row, things.vy, things.omega, a, b);
+            float gain = rules.gripped(row, mass, uy * nx - ux * ny);
             pushBoth(c, -ny * gain, nx * gain);
         }
         float resistance = rows[row + RigidRow.ROLLING];
@@ -611,59 +421,13 @@ final class RigidVisits {
             float before = rows[row + RigidRow.ROLL];
             float next = Surface.rolling(
                     before,
-                    massOf(turns),
+                    RigidRules.massOf(turns),
                     things.omega[a] - things.omega[b],
                     resistance * rows[row + RigidRow.IMPULSE]);
             rows[row + RigidRow.ROLL] = next;
             gain(a, 0f, 0f, things.i[a] * (next - before));
             gain(b, 0f, 0f, -things.i[b] * (next - before));
         }
-    }
-
-    /** Whether there is friction, or has been. */
-    private boolean hasGrip(int row) {
-        return contacts.rows[row + RigidRow.FRICTION] > 0f || contacts.rows[row + RigidRow.GRIP] != 0f;
-    }
-
-    /** Whether friction may change something, where nothing rolls. */
-    boolean grips(int row) {
-        float grip = contacts.rows[row + RigidRow.GRIP];
-        return grip != 0f || contacts.rows[row + RigidRow.IMPULSE] != 0f && hasGrip(row);
-    }
-
-    /** By the speed along the tangent. Returns what the grip gains. */
-    float gripped(int row, float mass, float along) {
-        float[] rows = contacts.rows;
-        float before = rows[row + RigidRow.GRIP];
-        float slip = along - rows[row + RigidRow.BELTS];
-        float next = Surface.grip(before, mass, slip, rows[row + RigidRow.FRICTION] * rows[row + RigidRow.IMPULSE]);
-        rows[row + RigidRow.GRIP] = next;
-        return next - before;
-    }
-
-    /** Whether nothing presses or grips, so that the next friction changes nothing. */
-    private boolean isFree(int row) {
-        float[] rows = contacts.rows;
-        return rows[row + RigidRow.IMPULSE] == 0f && rows[row + RigidRow.GRIP] == 0f && rows[row + RigidRow.ROLL] == 0f;
-    }
-
-    /** Shares: 1, or of what counts as lighter. */
-    private float gripMass(int c, float shareA, float shareB) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        float nx = rows[row + RigidRow.NX];
-        float ny = rows[row + RigidRow.NY];
-        float armA = rows[row + RigidRow.AX] * nx + rows[row + RigidRow.AY] * ny;
-        float armB = rows[row + RigidRow.BX] * nx + rows[row + RigidRow.BY] * ny;
-        return massOf(shareA * (things.ownW[a] + things.ownI[a] * armA * armA)
-                + shareB * (things.ownW[b] + things.ownI[b] * armB * armB));
-    }
-
-    /** An effective mass, from one over it. No impulse moves what has none. */
-    private static float massOf(float inverse) {
-        return inverse >= Float.MIN_NORMAL ? 1f / inverse : 0f;
     }
 
     /** Impulses of bounces are not kept: they have acted once for all. */
@@ -710,14 +474,18 @@ final class RigidVisits {
         float shareA = contacts.a[c] == body ? share[body] : 1f;
         float shareB = contacts.b[c] == body ? share[body] : 1f;
         int row = RigidRow.of(c);
-        if (withoutBias && isIdle(row) || !isVisited(c)) {
+        if (withoutBias && rules.isIdle(row) || !isVisited(c)) {
             return;
         }
-        float mass = massOf(shareA * massOfA(c) + shareB * massOfB(c));
-        float vn = normalSpeed(c);
-        apply(c, withoutBias ? relaxedNormal(row, mass, vn) : solvedNormal(c, mass, vn, speedBefore(c)));
+        float mass = RigidRules.massOf(shareA * rules.massOfA(c) + shareB * rules.massOfB(c));
+        float vn = rules.normalSpeed(c);
+        apply(
+                c,
+                withoutBias
+                        ? rules.relaxedNormal(row, mass, vn)
+                        : rules.solvedNormal(c, mass, vn, rules.speedBefore(c)));
         if (withoutBias || contacts.rows[row + RigidRow.BOUNCE] > 0f) {
-            solveGrip(c, gripMass(c, shareA, shareB));
+            solveGrip(c, rules.gripMass(c, shareA, shareB));
         }
     }
 

@@ -27,7 +27,7 @@ final class WakingByBodies {
     private final RigidContacts contacts;
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidVisits visits;
+    private final RigidRules rules;
     private final RigidResting resting;
     private final RigidJoints joints;
 
@@ -68,13 +68,13 @@ final class WakingByBodies {
             State state,
             RigidContacts contacts,
             RigidPairs pairs,
-            RigidVisits visits,
+            RigidRules rules,
             RigidResting resting,
             RigidJoints joints) {
         this.state = state;
         this.contacts = contacts;
         this.pairs = pairs;
-        this.visits = visits;
+        this.rules = rules;
         this.resting = resting;
         this.joints = joints;
         things = pairs.things;
@@ -160,7 +160,7 @@ final class WakingByBodies {
 
     /** One over the effective mass of the body alone. */
     float inverseMass(int c) {
-        return isA(c) ? visits.massOfB(c) : visits.massOfA(c);
+        return isA(c) ? rules.massOfB(c) : rules.massOfA(c);
     }
 
     float restitution(int c) {
@@ -334,9 +334,9 @@ final class WakingByBodies {
         borders[id] = true;
         look(id);
         press(c, asA);
-        float own = asA ? visits.massOfA(c) : visits.massOfB(c);
+        float own = asA ? rules.massOfA(c) : rules.massOfB(c);
         if (things.gives(other)) {
-            float its = asA ? visits.massOfB(c) : visits.massOfA(c);
+            float its = asA ? rules.massOfB(c) : rules.massOfA(c);
             push(
                     id,
                     hit(
@@ -499,7 +499,7 @@ final class WakingByBodies {
                 scale(c);
                 boolean asA = things.type[contacts.a[c]] == RigidStep.BODY_BODY && things.id[contacts.a[c]] == id;
                 int other = asA ? contacts.b[c] : contacts.a[c];
-                float own = asA ? visits.massOfA(c) : visits.massOfB(c);
+                float own = asA ? rules.massOfA(c) : rules.massOfB(c);
                 if (things.type[other] == RigidStep.BODY_BODY) {
                     passOn(speed[id], c, !asA, own);
                 } else if (things.type[other] == RigidStep.BODY_CIRCLE) {
@@ -531,7 +531,7 @@ final class WakingByBodies {
     /** To the body that is A, or B, of a contact. */
     private void passOn(float itsSpeed, int c, boolean toA, float its) {
         int t = toA ? contacts.a[c] : contacts.b[c];
-        float own = toA ? visits.massOfA(c) : visits.massOfB(c);
+        float own = toA ? rules.massOfA(c) : rules.massOfB(c);
         passOn(
                 t,
                 itsSpeed,
