@@ -28,8 +28,8 @@ final class RigidPasses {
     /** By how much a body turns at most in a sub-step, in radians, so that contacts see where it gets. */
     private static final float MOST_TURN = 0.785f;
 
-    /** As many circles take as long as a body. */
-    private static final int CIRCLES = 8;
+    /** A body takes as long as more circles, but a pass over bodies has more waits. */
+    private static final int CIRCLES = 4;
 
     /** As many circles take as long as to visit a pair. */
     private static final int PAIRS = 16;

@@ -24,7 +24,7 @@ public final class BodyCosts {
 
     /** Those for a device: ten times as many circles, with ten and with a hundred crates, and without. */
     static final List<String> CASES_OF_DEVICES =
-            List.of("circles", "crates", "many circles", "ten crates in many", "a hundred crates in many", "pour");
+            List.of("circles", "crates", "many circles", "ten crates in many", "a hundred crates in many");
 
     static final String HEADER = "scene,bodies,circles,ms";
     static final String HEADER_OF_DEVICES = "scene,bodies,circles,jvm_ms,device_ms";
