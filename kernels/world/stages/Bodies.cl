@@ -3,12 +3,11 @@
 // world.device.plan.BodyStage says what the words are; world.jvm.HostBodies reads and writes them.
 
 #ifdef BODIES
-// As bits: coordinates of boxes have rounding of this share of them.
-#define BOX_ROUNDING 0x1p-19f
+#define BOX_ROUNDING 0x1p-19f // of coordinates: more than those of boxes are rounded by
 #define SENSED_REACH 1.03f // of a radius: a bit more than the Java class RigidSensing takes
 
-// A circle with half of its part of a margin, or a bit more, as the Java class RigidSearch has it.
-float reachForBodies(const World *w, int slot, int id, float4 c, float4 m) {
+// How far from its centre a circle looks for bodies: a bit more than in the Java class RigidSearch, which decides.
+float reachForBodies(const World *w, int id, float4 c, float4 m) {
     float invMass = inverseMass(c.MASS);
     float2 gain_ = invMass == 0.0f ? (float2)(0.0f) : gainOf(w, id, invMass);
     float way = w->k.dt * (lengthf(m.VX, m.VY) + lengthf(gain_.x, gain_.y) * (float) w->k.subSteps);
@@ -50,7 +49,7 @@ kernel void bodies_find(WORLD_PARAMETERS, global int *found, int boxes, int room
     if (slot >= circles || refused(&w)) return;
     int id = w.id[slot];
     float4 c = w.circle[slot];
-    float reach = reachForBodies(&w, slot, id, c, w.motion[slot]);
+    float reach = reachForBodies(&w, id, c, w.motion[slot]);
     global const float *box = (global const float *) (found + BODY_BOXES);
     for (int k = 0; k < boxes; k++) {
         if (isNearBox(&w, c.xy, (float2)(reach), vload4(k, box))) {

@@ -77,6 +77,9 @@ public final class HostBodies implements AutoCloseable {
 
     private int atBodiesCount;
 
+    /** By place: whether it is among those; only while these are put down. */
+    private boolean[] isAtBodies = new boolean[0];
+
     /** The circles that joints hold to bodies: ids, of which one may come more than once. */
     private int[] held = new int[0];
 
@@ -184,6 +187,7 @@ public final class HostBodies implements AutoCloseable {
         if (deviceSlot.length < circles) {
             deviceSlot = new int[state.capacity()];
             atBodies = new int[state.capacity()];
+            isAtBodies = new boolean[state.capacity()];
         }
         for (int k = 0; k < circles; k++) {
             add(words, at + NEAR_WORDS * k);
@@ -242,18 +246,25 @@ public final class HostBodies implements AutoCloseable {
     private void findContactsHere() {
         passes.findContacts();
         atBodiesCount = passes.circles(atBodies);
-        for (int k = 0; k < heldCount; k++) {
-            addHeld(state.slotOf[held[k]]);
+        if (heldCount > 0) {
+            addHeld();
         }
     }
 
-    private void addHeld(int slot) {
+    private void addHeld() {
         for (int k = 0; k < atBodiesCount; k++) {
-            if (atBodies[k] == slot) {
-                return;
+            isAtBodies[atBodies[k]] = true;
+        }
+        for (int k = 0; k < heldCount; k++) {
+            int slot = state.slotOf[held[k]];
+            if (!isAtBodies[slot]) {
+                isAtBodies[slot] = true;
+                atBodies[atBodiesCount++] = slot;
             }
         }
-        atBodies[atBodiesCount++] = slot;
+        for (int k = 0; k < atBodiesCount; k++) {
+            isAtBodies[atBodies[k]] = false;
+        }
     }
 
     // ---- circles at bodies
@@ -276,8 +287,10 @@ public final class HostBodies implements AutoCloseable {
         for (int k = 0; k < atBodiesCount; k++) {
             int at = ROW_WORDS * k;
             int s = CircleRow.of(atBodies[k]);
-            from.get(at + ROW_MOTION, state.motion, s, CircleRow.STRIDE);
-            from.get(at + ROW_LOAD, state.load, s, CircleRow.STRIDE);
+            for (int e = 0; e < CircleRow.STRIDE; e++) {
+                state.motion[s + e] = from.get(at + ROW_MOTION + e);
+                state.load[s + e] = from.get(at + ROW_LOAD + e);
+            }
             state.turning.spin[s + CircleRow.SURFACE_SPEED] = from.get(at + ROW_SPIN);
             state.turning.spin[s + CircleRow.SPIN_IMPULSE] = from.get(at + ROW_SPIN_IMPULSE);
             state.motionClamp[s + CircleRow.ALLOWANCE] = from.get(at + ROW_ALLOWANCE);
@@ -290,8 +303,10 @@ public final class HostBodies implements AutoCloseable {
         for (int k = 0; k < atBodiesCount; k++) {
             int at = ROW_WORDS * k;
             int s = CircleRow.of(atBodies[k]);
-            to.put(at + ROW_MOTION, state.motion, s, CircleRow.STRIDE);
-            to.put(at + ROW_LOAD, state.load, s, CircleRow.STRIDE);
+            for (int e = 0; e < CircleRow.STRIDE; e++) {
+                to.put(at + ROW_MOTION + e, state.motion[s + e]);
+                to.put(at + ROW_LOAD + e, state.load[s + e]);
+            }
             to.put(at + ROW_SPIN, state.turning.spin[s + CircleRow.SURFACE_SPEED]);
             to.put(at + ROW_SPIN_IMPULSE, state.turning.spin[s + CircleRow.SPIN_IMPULSE]);
             to.put(at + ROW_ALLOWANCE, state.motionClamp[s + CircleRow.ALLOWANCE]);
@@ -474,7 +489,8 @@ public final class HostBodies implements AutoCloseable {
                 + passes.bytes()
                 + sensing.bytes()
                 + states.bytes()
-                + 4L * (deviceSlot.length + atBodies.length + held.length);
+                + 4L * (deviceSlot.length + atBodies.length + held.length)
+                + isAtBodies.length;
     }
 
     @Override

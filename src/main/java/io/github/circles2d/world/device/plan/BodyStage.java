@@ -89,7 +89,7 @@ final class BodyStage {
     private int find(Kernel near, int boxes, int circles, int wordsEach) {
         int before = BOXES + BOX_WORDS * boxes;
         for (int room = LEAST_ROOM; ; ) {
-            arrays.ensureFound(bytes(before + wordsEach * room));
+            arrays.ensureFound(bytes(before + (long) wordsEach * room));
             room = (int)
                     Math.min(circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
             putBoxes(near == find);
@@ -107,14 +107,14 @@ final class BodyStage {
                         .run(bodies.held());
             }
             int expected = Math.min(room, LEAST_ROOM);
-            arrays.found().read(0, arrays.host(), 0, bytes(before + wordsEach * expected));
+            arrays.found().read(0, arrays.host(), 0, bytes(before + (long) wordsEach * expected));
             int found = arrays.host().ints().get(0);
             if (arrays.host().ints().get(1) != 0) {
                 return -1;
             }
             if (found <= room) {
                 if (found > expected) {
-                    arrays.found().read(0, arrays.host(), 0, bytes(before + wordsEach * found));
+                    arrays.found().read(0, arrays.host(), 0, bytes(before + (long) wordsEach * found));
                 }
                 return found;
             }
@@ -135,15 +135,15 @@ final class BodyStage {
         }
     }
 
-    private static long bytes(int words) {
-        return (long) Integer.BYTES * words;
+    private static long bytes(long words) {
+        return Integer.BYTES * words;
     }
 
     /** Begins the passes, once circles have what they carry on from the step before. */
     void begin() {
         int n = bodies.circles();
         if (n > 0) {
-            arrays.ensureRows(bytes(n), bytes(HostBodies.ROW_WORDS * n));
+            arrays.ensureRows(bytes(n), bytes((long) HostBodies.ROW_WORDS * n));
             HostBuffer host = arrays.host();
             bodies.putSlots(host.ints().duplicate().clear());
             arrays.slots().write(0, host, 0, bytes(n));
@@ -171,7 +171,7 @@ final class BodyStage {
 
     private void receive() {
         if (bodies.circles() > 0) {
-            arrays.rows().read(0, arrays.host(), 0, bytes(HostBodies.ROW_WORDS * bodies.circles()));
+            arrays.rows().read(0, arrays.host(), 0, bytes((long) HostBodies.ROW_WORDS * bodies.circles()));
             bodies.take(arrays.host().floats());
         }
     }
@@ -179,7 +179,7 @@ final class BodyStage {
     private void give() {
         if (bodies.circles() > 0) {
             bodies.put(arrays.host().floats());
-            arrays.rows().write(0, arrays.host(), 0, bytes(HostBodies.ROW_WORDS * bodies.circles()));
+            arrays.rows().write(0, arrays.host(), 0, bytes((long) HostBodies.ROW_WORDS * bodies.circles()));
             give.run(bodies.circles());
         }
     }
