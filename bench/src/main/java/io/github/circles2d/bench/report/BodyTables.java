@@ -12,33 +12,27 @@ final class BodyTables {
 
     /** Steps of World and of Box2D. Empty if the folder has no such file. */
     static String cost(Path folder) {
-        StringBuilder text = new StringBuilder("| scene | bodies | circles | World on the JVM, ms | Box2D v3, ms |\n")
-                .append("|---|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("cost.csv"), List.of("scene"));
-        for (Map<String, String> row : rows) {
-            text.append("| ").append(row.get("scene"));
-            for (String column : List.of("bodies", "circles")) {
-                text.append(" | ").append(Numbers.whole(row.get(column)));
-            }
-            for (String column : List.of("ms", "box2d_ms")) {
-                text.append(" | ").append(row.get(column));
-            }
-            text.append(" |\n");
-        }
-        return rows.isEmpty() ? "" : text.toString();
+        return table(folder.resolve("cost.csv"), "World on the JVM", "ms", "Box2D v3", "box2d_ms");
     }
 
     /** Steps on the JVM and on a GPU. Empty if the folder has no such file. */
     static String devices(Path folder) {
-        StringBuilder text =
-                new StringBuilder("| scene | bodies | circles | JVM, ms | GPU, ms |\n|---|--:|--:|--:|--:|\n");
-        List<Map<String, String>> rows = Table.rowsOf(folder.resolve("device.csv"), List.of("scene"));
+        return table(folder.resolve("device.csv"), "JVM", "jvm_ms", "GPU", "device_ms");
+    }
+
+    private static String table(Path file, String one, String columnOfOne, String other, String columnOfOther) {
+        StringBuilder text = new StringBuilder("| scene | bodies | circles | ")
+                .append(one)
+                .append(", ms | ")
+                .append(other)
+                .append(", ms |\n|---|--:|--:|--:|--:|\n");
+        List<Map<String, String>> rows = Table.rowsOf(file, List.of("scene"));
         for (Map<String, String> row : rows) {
             text.append("| ").append(row.get("scene"));
             for (String column : List.of("bodies", "circles")) {
                 text.append(" | ").append(Numbers.whole(row.get(column)));
             }
-            for (String column : List.of("jvm_ms", "device_ms")) {
+            for (String column : List.of(columnOfOne, columnOfOther)) {
                 text.append(" | ").append(row.get(column));
             }
             text.append(" |\n");
