@@ -62,7 +62,7 @@ public final class Bodies {
      * @return the handle of the body
      * @throws IllegalArgumentException if a value is out of range; if the outline reaches from its centroid further than a radius may be in these bounds, or
      *     less far; or if there are 65,536 bodies
-     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass) {
         return add(outline, x, y, angle, mass, 0);
@@ -79,7 +79,7 @@ public final class Bodies {
      * @param kind the number of its kind, 0 to 255
      * @return the handle of the body
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float)}, or if there is no such kind
-     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass, int kind) {
         return simulation.rigids.add(Limits.notNull("outline", outline).shape(), x, y, angle, mass, kind);
@@ -94,7 +94,7 @@ public final class Bodies {
      * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float, int)} (the message has the number of the body), or if an
      *     array has the wrong length
-     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public void addAll(Outline outline, float[] bodies, int[] kinds, long[] handles) {
         OutlineShape[] shapes = {Limits.notNull("outline", outline).shape()};
@@ -110,7 +110,7 @@ public final class Bodies {
      * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
      * @throws IllegalArgumentException as {@link #addAll(Outline, float[], int[], long[])}
      * @throws NullPointerException if an outline is null (the message has its number)
-     * @throws UnsupportedOperationException if the world runs on a device and may not leave it; nothing has changed then
+     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public void addAll(Outline[] outlines, float[] bodies, int[] kinds, long[] handles) {
         OutlineShape[] shapes = new OutlineShape[Limits.notNull("outlines", outlines).length];

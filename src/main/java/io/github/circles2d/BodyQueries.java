@@ -18,8 +18,7 @@ import io.github.circles2d.world.search.Searches;
  * }</pre>
  *
  * <p>What {@link Queries} says of circles holds for bodies: masks, the order of results, batches, arrays, misuse. A body is found where it is now:
- * after all steps that were asked for and all calls. Its handle is that of {@link Bodies}. A world on a device has no bodies, so none is found
- * there.
+ * after all steps that were asked for and all calls. Its handle is that of {@link Bodies}.
  *
  * <p><b>Shape:</b> a body is its outline with rounded corners as arcs, and all that is inside. A disc in a hollow of a concave outline does not
  * overlap it. Tests compute in double precision.

@@ -100,7 +100,7 @@ public final class Joint {
 
     /**
      * Keeps two circles as they are to each other when the joint is added: their distance, the direction from one to the other as both turn, and
-     * their angles. So they make one body. Only for two circles.
+     * their angles. So they make one body. Only for two ends that are circles or bodies.
      *
      * @return the definition
      */

@@ -1760,7 +1760,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, of terrain and of joints. Equal states
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, of the kinds, of terrain, of joints and of bodies. Equal states
      * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
      * settings of contacts and surfaces that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
@@ -1965,6 +1965,7 @@ public final class World implements AutoCloseable {
      * @param from a snapshot from its position on; the position moves behind it. Its byte order does not matter
      * @throws IllegalArgumentException if the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
      *     before
+     * @throws UnsupportedOperationException if a world on a device that may not leave it is to have bodies that sleep; likewise
      */
     public void restore(ByteBuffer from) {
         simulation.snapshots.restore(from);

@@ -423,6 +423,44 @@ class WorldBodiesTest {
         }
     }
 
+    /** Bodies alone make steps, too: circles that have gone end their touches in the first, wherever it is made. */
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    void circlesThatHaveGoneEndTheirTouchesInTheNextStep(Backend backend) {
+        try (World device = World.builder()
+                        .bounds(0, 0, 20, 10)
+                        .gravity(0, 0)
+                        .backend(backend)
+                        .build();
+                World jvm = world()) {
+            for (World each : new World[] {device, jvm}) {
+                each.bodies().add(CRATE, 10, 5, 0, 2);
+                each.report(Events.BEGIN | Events.END);
+                each.add(4, 5, 0.5f, 1);
+                each.add(4.9f, 5, 0.5f, 1);
+                each.step(1 / 60f, 5);
+                each.events();
+                each.clear();
+                each.step(1 / 60f, 3);
+            }
+            Events events = device.events();
+            Events expected = jvm.events();
+            assertThat(events.size()).isEqualTo(expected.size()).isPositive();
+            for (int k = 0; k < events.size(); k++) {
+                assertThat(events.step(k)).isEqualTo(expected.step(k));
+            }
+            assertThat(device.stats().contacts()).isZero();
+            assertThat(snapshot(device)).isEqualTo(snapshot(jvm));
+            for (World each : new World[] {device, jvm}) {
+                each.add(4, 5, 0.5f, 1);
+                each.add(4.9f, 5, 0.5f, 1);
+                each.step(1 / 60f, 2);
+            }
+            assertThat(device.events().size()).isEqualTo(jvm.events().size());
+            assertThat(snapshot(device)).isEqualTo(snapshot(jvm));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
     void aWorldBuiltForADeviceRefusesBodiesThatSleepAndGoesOn(Backend backend) {

@@ -202,14 +202,15 @@ public final class Simulation implements AutoCloseable {
         world.pending
                 .apply(); // last: a step that lacks memory before it takes its changes back, which the pipeline must
         // not have
-        boolean acts = world.handles.size() > 0 || world.rigids.isThere();
+        boolean circles = world.handles.size() > 0;
+        boolean acts = circles || world.rigids.isThere();
         if (acts) {
             world.events.prepare(world.kinds, world.input.reports);
             world.moves.beforeSteps(steps);
             prepareSteps();
         }
         world.guard.changing = true;
-        world.state.stepped(acts);
+        world.state.stepped(circles);
         world.rigids.steps();
         if (acts) {
             world.copies.forget();
@@ -220,7 +221,8 @@ public final class Simulation implements AutoCloseable {
                     world.handles.population(),
                     world.handles.hasStatics());
             world.pipeline.step(world.input, levels, steps);
-        } else if (world.events.isOn()) {
+        }
+        if (!circles && world.events.isOn()) {
             world.pending.finish();
             world.guard.changing = true;
             world.events.emptySteps(steps);

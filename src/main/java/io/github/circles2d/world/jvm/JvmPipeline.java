@@ -277,7 +277,7 @@ public final class JvmPipeline implements Pipeline {
                 && (state.sleepers.count > 0 || constants.rigid && rigidPasses.anySleeps(rigids));
         boolean found = sleep && !wake();
         times.end(GRID);
-        if (recorder != null) {
+        if (records()) {
             recorder.begin();
         }
         if (constants.rigid) {
@@ -340,13 +340,18 @@ public final class JvmPipeline implements Pipeline {
             }
             rigids.listener.stepped();
         }
-        if (recorder != null) {
+        if (records()) {
             recorder.end(terrain, constants);
         }
         if (state.sleepers != null) {
             fallAsleep();
         }
         times.end(SOLVER);
+    }
+
+    /** Whether somebody is told what circles touch; of steps without circles the caller tells. */
+    private boolean records() {
+        return recorder != null && state.n > 0;
     }
 
     /** Finds the circles that rest near to others, and wakes some. If there are any, the grid is another one, and the finding void: returns true. */
