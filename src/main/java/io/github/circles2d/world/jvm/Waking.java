@@ -29,7 +29,7 @@ import java.util.Arrays;
  * sleep near to those that are awake, now or in the step before, and at those whose balance may be another for another reason; nothing has
  * changed for all others. One worker does it for all.
  */
-final class Waking {
+final class Waking implements WakingByBodies.Reached {
     // the sums of a circle
     private static final int SUMS = 4;
     private static final int SUM_X = 0;
@@ -711,8 +711,8 @@ final class Waking {
         }
     }
 
-    /** What has woken a body reaches a circle that it touches, with an impulse or a gap. own: the inverse mass of the circle. */
-    void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own) {
+    @Override
+    public void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own) {
         int slot = state.slotOf[id];
         if (sleepers().isAsleep(id) && wokenIn[id] != step) {
             reach(

@@ -10,8 +10,8 @@ import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
- * Which bodies wake as a step begins, and what the contacts of bodies, as the step has found them, do to circles that sleep. It is part of
- * {@link Waking}, which has the rings. Of bodies, the half thickness stands for the radius. What presses a body is summed up as speeds.
+ * Which bodies wake as a step begins, and what the contacts of bodies, as the step has found them, do to circles that sleep. {@code Waking} has
+ * the rings. Of bodies, the half thickness stands for the radius. What presses a body is summed up as speeds.
  */
 final class WakingByBodies {
     private static final int SUMS = 4;
@@ -22,6 +22,12 @@ final class WakingByBodies {
 
     /** Of what turns by more in a step, in radians, another corner may arrive than the one that is near. */
     private static final float FAR_TURN = 0.02f;
+
+    /** The circles that woken bodies reach. */
+    interface Reached {
+        /** What has woken a body reaches a circle that it touches, with an impulse or a gap. own: the inverse mass of the circle. */
+        void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own);
+    }
 
     private final State state;
     private final RigidContacts contacts;
@@ -488,7 +494,7 @@ final class WakingByBodies {
     }
 
     /** What woke bodies in the ring before reaches others, and circles. */
-    void passOn(Waking circles) {
+    void passOn(Reached circles) {
         for (int n = ringFrom; n < wokenCount; n++) {
             int id = woken[n];
             for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
