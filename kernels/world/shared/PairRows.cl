@@ -1,6 +1,6 @@
 // uses: world/shared/CrossRule.cl world/shared/OneBodyRows.cl world/shared/Surface.cl world/shared/Visit.cl
 // The rows behind the normal one of a contact of two circles, A of the lower id and B: friction along the tangent, rolling resistance. A
-// schedule moves RowImpulses, the accumulated impulses of all rows. The Java class world.jvm.PairRows does the same.
+// schedule moves RowImpulses, the accumulated impulses of all rows. The Java class world.jvm.solver.PairRows does the same.
 
 #ifdef TURNING
 // By what the rows of a contact act.

@@ -1,5 +1,5 @@
 // uses: world/shared/Wall.cl
-// How a circle turns through a step. The Java class world.jvm.Turning does the same.
+// How a circle turns through a step. The Java class world.jvm.state.Turning does the same.
 
 #ifdef TURNING
 // Makes a circle ready for a step. c: circle; from: the slot at home.

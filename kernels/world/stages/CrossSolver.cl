@@ -1,6 +1,6 @@
 // uses: world/shared/CrossRule.cl world/stages/CrossTurns.cl world/shared/PairRows.cl world/stages/Solver.cl
 // Cross contacts, behind the like contacts of each pass, in two launches. Light circles visit theirs and see heavy ones as before; then
-// heavy circles take the sums. The Java class world.jvm.CrossBodies does the same.
+// heavy circles take the sums. The Java class world.jvm.solver.CrossBodies does the same.
 
 // pair has the circle of lower id first.
 typedef struct {

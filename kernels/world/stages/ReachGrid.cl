@@ -1,5 +1,5 @@
 // uses: world/shared/Reach.cl world/shared/PairRule.cl world/stages/World.cl
-// Fast circles that reach far, by their reach. The Java class world.jvm.ReachGrid explains it. Grid empties the buckets.
+// Fast circles that reach far, by their reach. The Java class world.jvm.grid.ReachGrid explains it. Grid empties the buckets.
 
 // More of a level's cells are far. It changes the time alone.
 #define FAR_CELLS 3.0f

@@ -1,5 +1,5 @@
 // uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/shared/PairRows.cl world/stages/Touches.cl
-// Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.Solver does the same.
+// Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.solver.Solver does the same.
 
 // Without impulses of walls; false if that is not all. m: motion; l: load.
 bool startOffWallsAt(const World *w, int slot, float4 c, float4 m, float4 t, float4 l) {

@@ -7,6 +7,8 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.state.Sleepers;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindSleep;

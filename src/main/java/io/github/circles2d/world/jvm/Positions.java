@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleRow;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;

@@ -2,6 +2,10 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.jvm.grid.Grid;
+import io.github.circles2d.world.jvm.solver.Contacts;
+import io.github.circles2d.world.jvm.solver.Touches;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.circles.SavedCircles;
+import io.github.circles2d.world.jvm.state.ImpulseCache;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.snapshots.SavedState;
 

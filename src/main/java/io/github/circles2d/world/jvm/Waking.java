@@ -11,6 +11,17 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.bodies.WakingByBodies;
+import io.github.circles2d.world.jvm.grid.Grid;
+import io.github.circles2d.world.jvm.grid.PairFilter;
+import io.github.circles2d.world.jvm.joints.RestingJoints;
+import io.github.circles2d.world.jvm.pieces.PieceSearch;
+import io.github.circles2d.world.jvm.solver.Contacts;
+import io.github.circles2d.world.jvm.solver.NearResting;
+import io.github.circles2d.world.jvm.state.PieceContactRow;
+import io.github.circles2d.world.jvm.state.Resting;
+import io.github.circles2d.world.jvm.state.Sleepers;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;

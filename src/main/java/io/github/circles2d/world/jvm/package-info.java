@@ -1,2 +1,2 @@
-/** The pipeline in Java: each stage of a step is a class, run by a team of threads. Not part of the public API. */
+/** The pipeline in Java: the stages of a step in their order, run by a team of threads. Rooms below have the stages. Not part of the public API. */
 package io.github.circles2d.world.jvm;

@@ -6,6 +6,8 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.jvm.grid.PairFilter;
+import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.PairTable;
 import org.junit.jupiter.api.Test;
 

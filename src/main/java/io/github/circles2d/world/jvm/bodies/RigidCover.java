@@ -1,0 +1,240 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
+import static io.github.circles2d.world.bodies.OutlineShape.NX;
+import static io.github.circles2d.world.bodies.OutlineShape.NY;
+import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
+import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Tuning;
+import java.util.Arrays;
+
+/**
+ * Keeps contacts from beginning that would stop a body at the joint of what it slides over: what a body meets is no obstacle if it is no higher
+ * than the plane on which the body rests already.
+ */
+final class RigidCover {
+    /** The cosine of 1.8 degrees: nearer normals are one plane. */
+    private static final float SAME = 0.9995f;
+
+    private static final int PLANE_STRIDE = 4;
+
+    private static final byte ABOVE = 1;
+    private static final byte BELOW = 2;
+
+    private final RigidContacts contacts;
+    private final RigidThings things;
+    private final Team team;
+
+    /** By thing: a contact on whose plane it may rest and its side, as twice a number and the side; -1 if there is none. Likewise the next one, by contact and side. */
+    private int[] head = new int[0];
+
+    private int[] next = new int[0];
+
+    /** By contact and side: {@link #ABOVE} or {@link #BELOW}, as that thing is wholly above the plane of the contact or not; 0 if not known yet. Workers find the same. */
+    private byte[] lies = new byte[0];
+
+    /** By contact and side: the normal of its plane, towards that thing, and a point on it, against the thing's place. */
+    private float[] plane = new float[0];
+
+    private boolean[] gone = new boolean[0];
+
+    /** By worker: whether it has found some contacts without impulse, or marked some. */
+    private final boolean[] some;
+
+    private final Team.Work list = this::list;
+    private final Team.Work mark = this::mark;
+
+    RigidCover(RigidContacts contacts, RigidThings things, Team team) {
+        this.contacts = contacts;
+        this.things = things;
+        this.team = team;
+        some = new boolean[team.most()];
+    }
+
+    /** Removes the contacts that do not begin. */
+    void apply() {
+        int n = contacts.count;
+        if (head.length < things.count) {
+            head = new int[2 * things.count];
+        }
+        if (gone.length < n) {
+            gone = new boolean[2 * n];
+            next = new int[4 * n];
+            lies = new byte[4 * n];
+            plane = new float[PLANE_STRIDE * 4 * n];
+        }
+        team.together(list);
+        boolean idle = false;
+        for (int worker = 0; worker < team.size(); worker++) {
+            idle |= some[worker];
+        }
+        if (!idle) {
+            return;
+        }
+        team.together(mark);
+        for (int worker = 0; worker < team.size(); worker++) {
+            if (some[worker]) {
+                contacts.removeMarked(gone);
+                return;
+            }
+        }
+    }
+
+    /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
+    private void list(int worker) {
+        int from = team.part(things.count, worker);
+        int end = team.part(things.count, worker + 1);
+        Arrays.fill(head, from, end, -1);
+        boolean idle = false;
+        for (int c = 0; c < contacts.count; c++) {
+            int a = contacts.a[c];
+            int b = contacts.b[c];
+            boolean ofA = a >= from && a < end;
+            boolean ofB = b >= from && b < end;
+            if (!ofA && !ofB) {
+                continue;
+            }
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+                if (ofA) {
+                    add(2 * c, a, b);
+                }
+                if (ofB) {
+                    add(2 * c + 1, b, a);
+                }
+            } else {
+                idle |= contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f;
+            }
+        }
+        some[worker] = idle;
+    }
+
+    /** Adds a pressed contact on a line to those on which a thing may rest. */
+    private void add(int side, int t, int other) {
+        if (things.shape[t] != null
+                && things.w[t] > 0f
+                && contacts.rows[RigidRow.of(side >> 1) + RigidRow.GAP] <= 0.5f * slack(t)
+                && things.type[other] != RigidStep.BODY_CIRCLE) {
+            float[] rows = contacts.rows;
+            int row = RigidRow.of(side >> 1);
+            boolean isA = (side & 1) == 0;
+            int at = PLANE_STRIDE * side;
+            plane[at] = isA ? rows[row + RigidRow.NX] : -rows[row + RigidRow.NX];
+            plane[at + 1] = isA ? rows[row + RigidRow.NY] : -rows[row + RigidRow.NY];
+            plane[at + 2] = rows[row + (isA ? RigidRow.AX : RigidRow.BX)];
+            plane[at + 3] = rows[row + (isA ? RigidRow.AY : RigidRow.BY)];
+            lies[side] = 0;
+            next[side] = head[t];
+            head[t] = side;
+        }
+    }
+
+    private float slack(int t) {
+        return Tuning.COVER * things.thin[t];
+    }
+
+    private void mark(int worker) {
+        boolean found = false;
+        int end = team.part(contacts.count, worker + 1);
+        for (int c = team.part(contacts.count, worker); c < end; c++) {
+            gone[c] = contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f
+                    && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
+            found |= gone[c];
+        }
+        some[worker] = found;
+    }
+
+    /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
+    private boolean isCovered(int c, int t) {
+        boolean ownCorner = contacts.a[c] == t;
+        boolean meetsLine = ownCorner && contacts.isLine[c];
+        int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
+        if (head[t] < 0 || meetsLine && (things.isHollow(its) || things.type[contacts.b[c]] == RigidStep.BODY_WALL)) {
+            return false;
+        }
+        float slack = slack(t);
+        int row = RigidRow.of(c);
+        float nx = ownCorner ? contacts.rows[row + RigidRow.NX] : -contacts.rows[row + RigidRow.NX];
+        float ny = ownCorner ? contacts.rows[row + RigidRow.NY] : -contacts.rows[row + RigidRow.NY];
+        // the place of the other thing, against that of this one
+        float sign = ownCorner ? -1f : 1f;
+        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
+        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
+        for (int side = head[t]; side >= 0; side = next[side]) {
+            int at = PLANE_STRIDE * side;
+            if (nx * plane[at] + ny * plane[at + 1] <= SAME
+                    && (meetsLine ? isLineUnder(at, its, x, y, slack) : isCornerUnder(at, its, x, y, slack))
+                    && liesAbove(side, t, slack)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean liesAbove(int side, int t, float slack) {
+        if (lies[side] == 0) {
+            int at = PLANE_STRIDE * side;
+            lies[side] = isAbove(t, plane[at], plane[at + 1], plane[at + 2], plane[at + 3], slack) ? ABOVE : BELOW;
+        }
+        return lies[side] == ABOVE;
+    }
+
+    /** Whether a corner of a thing at (atX, atY) is no higher than a plane. */
+    private boolean isCornerUnder(int of, int its, float atX, float atY, float slack) {
+        float nx = plane[of];
+        float ny = plane[of + 1];
+        float x = atX - plane[of + 2];
+        float y = atY - plane[of + 3];
+        int at = RigidThings.corner(its);
+        if (things.isBent(its)) {
+            x += things.bentX(its, nx, ny);
+            y += things.bentY(its, nx, ny);
+        }
+        return !isHigher(
+                x + things.turnedCorner[at],
+                y + things.turnedCorner[at + 1],
+                nx,
+                ny,
+                slack - things.turnedCorner[at + RADIUS]);
+    }
+
+    private boolean isLineUnder(int of, int its, float atX, float atY, float slack) {
+        float nx = plane[of];
+        float ny = plane[of + 1];
+        int line = RigidThings.line(its);
+        float length = things.turnedLine[line + LENGTH];
+        float most = slack - things.turnedLine[line + THICKNESS];
+        float sx = atX - plane[of + 2] + things.turnedLine[line];
+        float sy = atY - plane[of + 3] + things.turnedLine[line + 1];
+        float ex = sx - things.turnedLine[line + NY] * length;
+        float ey = sy + things.turnedLine[line + NX] * length;
+        return !isHigher(sx, sy, nx, ny, most) && !isHigher(ex, ey, nx, ny, most);
+    }
+
+    /** Whether a thing is wholly above a plane through a point. */
+    private boolean isAbove(int t, float nx, float ny, float px, float py, float slack) {
+        for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
+            int at = RigidThings.corner(k);
+            float x = things.turnedCorner[at] - px;
+            float y = things.turnedCorner[at + 1] - py;
+            if (things.isBent(k)) {
+                x += things.bentX(k, -nx, -ny);
+                y += things.bentY(k, -nx, -ny);
+            }
+            if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isHigher(float x, float y, float nx, float ny, float most) {
+        return x * nx + y * ny > most;
+    }
+
+    long bytes() {
+        return 4L * (head.length + next.length + plane.length) + gone.length + lies.length;
+    }
+}

@@ -1,0 +1,335 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.jvm.state.JointStates;
+import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.JointMath;
+import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointState;
+import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.model.StepConstants;
+import java.util.Arrays;
+
+/**
+ * The passes over joints that hold rigid bodies, one after the other in the order of their ids, before those over the contacts of bodies: so contacts
+ * win. {@link RigidJointVisits} has a visit, {@link RigidJointEnds} what is at both ends.
+ */
+final class RigidJoints {
+    // numbers of a joint within a step
+    static final int BASE_X = 0; // from the base of A to that of B
+    static final int BASE_Y = 1;
+    static final int NORMAL_X = 2; // from A to B, as measured last
+    static final int NORMAL_Y = 3;
+    static final int DISTANCE = 4;
+    static final int PUSH = 5; // the greatest speed by which it corrects where its ends are
+    private static final int STRIDE = 6;
+
+    private final RigidPairs pairs;
+    private final RigidThings things;
+    private final RigidPartners partners;
+    private final RigidJointEnds ends;
+    private final RigidJointVisits visits;
+
+    /** Those that act in the step, and {@link #STRIDE} numbers of each. */
+    private int[] acting = new int[0];
+
+    private int count;
+    private float[] work = new float[0];
+
+    // within a step; null if no joint holds a body
+    private RigidStep rigids;
+    private JointStep joints;
+    private JointStates states;
+    private StepConstants k;
+
+    RigidJoints(State state, RigidPairs pairs) {
+        this.pairs = pairs;
+        things = pairs.things;
+        partners = pairs.partners;
+        ends = new RigidJointEnds(state, pairs);
+        visits = new RigidJointVisits(ends);
+    }
+
+    /** Begins the joints of a step, and finds what does not collide. */
+    void findPartners(RigidStep bodies, JointStep step, JointStates itsStates) {
+        rigids = bodies;
+        joints = step;
+        states = itsStates;
+        count = 0;
+        partners.clear();
+        if (step == null) {
+            return;
+        }
+        if (acting.length < step.rigidCount) {
+            int c = step.rigidCount + (step.rigidCount >> 1);
+            work = Arrays.copyOf(work, STRIDE * c);
+            acting = Arrays.copyOf(acting, c);
+        }
+        for (int n = 0; n < step.rigidCount; n++) {
+            int joint = step.rigidOrder[n];
+            if (itsStates.begin(joint, step) && !rests(joint)) {
+                acting[count++] = joint;
+                if ((step.traits[JointRow.traits(joint) + JointRow.FORM] & JointRow.COLLIDE) == 0) {
+                    part(joint);
+                }
+            }
+        }
+        partners.sort();
+    }
+
+    private void part(int joint) {
+        int bodyA = joints.rigidBodies[2 * joint];
+        int bodyB = joints.rigidBodies[2 * joint + 1];
+        int circleA = joints.traits[JointRow.traits(joint) + JointRow.A];
+        int circleB = joints.traits[JointRow.traits(joint) + JointRow.B];
+        if (bodyA != JointRow.NONE && bodyB != JointRow.NONE) {
+            partners.addBodies(bodyA, bodyB);
+        } else if (bodyA != JointRow.NONE && circleB != JointRow.NONE) {
+            partners.addCircle(bodyA, circleB);
+        } else if (bodyB != JointRow.NONE) {
+            partners.addCircle(bodyB, circleA);
+        }
+    }
+
+    /** Measures the joints for the first time; bodies are things. */
+    void begin(StepConstants constants) {
+        k = constants;
+        scaleResting();
+        if (count == 0) {
+            return;
+        }
+        visits.begin(joints, states, constants);
+        ends.begin(joints, constants);
+        for (int n = 0; n < count; n++) {
+            int joint = acting[n];
+            int e = 2 * n;
+            int o = STRIDE * n;
+            ends.find(e, joint, 0);
+            ends.find(e + 1, joint, 1);
+            work[o + BASE_X] = ends.baseX(e, joint);
+            work[o + BASE_Y] = ends.baseY(e, joint);
+            work[o + NORMAL_X] = 1f;
+            work[o + NORMAL_Y] = 0f;
+            work[o + DISTANCE] = 0f;
+            float size = CircleMath.min(ends.size(e), ends.size(e + 1));
+            work[o + PUSH] = size < Float.POSITIVE_INFINITY ? JointMath.greatestPush(size, k.inverseH) : 0f;
+            visits.take(joint, e);
+            visits.scale();
+            visits.measure(0, work, o);
+            visits.all(work, o);
+            visits.giveNext();
+        }
+    }
+
+    /** What bodies keep acts again; on circles it has acted before. */
+    void warmStart() {
+        for (int n = 0; n < count; n++) {
+            visits.take(acting[n], 2 * n);
+            visits.all(work, STRIDE * n);
+            visits.giveToBodies();
+        }
+    }
+
+    void solve(int sub) {
+        for (int n = 0; n < count; n++) {
+            visits.take(acting[n], 2 * n);
+            visits.measure(sub, work, STRIDE * n);
+            visits.solve(sub, work, STRIDE * n);
+        }
+    }
+
+    void relax(int sub, boolean last) {
+        for (int n = 0; n < count; n++) {
+            int o = STRIDE * n;
+            visits.take(acting[n], 2 * n);
+            visits.measure(sub + 1, work, o);
+            visits.relax(sub, work, o);
+            visits.all(work, o);
+            visits.addToSums();
+            if (!last) {
+                visits.giveNext();
+            }
+        }
+    }
+
+    /** Ends the step: joints break. Returns whether one has. */
+    boolean end() {
+        boolean some = false;
+        for (int n = 0; n < count && joints.breakable; n++) {
+            visits.take(acting[n], 2 * n);
+            if (visits.breaks()) {
+                states.breakJoint(acting[n]);
+                some = true;
+            }
+        }
+        joints = null;
+        states = null;
+        return some;
+    }
+
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    private int body(int joint, int side) {
+        return joints.rigidBodies[2 * joint + side];
+    }
+
+    /** The thing of a body at a side of a joint, or {@link JointRow#NONE}. */
+    private int thing(int joint, int side) {
+        return body(joint, side) == JointRow.NONE ? JointRow.NONE : pairs.bodyThing(body(joint, side));
+    }
+
+    private boolean holdsCircle(int joint) {
+        int traits = JointRow.traits(joint);
+        return joints.traits[traits + JointRow.A] != JointRow.NONE
+                || joints.traits[traits + JointRow.B] != JointRow.NONE;
+    }
+
+    private boolean isThere(int joint) {
+        return states.serial[joint] == joints.traits[JointRow.traits(joint) + JointRow.SERIAL];
+    }
+
+    /** Whether all bodies of a joint sleep: it keeps its impulses. */
+    private boolean rests(int joint) {
+        return !holdsCircle(joint)
+                && (body(joint, 0) == JointRow.NONE || rigids.isAsleep(body(joint, 0)))
+                && (body(joint, 1) == JointRow.NONE || rigids.isAsleep(body(joint, 1)));
+    }
+
+    /** Whether a joint moves its bodies whatever they do. Circles know nothing of what bodies do by joints: these keep both awake. */
+    private boolean drives(int joint) {
+        int row = JointRow.of(joint);
+        int traits = JointRow.traits(joint);
+        return holdsCircle(joint)
+                || Sleep.drives(
+                        joints.traits[traits + JointRow.FORM] & JointRow.ANGULAR,
+                        joints.rows[row + JointRow.SPEED],
+                        joints.rows[row + JointRow.MAX_TORQUE],
+                        joints.traits[traits + JointRow.ANCHOR]);
+    }
+
+    /** Another length of steps takes other impulses, also of joints that rest. */
+    private void scaleResting() {
+        for (int n = 0; joints != null && k.warmScale != 1f && n < joints.rigidCount; n++) {
+            int joint = joints.rigidOrder[n];
+            if (isThere(joint) && rests(joint)) {
+                for (int at = JointState.of(joint); at < JointState.of(joint + 1); at++) {
+                    states.rows[at] *= k.warmScale;
+                }
+            }
+        }
+    }
+
+    /** Another number once joints are others. */
+    long version() {
+        return joints == null ? -1 : (long) joints.orderVersion << 32 | joints.version & 0xFFFFFFFFL;
+    }
+
+    boolean areThere() {
+        return joints != null;
+    }
+
+    /** Before bodies wake, with the numbers of the step. */
+    void look(StepConstants constants, WakingByBodies waking) {
+        k = constants;
+        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
+            int joint = joints.rigidOrder[n];
+            if (isThere(joint)) {
+                look(joint, 0, waking);
+                look(joint, 1, waking);
+            }
+        }
+        for (int t = 0; joints != null && t < things.bodies; t++) {
+            if (things.asleep[t] && waking.isLookedAt(t)) {
+                press(t, waking);
+            }
+        }
+    }
+
+    private void look(int joint, int side, WakingByBodies waking) {
+        int t = thing(joint, side);
+        if (t == JointRow.NONE || !things.asleep[t]) {
+            return;
+        }
+        if (drives(joint)) {
+            waking.drive(t);
+        }
+        int other = thing(joint, 1 - side);
+        if (other != JointRow.NONE && !things.asleep[other]) {
+            float armX = armX(joint, 1 - side, other);
+            float armY = armY(joint, 1 - side, other);
+            float speed = CircleMath.length(
+                    things.vx[other] - things.omega[other] * armY, things.vy[other] + things.omega[other] * armX);
+            waking.move(t, things.ownW[other], speed, load(joint));
+        }
+    }
+
+    private float armX(int joint, int side, int t) {
+        float x = joints.rigidPoints[4 * joint + 2 * side];
+        return things.cos[t] * x - things.sin[t] * joints.rigidPoints[4 * joint + 2 * side + 1];
+    }
+
+    private float armY(int joint, int side, int t) {
+        float x = joints.rigidPoints[4 * joint + 2 * side];
+        return things.sin[t] * x + things.cos[t] * joints.rigidPoints[4 * joint + 2 * side + 1];
+    }
+
+    private float sum(int joint, int which) {
+        return Sleep.ofSubStep(states.rows[JointState.of(joint) + which], k.warmScale, k.subSteps);
+    }
+
+    private float load(int joint) {
+        boolean elastic = (joints.traits[JointRow.traits(joint) + JointRow.FORM] & JointRow.ELASTIC) != 0;
+        return Sleep.loadOfJoint(sum(joint, JointState.SUM_X), sum(joint, JointState.SUM_Y), elastic);
+    }
+
+    /** Adds what joints give a body to what presses it. */
+    void press(int t, WakingByBodies waking) {
+        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
+            int joint = joints.rigidOrder[n];
+            for (int side = 0; side < 2 && isThere(joint); side++) {
+                if (thing(joint, side) == t) {
+                    float sign = side == 0 ? -1f : 1f;
+                    waking.pull(
+                            t,
+                            sign * sum(joint, JointState.SUM_X),
+                            sign * sum(joint, JointState.SUM_Y),
+                            armX(joint, side, t),
+                            armY(joint, side, t),
+                            -sign * sum(joint, JointState.SUM_ANGULAR),
+                            load(joint));
+                }
+            }
+        }
+    }
+
+    /** What woke a body reaches those that joints hold to it. */
+    void passOn(int t, float speed, WakingByBodies waking) {
+        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
+            int joint = joints.rigidOrder[n];
+            for (int side = 0; side < 2 && isThere(joint); side++) {
+                int other = thing(joint, 1 - side);
+                if (thing(joint, side) == t && other != JointRow.NONE) {
+                    waking.passOn(other, speed, load(joint), 0f, things.ownW[other], things.ownW[t]);
+                }
+            }
+        }
+    }
+
+    /** Whether a joint drives a body. */
+    boolean drive(int body) {
+        boolean drive = false;
+        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
+            int joint = joints.rigidOrder[n];
+            boolean holds = body(joint, 0) == body || body(joint, 1) == body;
+            drive |= holds && isThere(joint) && drives(joint);
+        }
+        return drive;
+    }
+
+    long bytes() {
+        return ends.bytes() + 4L * (acting.length + work.length);
+    }
+}

@@ -1,0 +1,43 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import java.util.Arrays;
+
+/** Keys of pairs of a rigid body and something else: a body and an id, and the type where it is not known. */
+final class RigidKeys {
+    private static final int BODY_SHIFT = 32;
+
+    long[] keys = new long[64];
+    int count;
+
+    void add(int body, int other) {
+        if (count == keys.length) {
+            keys = Arrays.copyOf(keys, 2 * count);
+        }
+        keys[count++] = (long) body << BODY_SHIFT | other;
+    }
+
+    static int body(long key) {
+        return (int) (key >>> BODY_SHIFT);
+    }
+
+    static int other(long key) {
+        return (int) key;
+    }
+
+    /** Sorts those from one on, which are few. */
+    void sortFrom(int from) {
+        for (int k = from + 1; k < count; k++) {
+            long key = keys[k];
+            int to = k;
+            while (to > from && keys[to - 1] > key) {
+                keys[to] = keys[to - 1];
+                to--;
+            }
+            keys[to] = key;
+        }
+    }
+
+    long bytes() {
+        return 8L * keys.length;
+    }
+}

@@ -1,0 +1,509 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
+
+import io.github.circles2d.world.bodies.RigidExtras;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.jvm.state.JointStates;
+import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.JointStep;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSleep;
+import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.Sleep;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Velocity;
+
+/**
+ * What rigid bodies do in a step, between the passes of the circles. Workers share what is by body, pair or contact, and visits of one colour
+ * ({@link RigidVisits}); one worker does the rest, and what is too short to share.
+ */
+public final class RigidPasses {
+    /** By how much a body turns at most in a sub-step, in radians, so that contacts see where it gets. */
+    private static final float MOST_TURN = 0.785f;
+
+    /** A body takes as long as more circles, but a pass over bodies has more waits. */
+    private static final int CIRCLES = 4;
+
+    /** As many circles take as long as to visit a pair. */
+    private static final int PAIRS = 16;
+
+    private final State state;
+    private final Team team;
+    private final int leastBodies;
+    private final RigidPairs pairs;
+    private final RigidThings things;
+    private final RigidContacts contacts;
+    private final RigidCover cover;
+    private final RigidOrder order;
+    private final RigidVisits visits;
+    private final RigidJoints joints;
+    private final RigidResting resting;
+
+    /** Null if nobody sleeps. */
+    private float[] kindSleep;
+
+    /** Whether all contacts stay as they are, and no body touches something else. */
+    private boolean allRest;
+
+    /** Whom bodies are about to push. */
+    public final WakingByBodies waking;
+
+    // within a step
+    private RigidStep step;
+    private StepConstants k;
+    private TerrainStep terrain;
+    private int subStep;
+
+    private final Team.Work gain = this::gain;
+    private final Team.Work move = this::move;
+
+    /** No worker gets less than a least share of what is by circle, but for what is left over. */
+    public RigidPasses(State state, Team team, int leastShare) {
+        this.state = state;
+        this.team = team;
+        leastBodies = Math.max(1, leastShare / CIRCLES);
+        pairs = new RigidPairs(state, team);
+        things = pairs.things;
+        contacts = new RigidContacts(pairs, team);
+        cover = new RigidCover(contacts, things, team);
+        order = new RigidOrder(contacts, pairs);
+        RigidRules rules = new RigidRules(contacts, things);
+        visits = new RigidVisits(contacts, pairs, rules, order, team, leastShare / PAIRS);
+        joints = new RigidJoints(state, pairs);
+        resting = new RigidResting(state, pairs);
+        waking = new WakingByBodies(state, contacts, pairs, rules, resting, joints);
+    }
+
+    /** How many workers are worth their while. */
+    public int workers(RigidStep bodies) {
+        return bodies.count / leastBodies;
+    }
+
+    /**
+     * Finds the contacts of a step, as all lies now. Without joints of bodies, theirs are null. Before circles wake, and again if some have: who
+     * sleeps is another thing in contacts.
+     */
+    public void find(
+            RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
+        findBodies(bodies, constants, ground, jointStep, states);
+        findContacts();
+    }
+
+    /** The first half, which looks at no circle: where bodies are. */
+    public void findBodies(
+            RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep, JointStates states) {
+        step = bodies;
+        k = constants;
+        terrain = ground;
+        joints.findPartners(bodies, jointStep, states);
+        pairs.begin(bodies, constants, ground);
+    }
+
+    /** The boxes in which bodies may meet something in the step, of four floats each: least x and y, greatest x and y. */
+    public float[] boxes() {
+        return pairs.boxes();
+    }
+
+    /** How many boxes there are. */
+    public int boxCount() {
+        return things.bodies;
+    }
+
+    /** The second half. */
+    public void findContacts() {
+        pairs.find();
+        contacts.find(step, k);
+    }
+
+    /** Puts down the slots of the circles that passes look at, since bodies are near, of which there is room for all; returns how many. */
+    public int circles(int[] slots) {
+        int n = 0;
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                slots[n++] = state.slotOf[things.id[t]];
+            }
+        }
+        return n;
+    }
+
+    /** Whether a body sleeps. */
+    public boolean anySleeps(RigidStep bodies) {
+        for (int id = 0; id < bodies.end; id++) {
+            if (bodies.outline[id] != null && bodies.isAsleep(id)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a step changes nothing of bodies, nor they of circles. Without joints of bodies, theirs are null. */
+    public boolean isIdle(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep) {
+        return jointStep == null
+                && !RigidPairs.piecesMove(constants.terrain ? ground : null)
+                && waking.isIdle(bodies, constants)
+                && areStill();
+    }
+
+    /** Whether no circle moves. */
+    private boolean areStill() {
+        boolean still = true;
+        for (int slot = 0; slot < state.awake; slot++) {
+            still &= pairs.isStill(slot);
+        }
+        return still;
+    }
+
+    /** Begins a step, of which contacts have been found, and in which circles have begun theirs. kinds: by which bodies fall asleep, or null. */
+    public void begin(float[] kinds) {
+        kindSleep = kinds;
+        allRest = pairs.awake() == 0 && contacts.count == 0 && k.warmScale == 1f && resting.areAll(step);
+        if (!allRest) {
+            resting.take(step, k.warmScale);
+        }
+        cover.apply();
+        order.find();
+        pairs.takeCircleSurfaces();
+        takeCircles(false);
+        visits.begin(k, step.listener != null);
+        joints.begin(k);
+        pushCircles();
+    }
+
+    // ---- passes
+    // ------------------------------------------------------------------------------------------------------------
+
+    /** What drives bodies, and the impulses of the sub-step before. */
+    public void integrateVelocities() {
+        team.together(gain);
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] != BODY_CIRCLE) {
+                setBefore(t);
+            }
+        }
+        joints.warmStart();
+        visits.warmStart();
+    }
+
+    private void gain(int worker) {
+        float[] motion = state.kindMotion;
+        float[] surfaces = k.turning ? state.turning.surfaces : null;
+        int end = team.part(things.bodies, worker + 1);
+        for (int t = team.part(things.bodies, worker); t < end; t++) {
+            things.vx[t] += things.gainX[t];
+            things.vy[t] += things.gainY[t];
+            things.omega[t] += things.gainOmega[t];
+            if (motion != null) {
+                int row = KindMotion.of(things.kind[t]);
+                float factor = motion[row + KindMotion.DAMPING_FACTOR];
+                float share = Velocity.shareWithin(
+                        things.vx[t] * factor, things.vy[t] * factor, motion[row + KindMotion.GREATEST_SPEED]);
+                things.vx[t] *= factor * share;
+                things.vy[t] *= factor * share;
+            }
+            if (surfaces != null) {
+                things.omega[t] *= surfaces[KindSurface.of(things.kind[t]) + KindSurface.DAMPING_FACTOR];
+            }
+            setBefore(t);
+        }
+    }
+
+    private void setBefore(int t) {
+        things.beforeX[t] = things.vx[t];
+        things.beforeY[t] = things.vy[t];
+        things.beforeOmega[t] = things.omega[t];
+    }
+
+    /** The biased pass over joints, bodies, pieces and walls. */
+    public void solve(int sub) {
+        joints.solve(sub);
+        visits.solve();
+    }
+
+    /** The biased pass over circles, after which bounces are over. */
+    public void solveCircles() {
+        takeCircles(true);
+        visits.passOverCircles(false);
+        giveCircles();
+        freeCircles();
+        visits.forgetBounces();
+    }
+
+    /** Moves bodies, and what moves along with time; circles have moved. Measures contacts. */
+    public void integratePositions(int sub) {
+        subStep = sub;
+        team.together(move);
+        visits.measure();
+    }
+
+    private void move(int worker) {
+        int end = team.part(things.count, worker + 1);
+        for (int t = team.part(things.count, worker); t < end; t++) {
+            switch (things.type[t]) {
+                case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
+                case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);
+                case BODY_CIRCLE -> {
+                    int m = CircleRow.of(state.slotOf[things.id[t]]);
+                    things.dx[t] = state.motion[m + CircleRow.DX];
+                    things.dy[t] = state.motion[m + CircleRow.DY];
+                }
+                default -> {
+                    if (!things.asleep[t]) {
+                        moveBody(t);
+                    }
+                }
+            }
+        }
+    }
+
+    private void moveBody(int t) {
+        things.vx[t] = Velocity.limitSpeed(things.vx[t]);
+        things.vy[t] = Velocity.limitSpeed(things.vy[t]);
+        things.omega[t] = CircleMath.clamp(things.omega[t], -MOST_TURN * k.inverseH, MOST_TURN * k.inverseH);
+        things.dx[t] += things.vx[t] * k.h;
+        things.dy[t] += things.vy[t] * k.h;
+        things.turned[t] += things.omega[t] * k.h;
+        things.turnOn(t);
+    }
+
+    /** The relaxing pass over joints, bodies, pieces and walls. */
+    public void relax(int sub, boolean last) {
+        joints.relax(sub, last);
+        visits.relax();
+    }
+
+    public void relaxCircles(boolean last) {
+        takeCircles(false);
+        visits.passOverCircles(true);
+        giveCircles();
+        if (!last) {
+            pushCircles();
+        }
+    }
+
+    // ---- circles
+    // -----------------------------------------------------------------------------------------------------------
+
+    /** Takes the velocities of circles as they are; before: also those without impulses. */
+    private void takeCircles(boolean before) {
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE) {
+                int slot = state.slotOf[things.id[t]];
+                int s = CircleRow.of(slot);
+                things.vx[t] = state.motion[s + CircleRow.VX];
+                things.vy[t] = state.motion[s + CircleRow.VY];
+                boolean rests = slot >= state.awake;
+                if (k.turning && !rests) {
+                    things.omega[t] = state.turning.spin[s + CircleRow.SURFACE_SPEED] / things.thin[t];
+                }
+                if (before) {
+                    things.beforeX[t] = rests ? things.vx[t] : state.load[s + CircleRow.BEFORE_X];
+                    things.beforeY[t] = rests ? things.vy[t] : state.load[s + CircleRow.BEFORE_Y];
+                    things.beforeOmega[t] = k.turning && !rests ? state.turning.before(slot) / things.thin[t] : 0f;
+                }
+            }
+        }
+    }
+
+    private void giveCircles() {
+        for (int t = things.bodies; t < things.count; t++) {
+            if (things.type[t] == BODY_CIRCLE && things.w[t] > 0f) {
+                int s = CircleRow.of(state.slotOf[things.id[t]]);
+                state.motion[s + CircleRow.VX] = things.vx[t];
+                state.motion[s + CircleRow.VY] = things.vy[t];
+                if (k.turning) {
+                    state.turning.spin[s + CircleRow.SURFACE_SPEED] = things.omega[t] * things.thin[t];
+                }
+            }
+        }
+    }
+
+    /** Circles that a body has pushed leave their paths. */
+    private void freeCircles() {
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int s = CircleRow.of(state.slotOf[things.id[pairs.b[contacts.pair[p]]]]);
+                if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f
+                        && state.motionClamp[s + CircleRow.ALLOWANCE] >= 0f) {
+                    state.motionClamp[s + CircleRow.ALLOWANCE] = Float.POSITIVE_INFINITY;
+                }
+            }
+        }
+    }
+
+    /** Adds what circles have accumulated to the impulses that act in their next sub-step. */
+    private void pushCircles() {
+        float[] rows = contacts.rows;
+        for (int p = order.firstWithCircle; p < contacts.pairCount; p++) {
+            int circle = pairs.b[contacts.pair[p]];
+            int s = CircleRow.of(state.slotOf[things.id[circle]]);
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                int row = RigidRow.of(c);
+                float nx = rows[row + RigidRow.NX];
+                float ny = rows[row + RigidRow.NY];
+                float impulse = rows[row + RigidRow.IMPULSE];
+                float grip = rows[row + RigidRow.GRIP];
+                if (impulse > 0f && things.w[circle] > 0f) {
+                    float side = contacts.a[c] == circle ? 1f : -1f;
+                    state.load[s + CircleRow.IMPULSE_X] += side * (nx * impulse - ny * grip);
+                    state.load[s + CircleRow.IMPULSE_Y] += side * (ny * impulse + nx * grip);
+                    state.load[s + CircleRow.LOADED_NEXT] = 1f;
+                    if (k.turning) {
+                        state.turning.spin[s + CircleRow.SPIN_IMPULSE] -= grip;
+                    }
+                }
+            }
+        }
+    }
+
+    // ---- end
+    // ---------------------------------------------------------------------------------------------------------------
+
+    /** Ends the step: bodies take what they have become. */
+    public void end() {
+        for (int t = 0; t < things.bodies; t++) {
+            int id = things.id[t];
+            if (things.asleep[t]) {
+                continue;
+            }
+            float movedX = things.dx[t] - step.restX[id];
+            float movedY = things.dy[t] - step.restY[id];
+            float x = things.x[t] + things.dx[t];
+            float y = things.y[t] + things.dy[t];
+            step.restX[id] = CircleMath.lostByRounding(things.x[t], things.dx[t], x);
+            step.restY[id] = CircleMath.lostByRounding(things.y[t], things.dy[t], y);
+            step.x[id] = x;
+            step.y[id] = y;
+            keepInsideX(id);
+            keepInsideY(id);
+            step.angle[id] = Surface.turn(things.angle[t], things.turned[t], 1f, 1f);
+            step.vx[id] = Velocity.limitSpeed(things.vx[t]);
+            step.vy[id] = Velocity.limitSpeed(things.vy[t]);
+            step.omega[id] = Velocity.limitSpeed(things.omega[t]);
+            if (kindSleep != null) {
+                rest(t, id, movedX, movedY);
+            }
+        }
+        if (joints.end()) {
+            step.changes++;
+        }
+        if (!allRest) {
+            contacts.keep(resting);
+            resting.publish(step);
+            tell();
+        }
+    }
+
+    /** A body that has moved by so much comes to rest, or begins anew to do so. */
+    private void rest(int t, int id, float movedX, float movedY) {
+        float driftX = step.extras.real(id, RigidExtras.DRIFT_X) + movedX;
+        float driftY = step.extras.real(id, RigidExtras.DRIFT_Y) + movedY;
+        int turned = step.extras.get(id, RigidExtras.TURNED) + (step.angle[id] - things.angle[t]);
+        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
+        int kind = KindSleep.of(things.kind[t]);
+        float damping = kindSleep[kind + KindSleep.DAMPING];
+        float most = Sleep.drift(things.thin[t], gain, k.inverseH, damping);
+        boolean rests = (gain > 0f || damping > 0f)
+                && kindSleep[kind + KindSleep.AWAKE] == 0f
+                && Math.abs(step.omega[id]) * k.dt < Sleep.TURN_OF_STEP
+                && Sleep.rests(driftX, driftY, turned, things.reach[t], most)
+                && !joints.drive(id);
+        if (!rests) {
+            step.wake(id);
+            return;
+        }
+        int rest = step.extras.get(id, RigidExtras.REST) + 1;
+        step.setRest(id, rest, turned, driftX, driftY);
+        if (Sleep.fallsAsleep(rest, k.dt)) {
+            step.setRest(id, Sleep.ASLEEP, Sleep.NO_OFFSET, things.gainX[t] * k.inverseH, things.gainY[t] * k.inverseH);
+            step.setSpinOfRest(id, things.gainOmega[t] * k.inverseH, 0);
+            step.vx[id] = 0f;
+            step.vy[id] = 0f;
+            step.omega[id] = 0f;
+        }
+    }
+
+    private void keepInsideX(int id) {
+        float at = step.x[id];
+        float kept = k.arena.edgeX() == AxisEdge.WRAP
+                ? k.arena.placeX(at)
+                : CircleMath.clamp(at, k.bounds.minX(), k.bounds.maxX());
+        if (kept != at) {
+            step.x[id] = kept;
+            step.restX[id] = 0f;
+        }
+    }
+
+    private void keepInsideY(int id) {
+        float at = step.y[id];
+        float kept = k.arena.edgeY() == AxisEdge.WRAP
+                ? k.arena.placeY(at)
+                : CircleMath.clamp(at, k.bounds.minY(), k.bounds.maxY());
+        if (kept != at) {
+            step.y[id] = kept;
+            step.restY[id] = 0f;
+        }
+    }
+
+    /** Tells what bodies have touched, each pair by its contact that pressed most. */
+    private void tell() {
+        if (step.listener == null) {
+            return;
+        }
+        step.touchesStay = false;
+        float[] rows = contacts.rows;
+        for (int p = 0; p < contacts.pairCount; p++) {
+            int hardest = -1;
+            float most = 0f;
+            for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
+                float its = rows[RigidRow.of(c) + RigidRow.MOST];
+                if (its > most) {
+                    most = its;
+                    hardest = c;
+                }
+            }
+            if (hardest >= 0) {
+                tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);
+            }
+        }
+    }
+
+    private void tell(int body, int other, int c) {
+        step.ensureTouches(step.touches + 1);
+        int at = RigidStep.TOUCH_KEYS * step.touches;
+        step.touchKeys[at + RigidStep.TYPE] = things.type[other];
+        step.touchKeys[at + RigidStep.A] = things.id[body];
+        step.touchKeys[at + RigidStep.B] = things.id[other];
+        float[] rows = contacts.rows;
+        int row = RigidRow.of(c);
+        boolean isA = contacts.a[c] == body;
+        float side = isA ? -1f : 1f;
+        int to = RigidStep.TOUCH_VALUES * step.touches;
+        step.touchValues[to] = things.x[body] + (things.dx[body] + rows[row + (isA ? RigidRow.AX : RigidRow.BX)]);
+        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + rows[row + (isA ? RigidRow.AY : RigidRow.BY)]);
+        step.touchValues[to + 2] = side * rows[row + RigidRow.NX];
+        step.touchValues[to + 3] = side * rows[row + RigidRow.NY];
+        step.touchValues[to + 4] = rows[row + RigidRow.MOST];
+        step.touchValues[to + 5] = rows[row + RigidRow.APPROACH] + 0f; // never -0
+        step.touches++;
+    }
+
+    public long bytes() {
+        return resting.bytes()
+                + waking.bytes()
+                + pairs.bytes()
+                + contacts.bytes()
+                + cover.bytes()
+                + order.bytes()
+                + visits.bytes()
+                + joints.bytes();
+    }
+}

@@ -1,0 +1,157 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.KindTerrain;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.WallMotion;
+
+/** Pieces of terrain and walls as things that rigid bodies meet. */
+final class RigidPieces {
+    /** Far beyond all that bodies reach. */
+    private static final float FAR = 1e10f;
+
+    private final RigidThings things;
+
+    RigidPieces(RigidThings things) {
+        this.things = things;
+    }
+
+    /** Adds a piece. Its place is (X, Y), or what it turns around if it moves. */
+    int add(int type, int piece, TerrainStep terrain, StepConstants k) {
+        float[] rows = terrain.rows;
+        int row = PieceRow.of(piece);
+        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+        int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
+        int t = things.add(type, piece, rows[row + PieceRow.X], rows[row + PieceRow.Y]);
+        things.kind[t] = terrain.traits[PieceRow.traits(piece) + PieceRow.KIND];
+        things.oneWay[t] = terrain.kinds.rows[KindTerrain.of(things.kind[t]) + KindTerrain.ONE_WAY] != 0f;
+        float px = 0f;
+        float py = 0f;
+        if (motion != 0) {
+            int body = BodyRow.of(motion, k.subSteps);
+            px = rows[row + PieceRow.PIVOT_X];
+            py = rows[row + PieceRow.PIVOT_Y];
+            things.vx[t] = terrain.motion[body + BodyRow.VX] + 0f; // never -0
+            things.vy[t] = terrain.motion[body + BodyRow.VY] + 0f;
+            things.omega[t] = terrain.motion[body + BodyRow.OMEGA] + 0f;
+        }
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            addArc(rows, row, shape, px, py);
+        } else {
+            addLine(t, rows, row, shape, px, py);
+        }
+        pose(t, terrain, 0, k);
+        return t;
+    }
+
+    private void addLine(int t, float[] rows, int row, int shape, float px, float py) {
+        float tx = rows[row + PieceRow.TX];
+        float ty = rows[row + PieceRow.TY];
+        float nx = ty;
+        float ny = -1f * tx;
+        float length = rows[row + PieceRow.LENGTH];
+        float thickness = rows[row + PieceRow.THICKNESS];
+        float endX = rows[row + PieceRow.END_X] - px;
+        float endY = rows[row + PieceRow.END_Y] - py;
+        float startX = rows[row + PieceRow.START_X] - px;
+        float startY = rows[row + PieceRow.START_Y] - py;
+        things.addLine(startX, startY, nx, ny, length, thickness);
+        if (PieceRow.form(shape) == PieceRow.SEGMENT && !things.oneWay[t]) {
+            things.addLine(endX, endY, -1f * nx, -1f * ny, length, thickness);
+        }
+        addStart(shape, startX, startY, thickness, nx, ny);
+        addEnd(rows, row, shape, endX, endY, thickness, nx, ny);
+    }
+
+    /** A free end has half a turn; a joint belongs to the piece that ends there. */
+    private void addStart(int shape, float x, float y, float r, float nx, float ny) {
+        if (PieceRow.startJoint(shape) == PieceRow.FREE) {
+            things.addCorner(x, y, r, -1f * nx, -1f * ny, nx, ny);
+        }
+    }
+
+    private void addEnd(float[] rows, int row, int shape, float x, float y, float r, float nx, float ny) {
+        if (PieceRow.endJoint(shape) == PieceRow.FREE) {
+            things.addCorner(x, y, r, nx, ny, -1f * nx, -1f * ny);
+        } else if (PieceRow.endJoint(shape) == PieceRow.CONVEX) {
+            things.addCorner(x, y, r, nx, ny, rows[row + PieceRow.NEXT_Y], -1f * rows[row + PieceRow.NEXT_X]);
+        }
+    }
+
+    private void addArc(float[] rows, int row, int shape, float px, float py) {
+        float r = rows[row + PieceRow.LENGTH];
+        float spread = rows[row + PieceRow.SPREAD];
+        boolean hollow = (shape & PieceRow.SOLID_OUTSIDE) != 0;
+        float mx = rows[row + PieceRow.TX];
+        float my = rows[row + PieceRow.TY];
+        float cx = -1f * px;
+        float cy = -1f * py;
+        if (spread == PieceRow.ALL_AROUND) {
+            if (hollow) {
+                things.addLine(cx, cy, mx, my, -r, spread);
+            } else {
+                things.addDisc(cx, cy, r);
+            }
+            return;
+        }
+        float sx = rows[row + PieceRow.START_X];
+        float sy = rows[row + PieceRow.START_Y];
+        float ex = rows[row + PieceRow.END_X];
+        float ey = rows[row + PieceRow.END_Y];
+        if (hollow) {
+            things.addLine(cx, cy, mx, my, -r, spread);
+            addStart(shape, sx - px, sy - py, 0f, -1f * sx / r, -1f * sy / r);
+            addEnd(rows, row, shape, ex - px, ey - py, 0f, -1f * ex / r, -1f * ey / r);
+        } else {
+            things.addCorner(cx, cy, r, sx / r, sy / r, mx, my);
+            things.addCorner(cx, cy, r, mx, my, ex / r, ey / r);
+            addStart(shape, sx - px, sy - py, 0f, sx / r, sy / r);
+            addEnd(rows, row, shape, ex - px, ey - py, 0f, ex / r, ey / r);
+        }
+    }
+
+    /** Brings a piece to where it is at a boundary of sub-steps. */
+    void pose(int t, TerrainStep terrain, int boundary, StepConstants k) {
+        int motion = terrain.traits[PieceRow.traits(things.id[t]) + PieceRow.MOTION];
+        if (motion != 0) {
+            int pose = BodyRow.of(motion, k.subSteps) + BodyRow.pose(boundary);
+            things.dx[t] = terrain.motion[pose + BodyRow.DX];
+            things.dy[t] = terrain.motion[pose + BodyRow.DY];
+            things.cos[t] = terrain.motion[pose + BodyRow.COS];
+            things.sin[t] = terrain.motion[pose + BodyRow.SIN];
+        }
+        if (motion != 0 || boundary == 0) {
+            things.place(t);
+        }
+    }
+
+    /** Adds a wall, by {@link WallMotion#of}. */
+    int addWall(int type, int wall, StepConstants k) {
+        boolean lower = (wall & 1) == 0;
+        float side = lower ? 1f : -1f;
+        float reach = Float.MAX_VALUE;
+        int t;
+        if (wall < 2) {
+            t = things.add(type, wall, lower ? k.bounds.minX() : k.bounds.maxX(), 0f);
+            things.addLine(0f, -side * FAR, side, 0f, 2f * FAR, 0f);
+            things.vx[t] = side * k.walls.speedFor(wall, reach) + 0f; // never -0
+        } else {
+            t = things.add(type, wall, 0f, lower ? k.bounds.minY() : k.bounds.maxY());
+            things.addLine(side * FAR, 0f, 0f, side, 2f * FAR, 0f);
+            things.vy[t] = side * k.walls.speedFor(wall, reach) + 0f;
+        }
+        poseWall(t, 0, k);
+        things.place(t);
+        return t;
+    }
+
+    void poseWall(int t, int boundary, StepConstants k) {
+        int wall = things.id[t];
+        float behind = k.walls.behind(wall, boundary - 1);
+        float out = (wall & 1) == 0 ? -behind : behind;
+        things.dx[t] = wall < 2 ? out : 0f;
+        things.dy[t] = wall < 2 ? 0f : out;
+    }
+}

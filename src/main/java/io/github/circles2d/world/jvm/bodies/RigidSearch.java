@@ -1,0 +1,207 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import static io.github.circles2d.world.bodies.RigidStep.BODY_BODY;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
+
+import io.github.circles2d.world.bodies.RigidExtras;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.Tuning;
+
+/** Finds what is near to rigid bodies, by their boxes. Each worker has one. */
+final class RigidSearch {
+    private final State state;
+    private final RigidThings things;
+    private final RigidCandidates candidates;
+    private final RigidPartners partners;
+    private final RigidTree.Found found = new RigidTree.Found();
+
+    /** By type: the keys of pairs. Those of a body are in order. */
+    final RigidKeys[] keys = new RigidKeys[BODY_CIRCLE + 1];
+
+    // within a step
+    private RigidStep step;
+    private StepConstants k;
+    private TerrainStep terrain;
+
+    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidPartners partners) {
+        this.state = state;
+        this.things = things;
+        this.candidates = candidates;
+        this.partners = partners;
+        for (int type = 0; type < keys.length; type++) {
+            keys[type] = new RigidKeys();
+        }
+    }
+
+    /** Begins a step, in which nothing has been found. Terrain is null if there is none. */
+    void begin(RigidStep bodies, StepConstants constants, TerrainStep ground) {
+        step = bodies;
+        k = constants;
+        terrain = ground;
+        for (RigidKeys each : keys) {
+            each.count = 0;
+        }
+    }
+
+    private void add(int type, int body, int other) {
+        if (!partners.has(type, body, other)) {
+            keys[type].add(body, other);
+        }
+    }
+
+    /** Finds what is near to a body, of two bodies by that of the lower id. */
+    void findNear(int t) {
+        findBodies(t);
+        if (things.gives(t)) {
+            // what does not move has no thickness of its own
+            float m = 2f * Tuning.MARGIN * things.thin[t];
+            int at = 4 * t;
+            float minX = candidates.box[at] - m;
+            float minY = candidates.box[at + 1] - m;
+            float maxX = candidates.box[at + 2] + m;
+            float maxY = candidates.box[at + 3] + m;
+            findWalls(t, minX, minY, maxX, maxY);
+            if (terrain != null) {
+                int pieces = keys[BODY_PIECE].count;
+                findPieces(t, minX, minY, maxX, maxY);
+                keys[BODY_PIECE].sortFrom(pieces);
+            }
+        }
+    }
+
+    private void findBodies(int t) {
+        int[] of = candidates.of(t);
+        int last = candidates.last(t);
+        for (int k = candidates.first(t); k < last; k++) {
+            int other = of[k];
+            if (candidates.meet(t, other)
+                    && (things.gives(t) || things.gives(other))
+                    && meets(things.kind[t], things.kind[other])
+                    && !areOfOneGroup(t, other)) {
+                add(BODY_BODY, things.id[t], things.id[other]);
+            }
+        }
+    }
+
+    boolean meets(int kind, int other) {
+        return !state.filtering || PairTable.get(state.responses, kind, other) == PairTable.SOLID;
+    }
+
+    private boolean areOfOneGroup(int t, int other) {
+        return step.extras.areThere()
+                && step.isOfGroup(things.id[t], step.extras.get(things.id[other], RigidExtras.GROUP));
+    }
+
+    private void findWalls(int t, float minX, float minY, float maxX, float maxY) {
+        int body = things.id[t];
+        if (minX - behind(0) < k.bounds.minX()) {
+            add(BODY_WALL, body, 0);
+        }
+        if (maxX + behind(1) > k.bounds.maxX()) {
+            add(BODY_WALL, body, 1);
+        }
+        if (minY - behind(2) < k.bounds.minY()) {
+            add(BODY_WALL, body, 2);
+        }
+        if (maxY + behind(3) > k.bounds.maxY()) {
+            add(BODY_WALL, body, 3);
+        }
+    }
+
+    /** How far a wall comes inwards. */
+    float behind(int wall) {
+        return CircleMath.max(k.walls.travel[wall], 0f);
+    }
+
+    private void findPieces(int t, float minX, float minY, float maxX, float maxY) {
+        if (!state.wraps) {
+            walk(t, minX, minY, maxX, maxY);
+            return;
+        }
+        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                float ax = u == 0 ? 0f : u * state.periodX;
+                float ay = v == 0 ? 0f : v * state.periodY;
+                walk(t, minX + ax, minY + ay, maxX + ax, maxY + ay);
+            }
+        }
+    }
+
+    private void walk(int t, float minX, float minY, float maxX, float maxY) {
+        float[] boxes = terrain.boxes;
+        int node = 0;
+        while (node < terrain.nodes) {
+            int n = 4 * node;
+            if (boxes[n] <= maxX && boxes[n + 1] <= maxY && boxes[n + 2] >= minX && boxes[n + 3] >= minY) {
+                int piece = terrain.links[2 * node + 1];
+                if (piece >= 0 && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                    add(BODY_PIECE, things.id[t], piece);
+                }
+                node++;
+            } else {
+                node = terrain.links[2 * node];
+            }
+        }
+    }
+
+    /** Finds the bodies near to a circle. */
+    void findBodiesNear(int slot) {
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + CircleRow.RADIUS];
+        float x = state.circle[s + CircleRow.X];
+        float y = state.circle[s + CircleRow.Y];
+        float m = r + 2.25f * nearOf(slot);
+        candidates.findNear(x - m, y - m, x + m, y + m, found);
+        if (found.count == 0) {
+            return;
+        }
+        int kind = state.filtering ? kindOf(slot) : 0;
+        int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, state.id[slot]) : 0;
+        for (int f = 0; f < found.count; f++) {
+            int t = found.box[f];
+            boolean moves = things.gives(t) || !isStill(slot);
+            if (moves && meets(things.kind[t], kind) && !step.isOfGroup(things.id[t], group)) {
+                add(BODY_CIRCLE, things.id[t], state.id[slot]);
+            }
+        }
+    }
+
+    /** Whether a circle gives way to nobody, and stays where it is: it sleeps, or is static and has no velocity. */
+    boolean isStill(int slot) {
+        int s = CircleRow.of(slot);
+        return state.isStatic(slot) && state.motion[s + CircleRow.VX] == 0f && state.motion[s + CircleRow.VY] == 0f;
+    }
+
+    int kindOf(int slot) {
+        return state.fields.getInt(CircleField.KIND, state.id[slot]);
+    }
+
+    /** Half of a circle's part of a margin. */
+    float nearOf(int slot) {
+        int s = CircleRow.of(slot);
+        float speed = CircleMath.length(state.motion[s + CircleRow.VX], state.motion[s + CircleRow.VY]);
+        float own = state.ownInverseMass(slot);
+        float gain = own == 0f ? 0f : CircleMath.length(state.gainX(slot, own, k), state.gainY(slot, own, k));
+        return Tuning.MARGIN * state.circle[s + CircleRow.RADIUS] + 0.5f * k.dt * (speed + gain * k.subSteps);
+    }
+
+    long bytes() {
+        long sum = found.bytes();
+        for (RigidKeys each : keys) {
+            sum += each.bytes();
+        }
+        return sum;
+    }
+}

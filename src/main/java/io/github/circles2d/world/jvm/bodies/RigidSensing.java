@@ -1,0 +1,567 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import static io.github.circles2d.world.bodies.RigidStep.BODY_BODY;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_CIRCLE;
+import static io.github.circles2d.world.bodies.RigidStep.BODY_PIECE;
+import static io.github.circles2d.world.bodies.RigidStep.SENSED;
+
+import io.github.circles2d.world.bodies.OutlineShape;
+import io.github.circles2d.world.bodies.RigidExtras;
+import io.github.circles2d.world.bodies.RigidStep;
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.pieces.PieceMeasure;
+import io.github.circles2d.world.jvm.state.HeapSort;
+import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.model.BodyRow;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.Rotation;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.TerrainStep;
+import io.github.circles2d.world.model.TouchRule;
+import java.util.Arrays;
+
+/**
+ * Finds what bodies only sense, or what senses them, behind the last sub-step, if somebody is told of touches. It changes nothing else. It goes by
+ * where a step begins and ends, also for what sleeps.
+ */
+public final class RigidSensing {
+    /** Of the gap at which a pair stays in touch: that at which it begins to touch. */
+    private static final double BEGINS = 0.1;
+
+    /** Of a length: points that are nearer have no direction. */
+    private static final double COINCIDENT = 1e-9;
+
+    /** More than tolerances and rounding, in half thicknesses and in coordinates. */
+    private static final float MARGIN = 0.02f;
+
+    private static final float ROUNDING = 0x1p-20f;
+
+    private final State state;
+    private final RigidTree tree = new RigidTree();
+    private final RigidTree.Found found = new RigidTree.Found();
+    private final SensedShape a = new SensedShape();
+    private final SensedShape b = new SensedShape();
+    private final SensedGap gap = new SensedGap();
+
+    /** Pairs that are near, by type: those of bodies, of pieces and of circles. */
+    private final RigidKeys[] near = {new RigidKeys(), new RigidKeys(), null, new RigidKeys()};
+
+    /** By kind: whether it senses some other, or itself. */
+    private final boolean[] senses = new boolean[PairTable.KINDS];
+
+    /** Those that do. */
+    private final int[] kinds = new int[PairTable.KINDS];
+
+    private int kindCount;
+    private int version = -1;
+
+    /** By kind that senses: how many bodies have it; whether such a body looks for others; whether circles of the kind take part. */
+    private final int[] many = new int[PairTable.KINDS];
+
+    private final boolean[] looks = new boolean[PairTable.KINDS];
+    private final boolean[] meetsBodies = new boolean[PairTable.KINDS];
+    private boolean someLook;
+
+    /** Ids of the bodies and circles that take part, and where they are as the step begins. */
+    private int[] bodies = new int[0];
+
+    private float[] bodyX = new float[0];
+    private float[] bodyY = new float[0];
+    private int[] bodyAngle = new int[0];
+    private int bodyCount;
+    private int[] circles = new int[0];
+
+    /** By id of a circle: which of these it is. */
+    private int[] circleAt = new int[0];
+
+    private float[] circleX = new float[0];
+    private float[] circleY = new float[0];
+    private int circleCount;
+
+    /** Whether circles may sense bodies in the step. */
+    private boolean withCircles;
+
+    // within a step
+    private RigidStep step;
+    private TerrainStep terrain;
+    private StepConstants k;
+    private int[] responses;
+
+    public RigidSensing(State state) {
+        this.state = state;
+    }
+
+    /** Whether kinds sense each other. */
+    private boolean learn(StepInput of) {
+        responses = of.responses;
+        if (version != of.responsesVersion) {
+            version = of.responsesVersion;
+            kindCount = 0;
+            for (int kind = 0; kind < PairTable.KINDS; kind++) {
+                senses[kind] = false;
+                for (int other = 0; other < PairTable.KINDS; other++) {
+                    senses[kind] |= senses(kind, other);
+                }
+                kinds[kindCount] = kind;
+                kindCount += senses[kind] ? 1 : 0;
+            }
+        }
+        return kindCount > 0;
+    }
+
+    private boolean senses(int kind, int other) {
+        return PairTable.get(responses, kind, other) == PairTable.SENSE;
+    }
+
+    /** A step begins: notes where all is that takes part. */
+    public void begin(RigidStep of, StepInput input) {
+        beginWithoutCircles(of, input);
+        if (withCircles) {
+            noteCircles();
+        }
+    }
+
+    /** The same, but circles are noted as the step ends. */
+    public void beginWithoutCircles(RigidStep of, StepInput input) {
+        step = of;
+        bodyCount = 0;
+        circleCount = 0;
+        withCircles = false;
+        if (step.listener == null || !state.filtering || !learn(input)) {
+            return;
+        }
+        noteBodies();
+        if (bodyCount == 0) {
+            return;
+        }
+        someLook = false;
+        for (int n = 0; n < kindCount; n++) {
+            int kind = kinds[n];
+            looks[kind] = false;
+            meetsBodies[kind] = false;
+            for (int m = 0; m < kindCount; m++) {
+                boolean met = senses(kind, kinds[m]) && many[kinds[m]] > 0;
+                meetsBodies[kind] |= met;
+                looks[kind] |= met && (kind == kinds[m] || looksFor(kind, kinds[m]));
+            }
+            withCircles |= meetsBodies[kind];
+            someLook |= looks[kind];
+        }
+    }
+
+    /** Whether circles are to be noted. */
+    public boolean seeksCircles() {
+        return withCircles;
+    }
+
+    /** The kind looks of which there are fewer. */
+    private boolean looksFor(int kind, int other) {
+        return many[kind] < many[other] || many[kind] == many[other] && kind < other;
+    }
+
+    private void noteBodies() {
+        Arrays.fill(many, 0);
+        if (bodies.length < step.end) {
+            int n = step.room();
+            bodies = new int[n];
+            bodyX = new float[n];
+            bodyY = new float[n];
+            bodyAngle = new int[n];
+        }
+        for (int id = 0; id < step.end; id++) {
+            if (step.outline[id] != null && senses[step.kind[id]]) {
+                many[step.kind[id]]++;
+                bodies[bodyCount] = id;
+                bodyX[bodyCount] = step.x[id];
+                bodyY[bodyCount] = step.y[id];
+                bodyAngle[bodyCount++] = step.angle[id];
+            }
+        }
+    }
+
+    private void noteCircles() {
+        for (int slot = 0; slot < state.n; slot++) {
+            int s = CircleRow.of(slot);
+            noteCircle(state.id[slot], state.circle[s + CircleRow.X], state.circle[s + CircleRow.Y]);
+        }
+    }
+
+    /** Notes where a circle is as the step begins, if it takes part. */
+    public void noteCircle(int id, float x, float y) {
+        if (!meetsBodies(state.fields.getInt(CircleField.KIND, id))) {
+            return;
+        }
+        if (circleAt.length < state.slotOf.length) {
+            circleAt = Arrays.copyOf(circleAt, state.slotOf.length);
+        }
+        if (circleCount == circles.length) {
+            int n = Math.max(16, 2 * circleCount);
+            circles = Arrays.copyOf(circles, n);
+            circleX = Arrays.copyOf(circleX, n);
+            circleY = Arrays.copyOf(circleY, n);
+        }
+        circles[circleCount] = id;
+        circleAt[id] = circleCount;
+        circleX[circleCount] = x;
+        circleY[circleCount++] = y;
+    }
+
+    private boolean meetsBodies(int kind) {
+        return senses[kind] && meetsBodies[kind];
+    }
+
+    /** Where the bodies that take part have been in the step, which has ended: four floats each, least x and y, greatest x and y. */
+    public float[] boxes() {
+        findBoxes();
+        return tree.box;
+    }
+
+    public int boxCount() {
+        return bodyCount;
+    }
+
+    /** The step ends: adds what is sensed to its touches. Terrain is null if there is none. */
+    public void end(StepConstants constants, TerrainStep ground) {
+        boolean alone = !someLook && circleCount == 0 && ground == null;
+        if (bodyCount == 0 || alone) {
+            return;
+        }
+        k = constants;
+        terrain = ground;
+        near[BODY_BODY].count = 0;
+        near[BODY_PIECE].count = 0;
+        near[BODY_CIRCLE].count = 0;
+        findBoxes();
+        for (int n = 0; n < bodyCount; n++) {
+            if (looks[step.kind[bodies[n]]]) {
+                findBodies(n);
+            }
+            if (terrain != null) {
+                findPieces(n);
+            }
+        }
+        for (int n = 0; n < circleCount; n++) {
+            findBodiesNear(n);
+        }
+        tell(BODY_BODY);
+        tell(BODY_PIECE);
+        tell(BODY_CIRCLE);
+    }
+
+    // ---- what is near
+    // ------------------------------------------------------------------------------------------------------
+
+    private float way(float from, float to, float period) {
+        float way = to - from;
+        return state.wraps ? CircleMath.shortWay(way, period) : way;
+    }
+
+    private void findBoxes() {
+        tree.ensure(bodyCount);
+        for (int n = 0; n < bodyCount; n++) {
+            OutlineShape outline = step.outline[bodies[n]];
+            float r = outline.reach() + MARGIN * outline.halfThickness();
+            setBox(4 * n, bodyX[n], bodyY[n], wayX(n), wayY(n), r);
+        }
+        tree.build(bodyCount);
+    }
+
+    private void setBox(int at, float x, float y, float wayX, float wayY, float r) {
+        float m = r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY) + r);
+        tree.box[at] = x + Math.min(wayX, 0f) - m;
+        tree.box[at + 1] = y + Math.min(wayY, 0f) - m;
+        tree.box[at + 2] = x + Math.max(wayX, 0f) + m;
+        tree.box[at + 3] = y + Math.max(wayY, 0f) + m;
+    }
+
+    private float wayX(int n) {
+        return way(bodyX[n], step.x[bodies[n]], state.periodX);
+    }
+
+    private float wayY(int n) {
+        return way(bodyY[n], step.y[bodies[n]], state.periodY);
+    }
+
+    /** Looks for a body at an image of it. */
+    private interface Look {
+        void at(int n, float byX, float byY);
+    }
+
+    private final Look lookAtBodies = this::findBodiesAt;
+    private final Look lookAtPieces = this::findPiecesAt;
+    private final Look lookFromCircle = this::findBodiesNearAt;
+
+    private void atImages(int n, Look look) {
+        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
+        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
+        for (int u = -timesX; u <= timesX; u++) {
+            for (int v = -timesY; v <= timesY; v++) {
+                look.at(n, u == 0 ? 0f : u * state.periodX, v == 0 ? 0f : v * state.periodY);
+            }
+        }
+    }
+
+    private void findBodies(int n) {
+        found.count = 0;
+        atImages(n, lookAtBodies);
+        int kind = step.kind[bodies[n]];
+        for (int f = 0; f < found.count; f++) {
+            int id = bodies[n];
+            int other = bodies[found.box[f]];
+            int itsKind = step.kind[other];
+            if (id != other
+                    && senses(kind, itsKind)
+                    && (kind == itsKind ? id < other : looksFor(kind, itsKind))
+                    && !step.isOfGroup(id, step.extras.get(other, RigidExtras.GROUP))) {
+                near[BODY_BODY].add(Math.min(id, other), Math.max(id, other));
+            }
+        }
+    }
+
+    private void findBodiesAt(int n, float byX, float byY) {
+        float[] box = tree.box;
+        tree.find(box, box[4 * n] + byX, box[4 * n + 1] + byY, box[4 * n + 2] + byX, box[4 * n + 3] + byY, found);
+    }
+
+    private void findPieces(int n) {
+        atImages(n, lookAtPieces);
+    }
+
+    private void findPiecesAt(int n, float byX, float byY) {
+        float[] boxes = terrain.boxes;
+        float minX = tree.box[4 * n] + byX;
+        float minY = tree.box[4 * n + 1] + byY;
+        float maxX = tree.box[4 * n + 2] + byX;
+        float maxY = tree.box[4 * n + 3] + byY;
+        int kind = step.kind[bodies[n]];
+        int node = 0;
+        while (node < terrain.nodes) {
+            int at = 4 * node;
+            if (boxes[at] <= maxX && boxes[at + 1] <= maxY && boxes[at + 2] >= minX && boxes[at + 3] >= minY) {
+                int piece = terrain.links[2 * node + 1];
+                if (piece >= 0 && senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                    near[BODY_PIECE].add(bodies[n], piece);
+                }
+                node++;
+            } else {
+                node = terrain.links[2 * node];
+            }
+        }
+    }
+
+    private void findBodiesNear(int n) {
+        int id = circles[n];
+        found.count = 0;
+        atImages(n, lookFromCircle);
+        int kind = state.fields.getInt(CircleField.KIND, id);
+        int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, id) : 0;
+        for (int f = 0; f < found.count; f++) {
+            int body = bodies[found.box[f]];
+            if (senses(kind, step.kind[body]) && !step.isOfGroup(body, group)) {
+                near[BODY_CIRCLE].add(body, id);
+            }
+        }
+    }
+
+    private void findBodiesNearAt(int n, float byX, float byY) {
+        float wayX = circleWayX(n);
+        float wayY = circleWayY(n);
+        float r = state.circle[CircleRow.of(state.slotOf[circles[n]]) + CircleRow.RADIUS];
+        float x = circleX[n];
+        float y = circleY[n];
+        float m = (1f + MARGIN) * r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY));
+        tree.find(
+                tree.box,
+                x + Math.min(wayX, 0f) - m + byX,
+                y + Math.min(wayY, 0f) - m + byY,
+                x + Math.max(wayX, 0f) + m + byX,
+                y + Math.max(wayY, 0f) + m + byY,
+                found);
+    }
+
+    private float circleWayX(int n) {
+        int s = CircleRow.of(state.slotOf[circles[n]]);
+        return way(circleX[n], state.circle[s + CircleRow.X], state.periodX);
+    }
+
+    private float circleWayY(int n) {
+        int s = CircleRow.of(state.slotOf[circles[n]]);
+        return way(circleY[n], state.circle[s + CircleRow.Y], state.periodY);
+    }
+
+    // ---- touches
+    // -----------------------------------------------------------------------------------------------------------
+
+    /** Tells of the pairs of a type that touch, in order. */
+    private void tell(int type) {
+        RigidKeys pairs = near[type];
+        HeapSort.ascending(pairs.keys, pairs.count);
+        long before = -1;
+        for (int p = 0; p < pairs.count; p++) {
+            long key = pairs.keys[p];
+            if (key != before) { // else an image
+                before = key;
+                tell(type, RigidKeys.body(key), RigidKeys.other(key));
+            }
+        }
+    }
+
+    private void tell(int type, int id, int other) {
+        int n = Arrays.binarySearch(bodies, 0, bodyCount, id);
+        OutlineShape outline = step.outline[id];
+        a.takeBody(outline);
+        a.put(0, 0, wayX(n), wayY(n), bodyAngle[n], step.angle[id] - bodyAngle[n]);
+        double length = outline.halfThickness();
+        boolean touched = step.listener.touched(type + SENSED, id, other);
+        if (type == BODY_PIECE) {
+            double tolerance = tolerance(length, touched);
+            takePiece(n, other);
+            if (!touched && !isTwoSided(other) && !comesFromFront(other, tolerance, length)) {
+                return;
+            }
+        } else if (type == BODY_BODY) {
+            int m = Arrays.binarySearch(bodies, 0, bodyCount, other);
+            length += step.outline[other].halfThickness();
+            b.takeBody(step.outline[other]);
+            b.put(
+                    way(bodyX[n], bodyX[m], state.periodX),
+                    way(bodyY[n], bodyY[m], state.periodY),
+                    wayX(m),
+                    wayY(m),
+                    bodyAngle[m],
+                    step.angle[other] - bodyAngle[m]);
+        } else {
+            float r = state.circle[CircleRow.of(state.slotOf[other]) + CircleRow.RADIUS];
+            int m = circleAt[other];
+            length += r;
+            b.takeDisc(r);
+            b.put(
+                    way(bodyX[n], circleX[m], state.periodX),
+                    way(bodyY[n], circleY[m], state.periodY),
+                    circleWayX(m),
+                    circleWayY(m),
+                    0,
+                    0);
+        }
+        if (gap.findTouch(a, b, tolerance(length, touched), length)) {
+            add(type, id, n, other, length);
+        }
+    }
+
+    private static double tolerance(double length, boolean touched) {
+        return (touched ? 1 : BEGINS) * TouchRule.SLACK * length;
+    }
+
+    private boolean isTwoSided(int piece) {
+        return PieceMeasure.isTwoSided(terrain, piece, terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE]);
+    }
+
+    /** Brings a piece to where it is against the body. */
+    private void takePiece(int n, int piece) {
+        float[] rows = terrain.rows;
+        int row = PieceRow.of(piece);
+        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+        float ox = bodyX[n] - rows[row + PieceRow.X];
+        float oy = bodyY[n] - rows[row + PieceRow.Y];
+        if (state.wraps) {
+            float midX = rows[row + PieceRow.MID_X];
+            float midY = rows[row + PieceRow.MID_Y];
+            ox = CircleMath.shortWay(bodyX[n] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
+            oy = CircleMath.shortWay(bodyY[n] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
+        }
+        int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
+        if (motion == 0) {
+            b.takePiece(rows, row, shape, 0, 0);
+            b.put(0 - ox, 0 - oy, 0, 0, 0, 0);
+            return;
+        }
+        int of = BodyRow.of(motion, k.subSteps);
+        int pose = of + BodyRow.pose(k.subSteps);
+        double px = rows[row + PieceRow.PIVOT_X];
+        double py = rows[row + PieceRow.PIVOT_Y];
+        b.takePiece(rows, row, shape, px, py);
+        b.put(
+                px - ox,
+                py - oy,
+                terrain.motion[pose + BodyRow.DX],
+                terrain.motion[pose + BodyRow.DY],
+                0,
+                (double) terrain.motion[of + BodyRow.OMEGA] * k.dt / Rotation.RADIANS_PER_UNIT);
+    }
+
+    /** Whether a body is beside a piece that has a front, and comes from there. */
+    private boolean comesFromFront(int piece, double tolerance, double length) {
+        a.setShare(0);
+        b.setShare(0);
+        if (gap.measure(a, b, length) <= tolerance) {
+            return false;
+        }
+        float[] rows = terrain.rows;
+        int row = PieceRow.of(piece);
+        int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
+        if (PieceRow.form(shape) == PieceRow.ARC) {
+            double dx = b.edges[SensedShape.CENTRE_X];
+            double dy = b.edges[SensedShape.CENTRE_Y];
+            boolean outside = Math.sqrt(dx * dx + dy * dy) > rows[row + PieceRow.LENGTH];
+            return outside == ((shape & PieceRow.SOLID_OUTSIDE) == 0);
+        }
+        double dx = 0 - b.edges[SensedShape.FROM_X];
+        double dy = 0 - b.edges[SensedShape.FROM_Y];
+        return dx * rows[row + PieceRow.TY] - dy * rows[row + PieceRow.TX] > 0;
+    }
+
+    // ---- of a touch
+    // --------------------------------------------------------------------------------------------------------
+
+    /** Adds the touch that has been found: its point and normal, and how fast both approach there. */
+    private void add(int type, int id, int n, int other, double length) {
+        step.ensureTouches(step.touches + 1);
+        int at = RigidStep.TOUCH_KEYS * step.touches;
+        step.touchKeys[at + RigidStep.TYPE] = type + SENSED;
+        step.touchKeys[at + RigidStep.A] = id;
+        step.touchKeys[at + RigidStep.B] = other;
+        boolean apart = gap.isApart && gap.least > COINCIDENT * length;
+        if (!apart) {
+            gap.nearToPlace();
+        }
+        boolean atPlace = !apart && a.reach < b.reach;
+        double px = atPlace ? a.nowX : apart ? gap.ax : gap.bx;
+        double py = atPlace ? a.nowY : apart ? gap.ay : gap.by;
+        double nx = gap.bx - gap.ax;
+        double ny = gap.by - gap.ay;
+        double d = Math.sqrt(nx * nx + ny * ny);
+        boolean up = !(d > COINCIDENT * length);
+        nx = up ? 0 : nx / d;
+        ny = up ? 1 : ny / d;
+        double spin = a.turn * Rotation.RADIANS_PER_UNIT;
+        double itsSpin = b.turn * Rotation.RADIANS_PER_UNIT;
+        double ux = (a.goX - spin * (py - a.nowY)) - (b.goX - itsSpin * (py - b.nowY));
+        double uy = (a.goY + spin * (px - a.nowX)) - (b.goY + itsSpin * (px - b.nowX));
+        double speed = Math.max((ux * nx + uy * ny) / k.dt, 0);
+        int to = RigidStep.TOUCH_VALUES * step.touches;
+        step.touchValues[to + RigidStep.TOUCH_X] = (float) (bodyX[n] + px);
+        step.touchValues[to + RigidStep.TOUCH_Y] = (float) (bodyY[n] + py);
+        step.touchValues[to + RigidStep.TOUCH_NX] = (float) nx + 0f;
+        step.touchValues[to + RigidStep.TOUCH_NY] = (float) ny + 0f;
+        step.touchValues[to + RigidStep.TOUCH_IMPULSE] = 0f;
+        step.touchValues[to + RigidStep.TOUCH_SPEED] = (float) speed + 0f;
+        step.touches++;
+    }
+
+    public long bytes() {
+        return tree.bytes()
+                + found.bytes()
+                + a.bytes()
+                + b.bytes()
+                + near[BODY_BODY].bytes()
+                + near[BODY_PIECE].bytes()
+                + near[BODY_CIRCLE].bytes()
+                + 16L * bodies.length
+                + 12L * circles.length
+                + 4L * circleAt.length;
+    }
+}
