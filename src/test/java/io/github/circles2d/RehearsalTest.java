@@ -58,14 +58,14 @@ class RehearsalTest {
     @Test
     void theWorldThatIsMadeUpNeedsAllThatIsWantedAndNoMore() {
         for (int bits = 0; bits < 128 * 6; bits++) {
-            Features features = Features.of(
-                    (bits & 1) != 0,
-                    (bits & 2) != 0,
-                    (bits & 4) != 0,
-                    (bits & 8) != 0,
-                    (bits & 16) != 0,
-                    (bits & 32) != 0,
-                    (bits & 64) != 0);
+            Features features = Features.EDGES
+                    .when((bits & 1) != 0)
+                    .and(Features.TURNING.when((bits & 2) != 0))
+                    .and(Features.TERRAIN.when((bits & 4) != 0))
+                    .and(Features.JOINTS.when((bits & 8) != 0))
+                    .and(Features.SLEEPING.when((bits & 16) != 0))
+                    .and(Features.OWN_MOTION.when((bits & 32) != 0))
+                    .and(Features.BODIES.when((bits & 64) != 0));
             if (features.bodies() && (features.sleeping() || !features.turning())) {
                 continue; // no world on a device has that
             }
@@ -151,7 +151,7 @@ class RehearsalTest {
     @Test
     @Tag("long")
     void tablesOfTheWorldThatIsMadeUpAreNotTakenForOthers() {
-        Features all = Features.of(false, true, true, true, true, true);
+        Features all = Features.TURNING.and(Features.TERRAIN).and(Features.JOINTS).and(Features.SLEEPING).and(Features.OWN_MOTION);
         Readiness wanted = new Readiness(false, all, false, false);
         for (Device device : TestDevices.all()) {
             try (DevicePipeline pipeline = new DevicePipeline(device, CIRCLES, false, true);

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
@@ -83,10 +84,16 @@ public enum CircleField {
 
     /** Which worlds have a field: all; those in which circles can rotate; those in which circles move in another way than their kind. */
     private enum Part {
-        OF_ALL,
-        SURFACE,
-        TORQUE,
-        MOTION
+        OF_ALL(Features.NONE),
+        SURFACE(Features.TURNING),
+        TORQUE(Features.TURNING),
+        MOTION(Features.OWN_MOTION);
+
+        private final Features features;
+
+        Part(Features features) {
+            this.features = features;
+        }
     }
 
     private final int number;
@@ -217,14 +224,19 @@ public enum CircleField {
         return ofSteps;
     }
 
+    /** What steps must be ready for once a circle has another value than the initial one. */
+    public Features features() {
+        return part.features;
+    }
+
     /** Whether circles can rotate once one has another value than the initial one. */
     public boolean isOfTurning() {
-        return isOfSurface() || part == Part.TORQUE;
+        return part.features.turning();
     }
 
     /** Whether circles move in another way than those of their kind once one has another value than the initial one. */
     public boolean isOfMotion() {
-        return part == Part.MOTION;
+        return part.features.ownMotion();
     }
 
     /** Whether it is a part of the circle's surface. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.Features;
 import java.util.Arrays;
 import java.util.List;
 
@@ -141,6 +142,27 @@ public final class CircleFields {
             }
         }
         return false;
+    }
+
+    /** The same of the fields by which circles move in another way than those of their kind. */
+    public boolean areMotionsUsed() {
+        for (CircleField field : fields) {
+            if (field.isOfMotion() && isUsed(field)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** What steps must be ready for by the values that circles have. */
+    public Features features() {
+        Features features = Features.NONE;
+        for (CircleField field : fields) {
+            if (!features.have(field.features()) && used(field) > 0) {
+                features = features.and(field.features());
+            }
+        }
+        return features;
     }
 
     /** The ids from which on all circles have the initial value of a field. */

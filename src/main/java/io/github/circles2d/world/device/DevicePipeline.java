@@ -224,14 +224,7 @@ public final class DevicePipeline implements Pipeline {
 
     /** Those that there is memory for. */
     private Features features(boolean edges) {
-        return Features.of(
-                edges,
-                arrays.turning(),
-                arrays.terrain(),
-                arrays.joints(),
-                arrays.sleeping(),
-                arrays.ownMotion(),
-                arrays.bodies());
+        return arrays.features().and(Features.EDGES.when(edges));
     }
 
     private StageKernels kernelsOf(Readiness variant) {
@@ -413,18 +406,16 @@ public final class DevicePipeline implements Pipeline {
     }
 
     private static Features features(Commands changes) {
-        boolean turning = false;
-        boolean ownMotion = false;
+        Features features = Features.NONE;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.operation(r);
-            turning |= Commands.turns(operation);
+            features = features.and(Features.TURNING.when(Commands.turns(operation)));
             if (operation == Commands.FIELD) {
                 CircleField field = CircleField.OF_STEPS.get(changes.first(r));
-                turning |= field.isOfTurning();
-                ownMotion |= field.isOfMotion();
+                features = features.and(field.features());
             }
         }
-        return Features.of(false, turning, false, false, false, ownMotion);
+        return features;
     }
 
     @Override
@@ -698,7 +689,7 @@ public final class DevicePipeline implements Pipeline {
         if (from.circles > arrays.slotCapacity() || contacts > arrays.contactCapacity()) {
             stats.keep();
         }
-        start(Features.of(false, from.turns, false, false, false));
+        start(Features.TURNING.when(from.turns));
         arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(contacts);

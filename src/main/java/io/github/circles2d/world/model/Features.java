@@ -1,77 +1,75 @@
 package io.github.circles2d.world.model;
 
-/** What a pipeline must be ready for; worlds that do without pay nothing. */
-public record Features(
-        boolean edges,
-        boolean turning,
-        boolean terrain,
-        boolean joints,
-        boolean sleeping,
-        boolean ownMotion,
-        boolean bodies) {
+/** What a pipeline must be ready for; worlds that do without pay nothing. The same features are always the same object. */
+public final class Features {
     /** All that there are: to make one in each restored frame would be garbage. */
     private static final Features[] ALL = new Features[128];
 
     static {
         for (int bits = 0; bits < ALL.length; bits++) {
-            ALL[bits] = new Features(
-                    (bits & 1) != 0,
-                    (bits & 2) != 0,
-                    (bits & 4) != 0,
-                    (bits & 8) != 0,
-                    (bits & 16) != 0,
-                    (bits & 32) != 0,
-                    (bits & 64) != 0);
+            ALL[bits] = new Features(bits);
         }
     }
 
-    /** A walled world of circles that neither turn nor sleep. */
+    /** A walled world of circles that neither turn nor sleep, and move as their kinds say. */
     public static final Features NONE = ALL[0];
 
-    /** What circles need that never sleep, and move as their kinds say. */
-    public Features(boolean edges, boolean turning, boolean terrain, boolean joints) {
-        this(edges, turning, terrain, joints, false, false, false);
-    }
+    public static final Features EDGES = ALL[1];
+    public static final Features TURNING = ALL[2];
+    public static final Features TERRAIN = ALL[4];
+    public static final Features JOINTS = ALL[8];
+    public static final Features SLEEPING = ALL[16];
+    public static final Features OWN_MOTION = ALL[32];
 
-    /** Always the same object for the same values, of circles that move as their kinds say. */
-    public static Features of(boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping) {
-        return of(edges, turning, terrain, joints, sleeping, false);
-    }
+    /** Bodies that are pushed. */
+    public static final Features BODIES = ALL[64];
 
-    /** Always the same object for the same values, of a world without bodies that are pushed. */
-    public static Features of(
-            boolean edges, boolean turning, boolean terrain, boolean joints, boolean sleeping, boolean ownMotion) {
-        return of(edges, turning, terrain, joints, sleeping, ownMotion, false);
-    }
+    private final int bits;
 
-    /** Always the same object for the same values. */
-    public static Features of(
-            boolean edges,
-            boolean turning,
-            boolean terrain,
-            boolean joints,
-            boolean sleeping,
-            boolean ownMotion,
-            boolean bodies) {
-        return ALL[
-                (edges ? 1 : 0)
-                        | (turning ? 2 : 0)
-                        | (terrain ? 4 : 0)
-                        | (joints ? 8 : 0)
-                        | (sleeping ? 16 : 0)
-                        | (ownMotion ? 32 : 0)
-                        | (bodies ? 64 : 0)];
+    private Features(int bits) {
+        this.bits = bits;
     }
 
     /** Both together. */
     public Features and(Features other) {
-        return of(
-                edges || other.edges,
-                turning || other.turning,
-                terrain || other.terrain,
-                joints || other.joints,
-                sleeping || other.sleeping,
-                ownMotion || other.ownMotion,
-                bodies || other.bodies);
+        return ALL[bits | other.bits];
+    }
+
+    /** These if a condition holds, else none. */
+    public Features when(boolean holds) {
+        return holds ? this : NONE;
+    }
+
+    /** Whether all of others are among these. */
+    public boolean have(Features others) {
+        return (bits & others.bits) == others.bits;
+    }
+
+    public boolean edges() {
+        return have(EDGES);
+    }
+
+    public boolean turning() {
+        return have(TURNING);
+    }
+
+    public boolean terrain() {
+        return have(TERRAIN);
+    }
+
+    public boolean joints() {
+        return have(JOINTS);
+    }
+
+    public boolean sleeping() {
+        return have(SLEEPING);
+    }
+
+    public boolean ownMotion() {
+        return have(OWN_MOTION);
+    }
+
+    public boolean bodies() {
+        return have(BODIES);
     }
 }

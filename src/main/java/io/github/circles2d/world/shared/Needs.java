@@ -1,8 +1,7 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.snapshots.SavedState;
@@ -21,14 +20,8 @@ public final class Needs {
 
     private boolean turns;
 
-    /** Whether the pipeline is ready for terrain. */
-    private boolean hasTerrain;
-
-    /** Whether the pipeline is ready for joints. */
-    private boolean hasJoints;
-
-    /** Whether the pipeline is ready for circles that move in another way than those of their kind. */
-    private boolean hasOwnMotion;
+    /** Of those that pipelines stay ready for once a world has had them: terrain, joints, motion of circles' own. */
+    private Features lasting = Features.NONE;
 
     Needs(WorldParts world) {
         this.world = world;
@@ -41,14 +34,28 @@ public final class Needs {
 
     /** What the pipeline is ready for. */
     Features features() {
-        return Features.of(
-                !world.settings.bounds().isWalled(),
-                turns,
-                hasTerrain,
-                hasJoints,
-                world.settings.sleeps(),
-                hasOwnMotion,
-                world.rigids.isThere());
+        boolean sleeps = world.settings.sleeps();
+        return features(world.settings.bounds(), sleeps, turns, lasting, world.rigids.isThere());
+    }
+
+    private static Features features(
+            Bounds bounds, boolean sleeping, boolean turning, Features others, boolean withBodies) {
+        return others.and(Features.EDGES.when(!bounds.isWalled()))
+                .and(Features.SLEEPING.when(sleeping))
+                .and(Features.TURNING.when(turning))
+                .and(Features.BODIES.when(withBodies));
+    }
+
+    private static Features lasting(boolean terrain, boolean joints, boolean ownMotion) {
+        return Features.TERRAIN
+                .when(terrain)
+                .and(Features.JOINTS.when(joints))
+                .and(Features.OWN_MOTION.when(ownMotion));
+    }
+
+    /** Those of the world as it is. */
+    private Features begun() {
+        return lasting(world.terrain.isThere(), world.joints.isThere(), ownMotion());
     }
 
     /** A call makes a circle turn, or gives it a surface or a torque. */
@@ -68,67 +75,39 @@ public final class Needs {
 
     /** Whether the pipeline is not ready for what the world has begun to need. */
     boolean begins() {
-        return beginsToTurn()
-                || !hasTerrain && world.terrain.isThere()
-                || !hasJoints && world.joints.isThere()
-                || !hasOwnMotion && ownMotion();
+        return beginsToTurn() || !lasting.have(begun());
     }
 
     /** Whether a circle moves in another way than those of its kind, or has done so. */
     public boolean ownMotion() {
-        CircleFields fields = world.handles.fields();
-        return fields.isUsed(CircleField.GRAVITY_SCALE)
-                || fields.isUsed(CircleField.DAMPING)
-                || fields.isUsed(CircleField.GREATEST_SPEED);
+        return world.handles.fields().areMotionsUsed();
     }
 
     /** Makes the pipeline ready, all steps of which have been made. If it cannot be made so, nothing has changed. */
     public void prepare() {
-        prepare(
-                world.settings.parameters(),
-                turns || beginsToTurn(),
-                hasTerrain || world.terrain.isThere(),
-                hasJoints || world.joints.isThere(),
-                hasOwnMotion || ownMotion(),
-                world.rigids.isThere());
+        prepare(world.settings.parameters(), turns || beginsToTurn(), begun(), world.rigids.isThere());
     }
 
     /** Makes the pipeline ready for rigid bodies. If it cannot be made so, nothing has changed. */
     public void prepareRigids() {
         world.pending.finish();
         boolean before = turns;
-        prepare(
-                world.settings.parameters(),
-                true,
-                hasTerrain || world.terrain.isThere(),
-                hasJoints || world.joints.isThere(),
-                hasOwnMotion || ownMotion(),
-                true);
+        prepare(world.settings.parameters(), true, begun(), true);
         turns = before; // until there are some
     }
 
     /** Makes the pipeline ready for another state. The one that it has still is there if what follows fails. */
     public void prepare(SavedState next) {
         boolean before = turns;
-        prepare(
-                next.parameters(),
-                turns || turns(next),
-                hasTerrain || next.terrain.hasPieces(),
-                hasJoints || next.joints.hasJoints(),
-                hasOwnMotion || ownMotion(next),
-                next.rigids.hasBodies());
+        boolean ownMotion = next.fields.features().ownMotion();
+        Features begun = lasting(next.terrain.hasPieces(), next.joints.hasJoints(), ownMotion);
+        prepare(next.parameters(), turns || turns(next), begun, next.rigids.hasBodies());
         turns = before;
     }
 
-    private void prepare(
-            WorldParameters p,
-            boolean turning,
-            boolean withTerrain,
-            boolean withJoints,
-            boolean withOwnMotion,
-            boolean withBodies) {
-        Features features = Features.of(
-                !p.bounds().isWalled(), turning, withTerrain, withJoints, p.sleeps(), withOwnMotion, withBodies);
+    private void prepare(WorldParameters p, boolean turning, Features begun, boolean withBodies) {
+        Features kept = lasting.and(begun);
+        Features features = features(p.bounds(), p.sleeps(), turning, kept, withBodies);
         world.moves.beforeFeatures(p.contacts(), features);
         try {
             prepare(p.contacts(), features);
@@ -137,9 +116,7 @@ public final class Needs {
             prepare(p.contacts(), features);
         }
         turns = turning;
-        hasTerrain = withTerrain;
-        hasJoints = withJoints;
-        hasOwnMotion = withOwnMotion;
+        lasting = kept;
     }
 
     private void prepare(ContactSettings contacts, Features features) {
@@ -166,19 +143,10 @@ public final class Needs {
         return s.turns
                 || s.kinds.grips()
                 || s.parameters().surfaces().any()
-                || s.fields.used(CircleField.FRICTION) > 0
-                || s.fields.used(CircleField.ROLLING_RESISTANCE) > 0
-                || s.fields.used(CircleField.TORQUE) > 0
-                || s.fields.used(CircleField.APPLIED_TORQUE) > 0
+                || s.fields.features().turning()
                 || s.pieceContacts.hold()
                 || s.joints.turn()
                 || s.rigids.hasBodies();
-    }
-
-    private static boolean ownMotion(SavedState s) {
-        return s.fields.used(CircleField.GRAVITY_SCALE) > 0
-                || s.fields.used(CircleField.DAMPING) > 0
-                || s.fields.used(CircleField.GREATEST_SPEED) > 0;
     }
 
     /** A saved state, for which the pipeline is ready, has taken the place of all that was. */

@@ -70,7 +70,7 @@ class EdgesAgreeTest {
     void edgesTakeNoMemory(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long walled = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(true, false, false, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.EDGES);
             assertThat(pipeline.bytesHeld()).isEqualTo(walled);
         }
     }

@@ -90,7 +90,7 @@ final class JointTwins {
         if (method.getName().equals("step")) {
             prepare((StepInput) arguments[0]);
         } else if (method.getName().equals("prepare")) {
-            arguments[1] = ((Features) arguments[1]).and(new Features(false, false, false, true));
+            arguments[1] = ((Features) arguments[1]).and(Features.JOINTS);
         }
         try {
             return method.invoke(pipeline, arguments);

@@ -243,7 +243,7 @@ class JointsAgreeTest {
     void onlyAWorldWithJointsHasMemoryForThem(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long none = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, false, true));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.JOINTS);
             long some = pipeline.bytesHeld();
             assertThat(some).isGreaterThan(none);
             pipeline.prepare(ContactSettings.DEFAULT, Pipelines.INSIDE);

@@ -25,7 +25,13 @@ final class Pipelines {
     private Pipelines() {}
 
     private static Features inside(boolean edges) {
-        return Features.of(edges, true, true, true, true, true);
+        return Features.EDGES
+                .when(edges)
+                .and(Features.TURNING)
+                .and(Features.TERRAIN)
+                .and(Features.JOINTS)
+                .and(Features.SLEEPING)
+                .and(Features.OWN_MOTION);
     }
 
     /** Makes pipelines on devices ready for all that a world can have inside, in mid-life. In an exhaustive run they compile what they need. */

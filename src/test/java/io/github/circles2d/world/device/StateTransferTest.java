@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 class StateTransferTest {
     private static final Scene CROWD = Scenes.packed(6_000, 7);
 
-    private static final Features TURNING = Features.of(false, true, false, false, false);
+    private static final Features TURNING = Features.TURNING;
 
     private static SavedState saved(Pipeline from, boolean byId) {
         SavedState state = new SavedState();

@@ -221,12 +221,12 @@ class SurfacesAgreeTest {
     void onlyAWorldThatTurnsHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long still = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, false, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.TURNING);
             long turning = pipeline.bytesHeld();
             // at home: angle, angular velocity, rows of walls, fields; in a step: as at home, spin and surface; by
             // contact
             assertThat(turning - still).isGreaterThan((2 * (8 + 16 + 16) + 16 + 16 + 16 + 16 + 8) * 1024);
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, false, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.TURNING);
             assertThat(pipeline.bytesHeld()).isEqualTo(turning);
         }
     }

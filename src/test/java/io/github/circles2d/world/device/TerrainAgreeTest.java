@@ -222,14 +222,14 @@ class TerrainAgreeTest {
     void onlyAWorldWithTerrainHasMemoryForIt(Device device) {
         try (Pipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false)) {
             long none = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, false, true, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.TERRAIN);
             long some = pipeline.bytesHeld();
             // ranges of piece contacts by slot, at home and in a step; by contact: as at home, and as measured
             assertThat(some - none).isGreaterThan((2 * 8 + 4 * (8 + 16 + 16 + 16 + 16 + 16)) * 64);
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, true, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.TURNING.and(Features.TERRAIN));
             assertThat(pipeline.bytesHeld()).isGreaterThan(some);
             long both = pipeline.bytesHeld();
-            pipeline.prepare(ContactSettings.DEFAULT, new Features(false, true, true, false));
+            pipeline.prepare(ContactSettings.DEFAULT, Features.TURNING.and(Features.TERRAIN));
             assertThat(pipeline.bytesHeld()).isEqualTo(both);
         }
     }

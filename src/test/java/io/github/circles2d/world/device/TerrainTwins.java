@@ -64,7 +64,7 @@ final class TerrainTwins {
         if (method.getName().equals("step")) {
             prepare((StepInput) arguments[0]);
         } else if (method.getName().equals("prepare")) {
-            arguments[1] = ((Features) arguments[1]).and(new Features(false, false, true, false));
+            arguments[1] = ((Features) arguments[1]).and(Features.TERRAIN);
         }
         try {
             return method.invoke(pipeline, arguments);

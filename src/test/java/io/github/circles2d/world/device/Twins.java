@@ -44,7 +44,7 @@ final class Twins implements AutoCloseable {
 
     /** For a circle with a motion of its own. */
     private static final Readiness OWN_MOTION =
-            new Readiness(false, Features.of(false, false, false, false, false, true), false, false);
+            new Readiness(false, Features.OWN_MOTION, false, false);
 
     private final Simulation[] simulations;
     private final Pipeline[] pipelines;

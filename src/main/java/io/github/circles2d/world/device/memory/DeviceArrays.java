@@ -195,6 +195,11 @@ public final class DeviceArrays {
         return features.turning();
     }
 
+    /** What there are arrays for. */
+    public Features features() {
+        return features;
+    }
+
     /** Has arrays of further features, or of these alone again. Returns what there was before. */
     private Features set(Features next) {
         Features before = features;
@@ -205,7 +210,7 @@ public final class DeviceArrays {
     /** Makes room for what circles turn by. No circle has turned, and none has a surface of its own. */
     public void ensureTurning() {
         if (!features.turning()) {
-            Features before = set(features.and(Features.of(false, true, false, false, false)));
+            Features before = set(features.and(Features.TURNING));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT, TILED_SLOT -> slotCapacity;
@@ -291,7 +296,7 @@ public final class DeviceArrays {
     /** Makes room for how circles come to rest. All are awake. */
     public void ensureSleeping() {
         if (!features.sleeping()) {
-            Features before = set(features.and(Features.of(false, false, false, false, true)));
+            Features before = set(features.and(Features.SLEEPING));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT -> slotCapacity;
@@ -314,7 +319,7 @@ public final class DeviceArrays {
     /** Makes room for how circles move in another way than those of their kind. None does. */
     public void ensureOwnMotion() {
         if (!features.ownMotion()) {
-            Features before = set(features.and(Features.of(false, false, false, false, false, true)));
+            Features before = set(features.and(Features.OWN_MOTION));
             try {
                 grow(idCapacity, index -> index == Index.FIELDS_BY_ID ? idCapacity : AS_IT_IS);
             } catch (RuntimeException | Error e) {
@@ -331,7 +336,7 @@ public final class DeviceArrays {
 
     /** Bodies that are pushed have their memory elsewhere. */
     public void ensureBodies() {
-        set(features.and(Features.of(false, false, false, false, false, false, true)));
+        set(features.and(Features.BODIES));
     }
 
     public boolean joints() {
@@ -341,7 +346,7 @@ public final class DeviceArrays {
     /** Makes room for joints. There are none. */
     public void ensureJoints() {
         if (!features.joints()) {
-            Features before = set(features.and(Features.of(false, false, false, true, false)));
+            Features before = set(features.and(Features.JOINTS));
             try {
                 growTables(terrainRoom.floats(), jointRoom);
             } catch (RuntimeException | Error e) {
@@ -382,7 +387,7 @@ public final class DeviceArrays {
     /** Makes room for what circles and pieces of terrain have. There are no pieces, and no circle is near one. */
     public void ensureTerrain() {
         if (!features.terrain()) {
-            Features before = set(features.and(Features.of(false, false, true, false, false)));
+            Features before = set(features.and(Features.TERRAIN));
             try {
                 grow(slotCapacity, index -> switch (index) {
                     case HOME_SLOT, SLOT -> slotCapacity;
