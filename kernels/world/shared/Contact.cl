@@ -164,6 +164,16 @@ INLINE void makeReadyToRelax(const StepConstants *k, const Found *f, float bounc
 #endif
 }
 
+bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
+
+#ifdef TURNING
+// Of the normal impulses that a visit knows, the one that bounds the other rows behind it. If it leaves, there is none.
+float boundingImpulse(const Visited *v) { return v->solved ? v->whole : v->leaves ? 0.0f : v->impulse; }
+
+// Whether the impulses of the other rows accumulate. bounce: target speed.
+bool rowsAreKept(const Visited *v, float bounce) { return v->solved && !(bounce > 0.0f); }
+#endif
+
 // relaxing: the impulse of a bounce is not kept.
 INLINE void visit(const Ready *c, float vn, bool relaxing, Visited *v) {
     bool flies = vn * vn > c->flight;

@@ -54,16 +54,22 @@ Between betweenSurfaces(const World *w, const Turning *t, int number) {
 
 bool oneBodyRowsAct(const Between *b) { return b->friction > 0.0f || b->resistance > 0.0f; }
 
+// What impulses give to a surface speed, by the inverse inertia.
+float spinOfOneBody(RowImpulses i) { return angularImpulse(i) - tangentImpulse(i); }
+
 // Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. Returns the impulse along the tangent.
 float warmOneBodyRows(Turning *t, const Between *b, RowImpulses *i) {
     i->FRICTION_IMPULSE = b->friction > 0.0f ? i->FRICTION_IMPULSE : 0.0f;
     i->ROLLING_IMPULSE = b->resistance > 0.0f && t->inertia > 0.0f ? i->ROLLING_IMPULSE : 0.0f;
-    t->s += t->inertia * (i->ROLLING_IMPULSE - i->FRICTION_IMPULSE);
-    return i->FRICTION_IMPULSE;
+    t->s += t->inertia * spinOfOneBody(*i);
+    return tangentImpulse(*i);
 }
 
-// along: speed against the other's surface; belt: see slip; keep: whether impulses accumulate. Returns the impulse along the tangent.
-float visitOneBodyRows(Turning *t, const Between *b, RowImpulses *i, float along, float belt, float normalImpulse, bool keep) {
+// Behind the visit of the normal impulse. along: speed against the other's surface; belt: see slip; bounce: target speed. Returns the impulse
+// along the tangent.
+float visitOneBodyRows(Turning *t, const Between *b, RowImpulses *i, float along, float belt, const Visited *visited, float bounce) {
+    float normalImpulse = boundingImpulse(visited);
+    bool keep = rowsAreKept(visited, bounce);
     float impulse = 0.0f;
     if (b->resistance > 0.0f && t->inertia > 0.0f) {
         float next = rolling(i->ROLLING_IMPULSE, 1.0f / t->inertia, t->s, b->resistance * normalImpulse);

@@ -82,13 +82,11 @@ INLINE void turnBodies(Bodies *b, float ofA, float ofB) {
 // Of B against A; before the impulse of the visit, so that neither waits for the other.
 INLINE float speedAlong(float2 n, float2 va, float2 vb) { return dotf(-n.y, n.x, vb.x - va.x, vb.y - va.y); }
 
-bool bouncesFreely(const Visited *v) { return !v->solved && !v->leaves; }
-
 // Behind the visit of the contact, in the relaxing pass and if it bounces freely. along: see speedAlong.
 INLINE void visitRows(Bodies *b, const PairSurface *s, RowImpulses *i, const Visit *v, const Visited *visited, float along) {
     float2 n = (float2)(v->nx, v->ny);
-    float normalImpulse = visited->solved ? visited->whole : visited->leaves ? 0.0f : visited->impulse;
-    bool keep = visited->solved && !(v->ready.bounce > 0.0f); // whether impulses accumulate
+    float normalImpulse = boundingImpulse(visited);
+    bool keep = rowsAreKept(visited, v->ready.bounce);
     if (s->reach > 0.0f) {
         float omega = b->sb / b->rb - b->sa / b->ra;
         float next = rolling(i->ROLLING_IMPULSE, s->rollingMass, omega, s->reach * normalImpulse);
@@ -111,7 +109,7 @@ INLINE void visitRows(Bodies *b, const PairSurface *s, RowImpulses *i, const Vis
 }
 
 // What the impulses give to B's velocity in the sub-step to come. n: normal.
-float2 rowLoad(float2 n, RowImpulses i) { return loadAlong(-n.y, n.x, i.FRICTION_IMPULSE); }
+float2 rowLoad(float2 n, RowImpulses i) { return loadAlong(-n.y, n.x, tangentImpulse(i)); }
 
 // What they give to the surface speeds of A and B, whose slots p has.
 float2 spinImpulses(const World *w, uint2 p, const PairSurface *s, RowImpulses i) {

@@ -220,11 +220,12 @@ void pushAlong(float4 g, float impulse, float4 *m) {
     m->VY += g.MEASURED_X * impulse;
 }
 
-void visitPieceRows(const World *w, int k, int kind, float4 g, float along, float normalImpulse, bool keep, float4 *m, Turning *turning) {
+void visitPieceRows(const World *w, int k, int kind, float4 g, float along, const Visited *visited, float bounce, float4 *m,
+                    Turning *turning) {
     Between b = betweenSurfaces(w, turning, kind);
     if (!oneBodyRowsAct(&b)) return;
     RowImpulses i = w->pieceRows[k];
-    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], normalImpulse, keep), m);
+    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], visited, bounce), m);
     w->pieceRows[k] = i;
 }
 #endif
@@ -303,7 +304,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
         notePieceVisit(w, k, c, m->DISPLACEMENT, g, vnBefore, impulse + change, slid, surface);
     }
 #endif
-    bool bounces = !visited.solved && !visited.leaves;
+    bool bounces = bouncesFreely(&visited);
     if (bounces) {
         float behind = leftBehind(gap, vn, change, s->dt, c.RADIUS);
         m->DX -= nx * behind;
@@ -314,7 +315,7 @@ void solvePiece(const World *w, int k, float4 c, float restitution, float2 befor
     m->VY += ny * change;
     w->push[k].PUSH_NORMAL = visited.normalImpulse;
 #ifdef TURNING
-    if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, change, false, m, turning);
+    if (bounces) visitPieceRows(w, k, traits.TRAIT_KIND, g, along, &visited, bounce, m, turning);
 #endif
 }
 
@@ -387,8 +388,7 @@ void relaxPiece(const World *w, int k, float4 c, float restitution, bool loaded,
         w->push[k].PUSH_NORMAL = bounce > 0.0f ? 0.0f : visited.normalImpulse; // that of a bounce is not kept
     }
 #ifdef TURNING
-    float normal = visited.solved ? visited.whole : visited.leaves ? push.PUSH_NORMAL : visited.impulse;
-    visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, normal, visited.solved && !(bounce > 0.0f), m, turning);
+    visitPieceRows(w, k, traits.TRAIT_KIND, g, nx * uy - ny * ux, &visited, bounce, m, turning);
 #endif
 }
 

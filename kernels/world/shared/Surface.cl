@@ -5,6 +5,10 @@
 // Whether some row of a contact has acted, which a visit may have to take back.
 bool rowsHold(RowImpulses i) { return any(i != 0.0f); }
 
+// What all rows of a contact give along its tangent, and what they give angularly.
+float tangentImpulse(RowImpulses i) { return i.FRICTION_IMPULSE; }
+float angularImpulse(RowImpulses i) { return i.ROLLING_IMPULSE; }
+
 float friction(float a, float b) { return sqrt(a * b); }
 
 // share: 1, or of B if it is heavy.

@@ -29,11 +29,11 @@ void warmWallRows(const World *w, Turning *t, int axis, float side, int wall, fl
 }
 
 // As visitOneBodyRows.
-void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along, float normalImpulse, bool keep) {
+void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along, const Visited *visited, float bounce) {
     Between b = betweenWall(w, t, wall);
     if (!oneBodyRowsAct(&b)) return;
     float speed = againstWall(axis, side, *along, b.belt);
-    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], normalImpulse, keep);
+    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], visited, bounce);
 }
 #endif
 
@@ -66,8 +66,7 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
 #ifdef TURNING
-    bool bounces = !visited.solved && !visited.leaves;
-    if (bounces) visitWallRows(w, turning, axis, side, wall, along, visited.impulse, false);
+    if (bouncesFreely(&visited)) visitWallRows(w, turning, axis, side, wall, along, &visited, *bounce);
 #endif
     return visited.leaves ? v : v + side * visited.impulse;
 }
@@ -86,13 +85,17 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
 #ifdef TURNING
-    if (!visited.still) {
-        float normal = visited.solved ? visited.whole : visited.leaves ? 0.0f : visited.impulse;
-        visitWallRows(w, turning, axis, side, wall, along, normal, visited.solved && !(bounce > 0.0f));
-    }
+    if (!visited.still) visitWallRows(w, turning, axis, side, wall, along, &visited, bounce);
 #endif
     return visited.leaves ? v : v + side * visited.impulse;
 }
+
+// Whether a wall presses. One that does not holds nothing.
+bool wallsPress(float2 walls) { return walls.x != 0.0f || walls.y != 0.0f; }
+
+#ifdef TURNING
+bool wallRowsHold(const Turning *t) { return rowsHold(t->walls[0]) || rowsHold(t->walls[1]); }
+#endif
 
 // The wall impulses of a circle that no wall pushes, with the signs of zeros.
 float2 noWalls(const StepConstants *k, float4 c) {

@@ -121,8 +121,8 @@ void pressByImpulses(const World *w, int slot) {
                 float f = 0.0f;
                 float rolling_ = 0.0f;
 #ifdef TURNING
-                f = w->rowCache[k].FRICTION_IMPULSE * w->warmScale;
-                rolling_ = w->rowCache[k].ROLLING_IMPULSE * w->warmScale;
+                f = tangentImpulse(w->rowCache[k]) * w->warmScale;
+                rolling_ = angularImpulse(w->rowCache[k]) * w->warmScale;
 #endif
                 press(w, slot, &m, j, f, rolling_);
                 press(w, other, &m, j, f, rolling_);
@@ -372,7 +372,7 @@ void addPressed(Pressed *p, float scale, float nx, float ny, float j, float f) {
 }
 
 void addSpin(Pressed *p, float scale, RowImpulses i, float own) {
-    p->spin += toFixed((i.ROLLING_IMPULSE - i.FRICTION_IMPULSE) / own, scale);
+    p->spin += toFixed(spinOfOneBody(i) / own, scale);
 }
 
 // own: inverse mass.
@@ -383,8 +383,8 @@ void pressByWalls(const World *w, int slot, float own, float scale, Pressed *p) 
     WallRows rows = w->wallRows[slot];
     RowImpulses ofX = rows.even;
     RowImpulses ofY = rows.odd;
-    along[0] = wall[0] > 0.0f ? ofX.FRICTION_IMPULSE : -ofX.FRICTION_IMPULSE;
-    along[1] = wall[1] > 0.0f ? -ofY.FRICTION_IMPULSE : ofY.FRICTION_IMPULSE;
+    along[0] = wall[0] > 0.0f ? tangentImpulse(ofX) : -tangentImpulse(ofX);
+    along[1] = wall[1] > 0.0f ? -tangentImpulse(ofY) : tangentImpulse(ofY);
     addSpin(p, scale, ofX, own);
     addSpin(p, scale, ofY, own);
 #endif
@@ -421,7 +421,7 @@ bool pressByPieces(const World *w, int slot, float own, float scale, Pressed *p)
         float2 push = w->push[k];
         if (!isConstraint(w->piece[k]) || !(push.PUSH_NORMAL > 0.0f)) continue;
         float4 g = w->measured[k];
-        addPressed(p, scale, g.MEASURED_X, g.MEASURED_Y, push.PUSH_NORMAL / own, w->pieceRows[k].FRICTION_IMPULSE / own);
+        addPressed(p, scale, g.MEASURED_X, g.MEASURED_Y, push.PUSH_NORMAL / own, tangentImpulse(w->pieceRows[k]) / own);
         addSpin(p, scale, w->pieceRows[k], own);
     }
     return moves;

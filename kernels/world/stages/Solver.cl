@@ -4,7 +4,7 @@
 // Without impulses of walls; false if that is not all. m: motion; l: load.
 bool startOffWallsAt(const World *w, int slot, float4 c, float4 m, float4 t, float4 l) {
     float2 before, next;
-    if (t.WALL_X != 0.0f || t.WALL_Y != 0.0f) return false;
+    if (wallsPress(t.WALLS)) return false;
 #ifdef TERRAIN
     if (hasPieces(w, slot)) return false;
 #endif
@@ -60,7 +60,7 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 #ifdef TURNING
     Turning turning = turningOf(w, slot, t, moveTurning(w, slot, w->surfaceSpeed[slot]));
     w->spinImpulse[slot] = 0.0f;
-    atWall = atWall || rowsHold(turning.walls[0]) || rowsHold(turning.walls[1]);
+    atWall = atWall || wallRowsHold(&turning);
 #endif
 #ifdef TERRAIN
     float2 from = m.DISPLACEMENT;

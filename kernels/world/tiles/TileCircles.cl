@@ -41,8 +41,7 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
                  bool carried AND_TURNING(float s) AND_TURNING(float spinSum) AND_TERRAIN(bool atPieces)) {
     float2 walls = t.WALLS;
-    // A wall that does not press holds nothing.
-    bool pressed = walls.x != 0.0f || walls.y != 0.0f;
+    bool pressed = wallsPress(walls);
 #ifdef TERRAIN
     pressed = pressed || atPieces;
 #endif
@@ -77,7 +76,7 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
     w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
 #ifdef TURNING
-    if (rowsHold(turning.walls[0]) || rowsHold(turning.walls[1])) return true;
+    if (wallRowsHold(&turning)) return true;
 #endif
 #ifdef TERRAIN
     if (atPieces) return true;

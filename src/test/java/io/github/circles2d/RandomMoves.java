@@ -86,7 +86,9 @@ public final class RandomMoves implements Mover {
     /** Makes the device ready for all that a world can have inside, so that worlds share kernels. */
     public RandomMoves readyForAll() {
         if (device != null) {
-            device.prepare(ContactSettings.DEFAULT.withPushOutSpeed(7), Features.TURNING.and(Features.TERRAIN).and(Features.JOINTS));
+            device.prepare(
+                    ContactSettings.DEFAULT.withPushOutSpeed(7),
+                    Features.TURNING.and(Features.TERRAIN).and(Features.JOINTS));
         }
         return this;
     }

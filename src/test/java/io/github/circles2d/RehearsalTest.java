@@ -151,7 +151,11 @@ class RehearsalTest {
     @Test
     @Tag("long")
     void tablesOfTheWorldThatIsMadeUpAreNotTakenForOthers() {
-        Features all = Features.TURNING.and(Features.TERRAIN).and(Features.JOINTS).and(Features.SLEEPING).and(Features.OWN_MOTION);
+        Features all = Features.TURNING
+                .and(Features.TERRAIN)
+                .and(Features.JOINTS)
+                .and(Features.SLEEPING)
+                .and(Features.OWN_MOTION);
         Readiness wanted = new Readiness(false, all, false, false);
         for (Device device : TestDevices.all()) {
             try (DevicePipeline pipeline = new DevicePipeline(device, CIRCLES, false, true);

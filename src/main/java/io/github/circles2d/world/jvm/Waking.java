@@ -101,6 +101,9 @@ final class Waking implements WakingByBodies.Reached {
     /** Null without joints. */
     private RestingJoints joints;
 
+    /** The impulses of the rows of the contact that is looked at. */
+    private final float[] rows = new float[ContactRows.COUNT];
+
     /** Null without bodies. */
     private WakingByBodies bodies;
 
@@ -331,7 +334,11 @@ final class Waking implements WakingByBodies.Reached {
         int entry = contacts.impulseCache().find(lower, higher);
         float j = entry < 0 ? 0f : contacts.impulseCache().impulseNow(entry) * k.warmScale;
         if (j > 0f) {
-            press(slot, isLower, j, ofEntry(entry, ContactRows.FRICTION), ofEntry(entry, ContactRows.ROLLING));
+            for (int row = 0; row < ContactRows.COUNT; row++) {
+                rows[row] =
+                        state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
+            }
+            press(slot, isLower, j);
         }
         float v =
                 CircleMath.dot(nx, ny, state.motion[CircleRow.of(awake) + VX], state.motion[CircleRow.of(awake) + VY]);
@@ -354,16 +361,14 @@ final class Waking implements WakingByBodies.Reached {
         }
     }
 
-    private float ofEntry(int entry, int row) {
-        return state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
-    }
-
     private float scale(int slot) {
         return CrossRule.scaleOf(CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot)));
     }
 
-    /** Adds the impulses of a contact, along the normal that has been found and its tangent, to the sums of a circle. */
-    private void press(int slot, boolean isLower, float j, float f, float rolling) {
+    /** Adds the impulses of a contact, whose normal has been found and whose other rows are there, to the sums of a circle. */
+    private void press(int slot, boolean isLower, float j) {
+        float f = ContactRows.tangentImpulse(rows, 0, 1);
+        float rolling = ContactRows.angularImpulse(rows, 0, 1);
         press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
     }
 
@@ -560,9 +565,10 @@ final class Waking implements WakingByBodies.Reached {
             int other = state.slotOf[all.other(press, id)];
             boolean isLower = id < state.id[other];
             meet(isLower ? slot : other, isLower ? other : slot);
-            float f = state.turning == null ? 0f : all.row(press, ContactRows.FRICTION) * k.warmScale;
-            float rolling = state.turning == null ? 0f : all.row(press, ContactRows.ROLLING) * k.warmScale;
-            press(slot, isLower, all.normal(press) * k.warmScale, f, rolling);
+            for (int row = 0; row < ContactRows.COUNT; row++) {
+                rows[row] = state.turning == null ? 0f : all.row(press, row) * k.warmScale;
+            }
+            press(slot, isLower, all.normal(press) * k.warmScale);
         }
         float w = state.ownInverseMass(slot);
         addWall(slot, w, 0);
@@ -605,29 +611,23 @@ final class Waking implements WakingByBodies.Reached {
 
     private void addWall(int slot, float w, int axis) {
         float impulse = state.traits[CircleRow.of(slot) + WALL_X + axis];
-        float friction = ofWall(slot, ContactRows.FRICTION, axis);
-        float rolling = ofWall(slot, ContactRows.ROLLING, axis);
-        float f = (axis == 0) == impulse > 0f ? friction : -friction;
+        int at = ContactRows.ofWalls(slot) + ContactRows.ofWall(0, axis);
+        boolean turns = state.turning != null;
+        float f = turns ? ContactRows.tangentImpulse(state.turning.wallRows, at, ContactRows.OF_WALL) : 0f;
+        f = (axis == 0) == impulse > 0f ? f : -f;
         float along = impulse / w;
         float across = impulse == 0f ? 0f : f / w;
-        float spin = (rolling - friction) / w;
+        float spin = turns ? ContactRows.spinOfOneBody(state.turning.wallRows, at, ContactRows.OF_WALL) / w : 0f;
         add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w, spin);
-    }
-
-    private float ofWall(int slot, int row, int axis) {
-        return state.turning == null
-                ? 0f
-                : state.turning.wallRows[ContactRows.ofWalls(slot) + ContactRows.ofWall(row, axis)];
     }
 
     private void addPiece(int slot, float w, float[] rows, int row) {
         float j = rows[row + PieceContactRow.IMPULSE] / w;
         if (j > 0f) {
-            float f = rows[row + PieceContactRow.ROWS + ContactRows.FRICTION] / w;
+            float f = ContactRows.tangentImpulse(rows, row + PieceContactRow.ROWS, 1) / w;
             float x = rows[row + PieceContactRow.NX];
             float y = rows[row + PieceContactRow.NY];
-            float rolling = rows[row + PieceContactRow.ROWS + ContactRows.ROLLING];
-            float spin = (rolling - rows[row + PieceContactRow.ROWS + ContactRows.FRICTION]) / w;
+            float spin = ContactRows.spinOfOneBody(rows, row + PieceContactRow.ROWS, 1) / w;
             add(slot, x * j - y * f, y * j + x * f, j, spin);
         }
     }

@@ -2,7 +2,8 @@ package io.github.circles2d.world.model;
 
 /**
  * The rows of a contact behind the normal one. A row has an effective mass, a bound and an accumulated impulse. The visit of a contact
- * knows what its rows do; warm starts, copies, caches, snapshots and the hash move the impulses of all rows alike.
+ * knows what its rows do, {@link #tangentImpulse} and {@link #angularImpulse} what they give together; warm starts, copies, caches,
+ * snapshots and the hash move the impulses of all rows alike.
  */
 public final class ContactRows {
     /** Along the tangent. */
@@ -15,6 +16,9 @@ public final class ContactRows {
 
     /** Floats of a contact: a vector of kernels has room for them. */
     public static final int STRIDE = Integer.highestOneBit(2 * COUNT - 1);
+
+    /** From row to row of a wall. */
+    public static final int OF_WALL = 2;
 
     /** Impulses that a circle keeps of its walls. */
     public static final int OF_WALLS = 2 * COUNT;
@@ -35,7 +39,7 @@ public final class ContactRows {
 
     /** Among those of a circle's walls: the impulse of a row of the nearer wall of an axis. */
     public static int ofWall(int row, int axis) {
-        return 2 * row + axis;
+        return OF_WALL * row + axis;
     }
 
     public static void copy(float[] from, int at, float[] to, int toPlace) {
@@ -51,6 +55,21 @@ public final class ContactRows {
             bits |= Float.floatToRawIntBits(impulses[at + stride * row]);
         }
         return bits << 1 != 0; // without a branch for each row, and without the sign of zeros
+    }
+
+    /** What the rows of a contact give along its tangent. */
+    public static float tangentImpulse(float[] impulses, int at, int stride) {
+        return impulses[at + stride * FRICTION];
+    }
+
+    /** What they give angularly. */
+    public static float angularImpulse(float[] impulses, int at, int stride) {
+        return impulses[at + stride * ROLLING];
+    }
+
+    /** What those of a wall or piece give to a surface speed, by the inverse inertia. */
+    public static float spinOfOneBody(float[] impulses, int at, int stride) {
+        return angularImpulse(impulses, at, stride) - tangentImpulse(impulses, at, stride);
     }
 
     public static void clear(float[] impulses, int at, int stride) {

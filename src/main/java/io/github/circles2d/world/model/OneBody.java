@@ -64,6 +64,16 @@ public final class OneBody {
         }
     }
 
+    /** Of the normal impulses of a visit, the one that bounds the other rows behind it. */
+    float boundingImpulse() {
+        return bounced ? impulse : normalImpulse;
+    }
+
+    /** Whether the impulses of the other rows accumulate; bounce: target speed. */
+    boolean keepsRows(float bounce) {
+        return !(bounced || leaves || bounce > 0f);
+    }
+
     private void leaveOrBounce(int visit, float restitution, float vn, float accumulated) {
         leaves = visit == Constraints.LEAVE;
         bounced = visit == Constraints.BOUNCE;

@@ -83,12 +83,14 @@ public final class OneBodyRows {
         float rolling = resistance > 0f && inertia > 0f ? impulses[ContactRows.ROLLING] : 0f;
         impulses[ContactRows.FRICTION] = along;
         impulses[ContactRows.ROLLING] = rolling;
-        gain = along;
-        surfaceSpeed += inertia * (rolling - along);
+        gain = ContactRows.tangentImpulse(impulses, 0, 1);
+        surfaceSpeed += inertia * ContactRows.spinOfOneBody(impulses, 0, 1);
     }
 
-    /** By the normal impulse; along: the circle's speed along t, against the other's surface; keep: whether impulses accumulate. */
-    public void visit(float normalImpulse, float along, boolean keep) {
+    /** Behind the visit of the normal impulse; along: the circle's speed along t, against the other's surface; bounce: target speed. */
+    public void visit(OneBody normal, float along, float bounce) {
+        float normalImpulse = normal.boundingImpulse();
+        boolean keep = normal.keepsRows(bounce);
         gain = 0f;
         if (resistance > 0f && inertia > 0f) {
             float before = impulses[ContactRows.ROLLING];

@@ -43,8 +43,7 @@ final class Twins implements AutoCloseable {
     private static final int SUB_STEPS = 4;
 
     /** For a circle with a motion of its own. */
-    private static final Readiness OWN_MOTION =
-            new Readiness(false, Features.OWN_MOTION, false, false);
+    private static final Readiness OWN_MOTION = new Readiness(false, Features.OWN_MOTION, false, false);
 
     private final Simulation[] simulations;
     private final Pipeline[] pipelines;

@@ -182,7 +182,7 @@ public final class PieceVisits {
         m[s + VY] += ny * visit.impulse;
         rows[row + IMPULSE] = visit.normalImpulse;
         if (visit.bounced && k.turning) {
-            visitRows(s, c, visit.impulse, along, false);
+            visitRows(s, c, along, visit.bounceSpeed);
         }
     }
 
@@ -237,8 +237,7 @@ public final class PieceVisits {
             rows[row + IMPULSE] = bounce > 0f ? 0f : visit.normalImpulse; // that of a bounce is not kept
         }
         if (k.turning) {
-            float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
-            visitRows(s, c, normal, along, !(visit.bounced || visit.leaves || bounce > 0f));
+            visitRows(s, c, along, bounce);
         }
     }
 
@@ -252,10 +251,10 @@ public final class PieceVisits {
     // ---- other rows than the normal one
     // ----------------------------------------------------------------------------------------------------------
 
-    private void visitRows(int s, int c, float normalImpulse, float along, boolean keep) {
+    private void visitRows(int s, int c, float along, float bounce) {
         takeRows(s, c);
         if (otherRows.act()) {
-            otherRows.visit(normalImpulse, along, keep);
+            otherRows.visit(visit, along, bounce);
             giveRows(s, c);
         }
     }

@@ -14,15 +14,13 @@ import io.github.circles2d.world.jvm.state.Turning;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.OneBody;
 import io.github.circles2d.world.model.OneBodyRows;
 import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.model.Walls;
 
 /** The rows behind the normal one of contacts with walls. {@link OneBodyRows} has the visit. */
 public final class WallRows {
-    /** From row to row of a wall. */
-    private static final int STRIDE = ContactRows.ofWall(1, X);
-
     private final State state;
     private final OneBodyRows rows = new OneBodyRows();
 
@@ -36,7 +34,7 @@ public final class WallRows {
 
     /** Whether some row of the nearer wall of an axis has acted, which a visit may have to take back. */
     boolean hold(int slot, int axis) {
-        return ContactRows.any(state.turning.wallRows, at(slot, axis), STRIDE);
+        return ContactRows.any(state.turning.wallRows, at(slot, axis), ContactRows.OF_WALL);
     }
 
     /** The same of both axes. */
@@ -74,16 +72,16 @@ public final class WallRows {
             rows.warmStart();
             give(slot, axis, side);
         } else {
-            ContactRows.clear(state.turning.wallRows, at(slot, axis), STRIDE);
+            ContactRows.clear(state.turning.wallRows, at(slot, axis), ContactRows.OF_WALL);
         }
     }
 
-    /** A visit of the nearer wall of an axis, by its normal impulse; keep: whether impulses accumulate. */
-    void visit(int slot, int axis, float side, float normalImpulse, boolean keep) {
+    /** A visit of the nearer wall of an axis, behind that of its normal impulse; bounce: target speed. */
+    void visit(int slot, int axis, float side, OneBody normal, float bounce) {
         float along = along(axis, side, state.motion[CircleRow.of(slot) + VX + other(axis)]);
         take(slot, axis, side);
         if (rows.act()) {
-            rows.visit(normalImpulse, along, keep);
+            rows.visit(normal, along, bounce);
             give(slot, axis, side);
         }
     }
@@ -116,13 +114,13 @@ public final class WallRows {
                 t.spin[s + INVERSE_INERTIA],
                 state.traits[s + INVERSE_MASS]);
         rows.surfaceSpeed = t.spin[s + SURFACE_SPEED];
-        rows.take(t.wallRows, at(slot, axis), STRIDE);
+        rows.take(t.wallRows, at(slot, axis), ContactRows.OF_WALL);
     }
 
     private void give(int slot, int axis, float side) {
         int s = CircleRow.of(slot);
         state.turning.spin[s + SURFACE_SPEED] = rows.surfaceSpeed;
-        rows.give(state.turning.wallRows, at(slot, axis), STRIDE);
+        rows.give(state.turning.wallRows, at(slot, axis), ContactRows.OF_WALL);
         state.motion[s + VX + other(axis)] += tangent(axis, side) * rows.gain;
     }
 

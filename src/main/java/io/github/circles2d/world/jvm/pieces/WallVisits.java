@@ -90,7 +90,7 @@ public final class WallVisits {
         m[s + VX + axis] = v + side * visit.impulse;
         traits[s + WALL_X + axis] = side * visit.normalImpulse;
         if (visit.bounced && k.turning) {
-            rows.visit(slot, axis, side, visit.impulse, false);
+            rows.visit(slot, axis, side, visit, visit.bounceSpeed);
         }
     }
 
@@ -130,8 +130,7 @@ public final class WallVisits {
             traits[s + WALL_X + axis] = bounce > 0f ? 0f : side * visit.normalImpulse;
         }
         if (k.turning) {
-            float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
-            rows.visit(slot, axis, side, normal, !(visit.bounced || visit.leaves || bounce > 0f));
+            rows.visit(slot, axis, side, visit, bounce);
         }
         if (touches != null) {
             touches.relaxed(slot, axis, side, v, gap, slip, k);

@@ -20,8 +20,7 @@ import io.github.circles2d.world.model.Surface;
  */
 final class PairRows {
     // The numbers of a contact: by row its bound by the normal impulse, 0 if the row does nothing; by row its effective
-    // mass; by row its
-    // accumulated impulse; the sum of the belt speeds.
+    // mass; by row its accumulated impulse; the sum of the belt speeds.
     private static final int FRICTION = ContactRows.FRICTION;
     private static final int REACH = ContactRows.ROLLING; // rolling resistance by the greater radius
     private static final int TANGENT_MASS = ContactRows.COUNT + ContactRows.FRICTION;
@@ -151,22 +150,22 @@ final class PairRows {
 
     /** The impulse along x that the rows of a contact give to B. */
     float impulseX(int c, float nx, float ny) {
-        return -ny * values[of(c) + FRICTION_IMPULSE];
+        return -ny * ContactRows.tangentImpulse(values, of(c) + IMPULSES, 1);
     }
 
     /** The same along y. */
     float impulseY(int c, float nx, float ny) {
-        return nx * values[of(c) + FRICTION_IMPULSE];
+        return nx * ContactRows.tangentImpulse(values, of(c) + IMPULSES, 1);
     }
 
     /** Adds the impulses of a contact to the sums of its circles' surface speeds; cross: null if the circles are of one level. */
     void addToSpinSums(LikeBodies like, CrossBodies cross, int c, int a, int b) {
         float[] v = values;
         int o = of(c);
-        float ofA = -v[o + FRICTION_IMPULSE];
+        float ofA = -ContactRows.tangentImpulse(v, o + IMPULSES, 1);
         float ofB = ofA;
         if (v[o + REACH] > 0f) {
-            float rolling = v[o + ROLLING_IMPULSE];
+            float rolling = ContactRows.angularImpulse(v, o + IMPULSES, 1);
             ofA -= rolling / state.circle[a + RADIUS];
             ofB += rolling / state.circle[b + RADIUS];
         }
