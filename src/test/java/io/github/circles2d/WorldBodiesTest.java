@@ -258,6 +258,38 @@ class WorldBodiesTest {
     }
 
     @Test
+    void statsCountBodiesAndPairsWithContacts() {
+        try (World world = WorldScenes.jvm()
+                        .bounds(0, 0, 20, 10)
+                        .gravity(0, -10)
+                        .sleep(true)
+                        .build();
+                World restored = world()) {
+            Bodies bodies = world.bodies();
+            assertThat(world.stats().bodies()).isZero();
+            bodies.add(CRATE, 4, 0.25f, 0, 1);
+            bodies.add(CRATE, 4, 0.75f, 0, 1);
+            bodies.add(CRATE, 9, 0.25f, 0, 1);
+            world.add(9, 1, 0.5f, 1);
+            assertThat(world.stats().bodyContacts()).isZero();
+            world.step(1 / 60f, 10);
+            assertThat(world.stats().bodies()).isEqualTo(3);
+            assertThat(world.stats().awakeBodies()).isEqualTo(3);
+            assertThat(world.stats().circles()).isOne();
+            assertThat(world.stats().contacts()).isZero();
+            // two of them lie on the floor, one on another one, a circle on one
+            assertThat(world.stats().bodyContacts()).isEqualTo(4);
+            restored.restore(snapshot(world));
+            assertThat(restored.stats().bodyContacts()).isEqualTo(4);
+            world.step(1 / 60f, 300);
+            assertThat(world.stats().awakeBodies()).isEqualTo(bodies.awake()).isZero();
+            assertThat(world.stats().bodyContacts()).isEqualTo(4);
+            bodies.clear();
+            assertThat(world.stats().bodyContacts()).isZero();
+        }
+    }
+
+    @Test
     void badValuesAreRefusedAndChangeNothing() {
         try (World world = world()) {
             Bodies bodies = world.bodies();

@@ -311,6 +311,9 @@ public final class Simulation implements AutoCloseable {
                     hold ? world.pipeline.contacts() : 0,
                     hold ? world.pipeline.greatestContacts() : 0,
                     readings.awake(),
+                    world.rigids.step.count,
+                    world.rigids.step.awake(),
+                    world.rigids.step.contactPairs(),
                     world.pipeline.bytesHeld()
                             + world.events.bytes()
                             + world.terrain.bytes()
