@@ -297,8 +297,22 @@ class WorldBodiesTest {
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, Float.NaN, 5, 0, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 21, 5, 0, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, Float.NaN, 2));
-            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0));
-            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0))
+                    .withMessageContaining("mass is 0.0")
+                    .withMessageContaining("World.terrain");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY))
+                    .withMessageContaining("World.terrain")
+                    .withMessageContaining("Joint.pin");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.addAll(
+                            CRATE, new float[] {1, 1, 0, 1, 2, 2, 0, Float.POSITIVE_INFINITY}, null, null))
+                    .withMessageContaining("body 1")
+                    .withMessageContaining("World.terrain");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, -1))
+                    .withMessage("mass is -1.0, but must be from 1.0E-9 to 1.0E9");
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 2, 256));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2))
