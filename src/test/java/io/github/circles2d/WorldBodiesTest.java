@@ -247,7 +247,7 @@ class WorldBodiesTest {
                     .withMessageContaining("it is of a circle");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.x(body))
-                    .withMessageContaining("it is of a body that is no terrain");
+                    .withMessageContaining("it is of a body of World.bodies");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.terrain().remove(body));
             assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));

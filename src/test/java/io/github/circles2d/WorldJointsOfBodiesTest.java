@@ -259,14 +259,26 @@ class WorldJointsOfBodiesTest {
             refused("was removed", j -> j.add(a, 0, 0, gone, 1, 0, pin), joints);
             refused("it is of a circle", j -> j.add(a, 0, 0, circle, 1, 0, pin), joints);
             refused("it is of a circle", j -> j.add(circle, 0, 0, b, 1, 0, pin), joints);
-            refused("it is of a body", j -> j.add(a, 0, 0, b, pin), joints);
-            refused("it is of a body", j -> j.add(a, 1f, 1f, pin), joints);
+            String point = "it is of a body of World.bodies, which a joint holds at a point: x and y of it";
+            refused(point, j -> j.add(a, 0, 0, b, pin), joints);
+            refused(point, j -> j.add(a, 1f, 1f, pin), joints);
+            refused(point, j -> j.add(a, world.terrain().ground(), 1, 1, pin), joints);
+            refused("it is of a body of World.bodies", j -> j.addAll(new long[] {a}, new long[] {b}, pin, null), joints);
             refused("it is of a joint", j -> j.add(a, 0, 0, joint, pin), joints);
             refused("no circle has the handle 0", j -> j.add(a, 0, pin), joints);
-            refused("friction", j -> j.add(a, b, Joint.friction(1, 1)), joints);
-            refused("weld", j -> j.add(a, 0, 0, 1f, 1f, Joint.weld()), joints);
-            refused("motor", j -> j.add(a, 0, 0, 1f, 1f, Joint.motor(1, 1)), joints);
-            refused("pin", j -> j.add(a, pin), joints);
+            refused(
+                    "a friction joint cannot hold a body to another end, but must hold it to the world",
+                    j -> j.add(a, b, Joint.friction(1, 1)),
+                    joints);
+            refused(
+                    "a weld takes no anchor, but must hold a body to another body or a circle",
+                    j -> j.add(a, 0, 0, 1f, 1f, Joint.weld()),
+                    joints);
+            refused(
+                    "a motor takes no anchor, but must hold a body to another body, a circle or the world",
+                    j -> j.add(a, 0, 0, 1f, 1f, Joint.motor(1, 1)),
+                    joints);
+            refused("a pin must hold a body to another body, a circle or an anchor", j -> j.add(a, pin), joints);
             refused("holds two things", j -> j.setAnchor(joint, 1, 1), joints);
             refused("holds two things", j -> j.anchorX(joint), joints);
             assertThat(world.hash()).isEqualTo(before);
