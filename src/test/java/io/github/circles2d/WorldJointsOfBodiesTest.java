@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls on joints of bodies that are pushed do what they say; these joints are state. */
 class WorldJointsOfBodiesTest {
@@ -305,6 +307,52 @@ class WorldJointsOfBodiesTest {
                 assertThatIllegalArgumentException().isThrownBy(() -> other.restore(ByteBuffer.wrap(damaged)));
             }
         }
+    }
+
+    /** A circle that a joint holds leaves its path as far as it is pushed: not once the joint has broken, whether or not somebody asks. */
+    @Test
+    void aJointThatBreaksIsGoneInTheNextStepWhetherOrNotSomebodyAsks() {
+        for (int phase = 0; phase < 10; phase++) {
+            try (World one = breaking(phase, Backend.JVM);
+                    World many = breaking(phase, Backend.JVM)) {
+                compareSteps(one, many);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    void soItIsOnDevices(Backend backend) {
+        for (int phase = 0; phase < 5; phase++) {
+            try (World one = breaking(phase, Backend.JVM);
+                    World many = breaking(phase, backend)) {
+                compareSteps(one, many);
+            }
+        }
+    }
+
+    private static void compareSteps(World one, World many) {
+        for (int k = 0; k < 12; k++) {
+            one.step(DT);
+            assertThat(one.joints().size()).isZero(); // asks who has gone
+        }
+        many.step(DT, 12);
+        assertThat(one.vx(one.handle(0))).isGreaterThan(20);
+        assertThat(many.hash()).isEqualTo(one.hash());
+    }
+
+    /** The joint of a light circle breaks at once, and a heavy one hits the circle some steps later. */
+    private static World breaking(int phase, Backend backend) {
+        World world = WorldScenes.jvm()
+                .bounds(0, 0, 20, 12)
+                .restitution(1)
+                .backend(backend)
+                .build();
+        long circle = world.add(6, 6, 0.4f, 0.1f);
+        long crate = world.bodies().add(Outline.box(0.5f, 0.5f), 6, 9, 0, 1);
+        world.joints().add(crate, 0, 0, circle, Joint.spring(5, 1).withLength(2.9f).breakingAt(0.01f, 1));
+        world.setVelocity(world.add(1 + 0.05f * phase, 6, 0.4f, 10), 30, 0);
+        return world;
     }
 
     @Test
