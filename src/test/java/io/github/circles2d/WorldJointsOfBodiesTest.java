@@ -355,6 +355,26 @@ class WorldJointsOfBodiesTest {
         return world;
     }
 
+    /** By the length of the step in which it broke, also where circles are reported and there are none. */
+    @Test
+    void aJointThatBreaksTellsOfItsForceInThatStep() {
+        float[] forces = new float[2];
+        for (int k = 0; k < 2; k++) {
+            try (World world = WorldScenes.jvm().bounds(0, 0, 40, 20).build()) {
+                world.joints().report(true);
+                world.report(k == 0 ? 0 : Events.BEGIN);
+                long plank = world.bodies().add(PLANK, 10, 10, 0, 1);
+                world.step(1 / 30f);
+                world.joints().add(plank, 0, 0, 10f, 8f, Joint.spring(2, 1).withLength(1).breakingAt(1, 1));
+                world.step(DT);
+                JointEvents events = world.joints().events();
+                assertThat(events.size()).isOne();
+                forces[k] = events.force(0);
+            }
+        }
+        assertThat(forces[1]).isEqualTo(forces[0]).isGreaterThan(1);
+    }
+
     @Test
     void bodiesWithoutJointsHaveTheirHashWithThemToo() {
         try (World world = world(1);

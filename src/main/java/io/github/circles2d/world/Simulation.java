@@ -222,6 +222,7 @@ public final class Simulation implements AutoCloseable {
                     world.handles.hasStatics());
             world.pipeline.step(world.input, levels, steps);
         }
+        world.settings.stepped(timeStep); // before anybody looks for joints that have broken
         if (!circles && world.events.isOn()) {
             world.pending.finish();
             world.guard.changing = true;
@@ -232,7 +233,6 @@ public final class Simulation implements AutoCloseable {
         }
         world.terrain.end(timeStep, world.settings.subSteps());
         world.copies.forgetSaved();
-        world.settings.stepped(timeStep);
         world.guard.changing = false;
     }
 
