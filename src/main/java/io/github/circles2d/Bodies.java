@@ -22,6 +22,9 @@ import io.github.circles2d.world.model.Limits;
  * of {@link Terrain}: a call that gets one for the other refuses it. Bodies of terrain are another thing: they move as they are told, and
  * nothing stops them.
  *
+ * <p><b>No body is static:</b> what stands still, or moves as the game says, is {@link Terrain}. A {@link Joint#pin} to a place of the world holds a body there, which
+ * then turns; two pins hold it still.
+ *
  * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping, greatest speed, restitution, friction and
  * rolling resistance. A body of a sensor ({@link Kind#setSensor}, {@link Response#SENSE}) pushes nothing but walls and notices bodies, circles and
  * pieces of terrain, and these notice bodies likewise: {@link BodyEvents} tells of it, and {@link #touching} lists who is there. {@link World#contactsOf}
@@ -58,7 +61,7 @@ public final class Bodies {
      * @param x x of its centroid, within the bounds along an axis with walls, else up to 1e9 in magnitude
      * @param y y of it, likewise
      * @param angle how far it is turned from how the outline lies, radians anticlockwise, up to 1e6 in magnitude
-     * @param mass from 1e-9 to 1e9; a density times {@link Outline#area}
+     * @param mass from 1e-9 to 1e9, not infinite; a density times {@link Outline#area}
      * @return the handle of the body
      * @throws IllegalArgumentException if a value is out of range; if the outline reaches from its centroid further than a radius may be in these bounds, or
      *     less far; or if there are 65,536 bodies
@@ -75,7 +78,7 @@ public final class Bodies {
      * @param x x of its centroid, within the bounds along an axis with walls, else up to 1e9 in magnitude
      * @param y y of it, likewise
      * @param angle how far it is turned from how the outline lies, radians anticlockwise, up to 1e6 in magnitude
-     * @param mass from 1e-9 to 1e9; a density times {@link Outline#area}
+     * @param mass from 1e-9 to 1e9, not infinite; a density times {@link Outline#area}
      * @param kind the number of its kind, 0 to 255
      * @return the handle of the body
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float)}, or if there is no such kind

@@ -14,8 +14,9 @@ import io.github.circles2d.world.model.Surface;
  * Joint twig = Joint.weld().breakingAt(200, 50);
  * }</pre>
  *
- * <p>A joint has a first circle, and another end: another circle; or an <em>anchor</em>, a place of the world or of a {@link TerrainBody}; or the
- * world without a place. Lines of joints go from centre to centre, or to the anchor.
+ * <p>A joint has a first circle or body ({@link World#bodies}), and another end: another circle or body; or an <em>anchor</em>, a place of the world or of a
+ * {@link TerrainBody}; or the world without a place. It holds a circle by its centre and a body by a point of it. Lines of joints go between these and
+ * anchors.
  *
  * <p>Lengths are up to 1e9; frequencies are in hertz, from 0, which is no spring, to 10,000; damping ratios are from 0 to 1,000, and by 1 a spring
  * does not swing. A spring has its frequency and its damping whatever the masses: it grows stiffer with them. Forces and torques are at least
@@ -99,8 +100,8 @@ public final class Joint {
     }
 
     /**
-     * Keeps two circles as they are to each other when the joint is added: their distance, the direction from one to the other as both turn, and
-     * their angles. So they make one body. Only for two ends that are circles or bodies.
+     * Keeps two circles or bodies as they are to each other when the joint is added: their distance, the direction from one to the other as both turn,
+     * and their angles. So they move as one. An anchor has no weld: two pins hold a body still.
      *
      * @return the definition
      */
@@ -112,7 +113,8 @@ public final class Joint {
     // --------------------------------------------------------------------------------------------------
 
     /**
-     * Keeps the centre of a circle at an anchor. The circle may turn.
+     * Keeps the centre of a circle, or a point of a body, at an anchor; or a point of a body at a circle or at a point of another body: a hinge. Both may
+     * turn.
      *
      * @return the definition
      */
@@ -121,7 +123,7 @@ public final class Joint {
     }
 
     /**
-     * Draws the centre of a circle to an anchor by a spring.
+     * Draws by a spring what {@link #pin()} keeps.
      *
      * @param hertz how often it swings in a second without damping, 0 to 10,000
      * @param dampingRatio 0 to 1,000
@@ -133,11 +135,11 @@ public final class Joint {
     }
 
     /**
-     * Drags a circle to an anchor, which {@link Joints#setAnchor} moves, by a force that is not too great: the mouse, or a finger.
+     * Drags a circle, or a point of a body, to an anchor, which {@link Joints#setAnchor} moves, by a force that is not too great: the mouse, or a finger.
      *
      * @param hertz how fast it follows, 0 to 10,000; 5 is quick
      * @param dampingRatio 0 to 1,000; by 1 it does not overshoot
-     * @param maxForce the greatest force; several times the weight of the circle to lift it. More than 5,000 times its mass may pull it through
+     * @param maxForce the greatest force; several times the weight of what it drags to lift it. More than 5,000 times its mass may pull it through
      *     terrain
      * @return the definition
      * @throws IllegalArgumentException if a value is out of range
@@ -146,12 +148,13 @@ public final class Joint {
         return pin(hertz, dampingRatio).withMaxForce(maxForce);
     }
 
-    // ---- how circles turn
-    // --------------------------------------------------------------------------------------------
+    // ---- how circles and bodies turn
+    // ---------------------------------------------------------------------------------
 
     /**
-     * Turns a circle at a speed, against the world or against another circle. The other circle gets the opposite torque. If joints hold it by its
-     * centre alone, it turns, too, and takes a part of the speed; a {@link #servo} of that circle and the world keeps it upright.
+     * Turns a circle or body at a speed, against the world or against another circle or body. The other one gets the opposite torque. If joints hold that by
+     * its centre alone, it turns, too, and takes a part of the speed; a {@link #servo} of it and the world keeps it upright. A motor holds nothing at a
+     * place: a hinge with a motor is a {@link #pin} and a motor.
      *
      * @param speed radians per second, anticlockwise where y points up, up to 1e9 in magnitude
      * @param maxTorque the greatest torque
@@ -165,8 +168,8 @@ public final class Joint {
     }
 
     /**
-     * Turns a circle to an angle by a spring: its own angle, or how far it is turned against another circle. The spring is as stiff as the inertia of
-     * these circles asks for. What is welded to them counts for nothing there: to lift that, take a high frequency and a high damping ratio, such as 20 and 20.
+     * Turns a circle or body to an angle by a spring: its own angle, or how far it is turned against another one. The spring is as stiff as the inertia of
+     * these asks for. What is welded to them counts for nothing there: to lift that, take a high frequency and a high damping ratio, such as 20 and 20.
      *
      * @param angle radians, up to 1e6 in magnitude
      * @param hertz how often it swings in a second without damping, 0 to 10,000
@@ -183,7 +186,7 @@ public final class Joint {
     }
 
     /**
-     * Slows a circle down, and its turning, as the floor does in a world that is seen from above. Only for a circle and the world. {@link
+     * Slows a circle or body down, and its turning, as the floor does in a world that is seen from above. Only for one of them and the world. {@link
      * Joints#addAll(long[], Joint, long[])} adds it to many circles.
      *
      * @param maxForce the greatest force: the friction times the weight
@@ -251,7 +254,7 @@ public final class Joint {
     }
 
     /**
-     * Whose two circles collide, or do not. Sensors notice circles in any case.
+     * Whose two circles or bodies collide, or do not. Sensors notice them in any case.
      *
      * @param collide whether they do; at first they do not
      * @return another definition
@@ -372,7 +375,7 @@ public final class Joint {
     }
 
     /**
-     * Whether its two circles collide.
+     * Whether its two circles or bodies collide.
      *
      * @return false at first
      */

@@ -32,7 +32,7 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>Rigid</b> joints yield a little if masses differ: a rope of 100 links with an end of 100 times the mass of a link stretches by a fifth.
  * A second joint, a rope from its first circle to its last one, keeps it from that.
  *
- * <p><b>Static circles</b> and bodies may be held, but not two by one joint, nor one by an anchor. A joint whose circles become static afterwards, by {@link
+ * <p><b>Static circles</b> may be held, but not two by one joint, nor one by an anchor. A joint whose circles become static afterwards, by {@link
  * World#setMass}, does nothing until one of them can move again.
  *
  * <p><b>Lengths that nobody gives</b>, and welds, take them from the circles as they are now, which are read for that if they have changed. So add
@@ -64,7 +64,7 @@ public final class Joints {
      * @param other that of the other one
      * @param joint what it does: no friction; no pin either, unless one is a body
      * @return the handle of the joint
-     * @throws IllegalArgumentException if a circle or body has been removed, both are one or are static, the joint is of no use between two, or
+     * @throws IllegalArgumentException if a circle or body has been removed, both are one or are static circles, the joint is of no use between two, or
      *     there are 2^20 joints
      */
     public long add(long circle, long other, Joint joint) {
@@ -82,7 +82,7 @@ public final class Joints {
      * @param otherY y of it
      * @param joint what it does: no friction
      * @return the handle of the joint
-     * @throws IllegalArgumentException if a body has been removed, both are one or are static, a point is too far away, the joint is of no use
+     * @throws IllegalArgumentException if a body has been removed, both are one, a point is too far away, the joint is of no use
      *     between two, or there are 2^20 joints
      */
     public long add(long body, float x, float y, long other, float otherX, float otherY, Joint joint) {
@@ -115,7 +115,7 @@ public final class Joints {
      * @param worldY y of it
      * @param joint what it does: a pin, or a joint along a line, but no weld
      * @return the handle of the joint
-     * @throws IllegalArgumentException if the body has been removed or is static, a value is out of range, the joint takes no anchor, or there are
+     * @throws IllegalArgumentException if the body has been removed, a value is out of range, the joint takes no anchor, or there are
      *     2^20 joints
      */
     public long add(long body, float x, float y, float worldX, float worldY, Joint joint) {
@@ -188,7 +188,7 @@ public final class Joints {
      * @param circle the handle of the circle or body
      * @param joint what it does: a motor, a servo or friction
      * @return the handle of the joint
-     * @throws IllegalArgumentException if the circle or body has been removed or is static, the joint needs another end, or there are 2^20 joints
+     * @throws IllegalArgumentException if the circle or body has been removed, the circle is static, the joint needs another end, or there are 2^20 joints
      */
     public long add(long circle, Joint joint) {
         return simulation.joints.add(circle, form(joint));
@@ -412,7 +412,7 @@ public final class Joints {
     }
 
     /**
-     * The force of a joint on its first circle, the mean of the last step. On its other circle it is the opposite.
+     * The force of a joint on its first circle or body, the mean of the last step. On the other one it is the opposite.
      *
      * @param joint the handle of a joint
      * @return x of the force; 0 before the first step of the joint
@@ -423,7 +423,7 @@ public final class Joints {
     }
 
     /**
-     * The force of a joint on its first circle; see {@link #forceX}.
+     * The force of a joint on its first circle or body; see {@link #forceX}.
      *
      * @param joint the handle of a joint
      * @return y of the force
@@ -446,7 +446,7 @@ public final class Joints {
     }
 
     /**
-     * The torque of a joint on its first circle, the mean of the last step. On its other circle it is the opposite.
+     * The torque of a joint on its first circle or body, the mean of the last step. On the other one it is the opposite.
      *
      * @param joint the handle of a joint
      * @return the torque, anticlockwise where y points up
@@ -605,7 +605,7 @@ public final class Joints {
     }
 
     /**
-     * Sets whether the two circles of a joint collide.
+     * Sets whether the two circles or bodies of a joint collide.
      *
      * @param joint the handle of a joint
      * @param collide whether they do

@@ -23,6 +23,9 @@ import io.github.circles2d.world.terrain.ChainPath;
 public final class Outline {
     private static final int POINT_STRIDE = 2;
 
+    /** Greatest ratio of length and width. */
+    private static final float SLIMMEST = 1000;
+
     private final OutlineShape shape;
 
     private Outline(OutlineShape shape) {
@@ -63,6 +66,11 @@ public final class Outline {
     public static Outline capsule(float length, float radius) {
         float x = extent("length", length) / 2;
         float r = extent("radius", radius);
+        if (x + r > SLIMMEST * r) {
+            // the checks of all outlines see its ends as lines
+            throw new IllegalArgumentException("the capsule is " + 2 * r + " wide and " + (length + 2 * r)
+                    + " long, but must be at least a thousandth as wide as long");
+        }
         ChainPath path = new ChainPath(-x, -r);
         path.lineTo(x, -r);
         path.arcTo(x, 0f, (float) Math.PI);

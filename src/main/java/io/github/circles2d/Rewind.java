@@ -21,6 +21,9 @@ import io.github.circles2d.world.snapshots.SnapshotRing;
  * restore drops the frames that are newer, since they belong to a past that did not happen. To look at a frame and come back to the
  * newest one, restore both and save neither.
  *
+ * <p><b>Memory.</b> A frame takes as much as a snapshot: some 50 bytes a circle, and 60 a body that flies, 130 in a pile. 600 frames of 1,000 circles
+ * are 30 MB, of 1,000 crates in a pile 80 MB.
+ *
  * <p><b>State.</b> A restored world goes on to the same bits as it did before, on every back end. All that {@link World#restore}
  * brings back comes back, parameters such as gravity and the bounds too.
  *

@@ -12,6 +12,10 @@ import java.util.Map;
  * @param contacts pairs of circles that were listed as contacts in the last step: they touch, or might have within the step
  * @param greatestContacts greatest number of contacts of one circle in the last step
  * @param awake circles that steps move: they neither sleep nor are static
+ * @param bodies number of bodies of {@link World#bodies}
+ * @param awakeBodies bodies that do not sleep
+ * @param bodyContacts pairs of a body and something else, a body, a circle, a piece of terrain or a wall, that have contacts since the last step: they
+ *     touch, or might have within the step. Of two bodies that touch there is one pair, however many points they touch at
  * @param bytesHeld bytes of memory that the engine holds for circles and contacts, on the device if there is one
  * @param stageMillis milliseconds spent in each stage since the world was built, by the stage's name; empty unless profiling
  * @param backend the back end that the world runs on; never {@link Backend#AUTO}
@@ -26,6 +30,9 @@ public record WorldStats(
         int contacts,
         int greatestContacts,
         int awake,
+        int bodies,
+        int awakeBodies,
+        int bodyContacts,
         long bytesHeld,
         Map<String, Double> stageMillis,
         Backend backend,

@@ -1,5 +1,5 @@
 /**
- * The public API of circles2d: rigid circles in two dimensions, simulated on the JVM or by OpenCL on CPUs and GPUs.
+ * The public API of circles2d: rigid circles and bodies in two dimensions, simulated on the JVM or by OpenCL on CPUs and GPUs.
  *
  * <p>There are two engines, which have nothing to do with each other:
  *
@@ -98,7 +98,13 @@
  *       which a ray or a moving disc meets.
  *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back;
  *       {@link io.github.circles2d.World#hash} compares two, across machines too.
- *   <li>{@link io.github.circles2d.Kind}: which circles meet, and how they move.
+ *   <li>{@link io.github.circles2d.Terrain}: what does not give way: segments, chains of lines and arcs, and bodies of these that move as the game
+ *       says.
+ *   <li>{@link io.github.circles2d.Bodies}: boxes, capsules and other {@linkplain io.github.circles2d.Outline outlines} that are pushed as circles
+ *       are.
+ *   <li>{@link io.github.circles2d.Joints}: ropes, springs, hinges, motors, the mouse; {@link io.github.circles2d.Ropes} and {@link
+ *       io.github.circles2d.Blobs} make whole ropes and soft balls.
+ *   <li>{@link io.github.circles2d.Kind}: which circles and bodies meet, and how they move.
  *   <li>{@link io.github.circles2d.Rewind} goes back to any of the last frames. {@link io.github.circles2d.Recording} writes a log of
  *       all calls, and {@link io.github.circles2d.Replay} makes them again and compares.
  *   <li>{@link io.github.circles2d.Rollback}: rollback netcode, and the rules that a game keeps for it.

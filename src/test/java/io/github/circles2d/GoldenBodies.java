@@ -2,6 +2,8 @@ package io.github.circles2d;
 
 import io.github.circles2d.reference.BodyOutline;
 import io.github.circles2d.reference.ChainShape;
+import io.github.circles2d.reference.JointPlan;
+import io.github.circles2d.reference.JointPlan.Kind;
 import java.util.SplittableRandom;
 
 /** The bodies that are pushed of the scenes on record, with the terrain that some of them have, and what a caller does to them. */
@@ -142,6 +144,66 @@ final class GoldenBodies {
         world.pressRigidAt(bodies[change % bodies.length], 5f * x, 4f * y, 0.5f, 0.9f);
         world.setRigidGroup(bodies[change * 7 % bodies.length], change % 4);
         world.setGroup(circles[change % circles.length], change % 3 + 1);
+    }
+
+    /** All sorts of joints, between bodies, of bodies and circles, and at places of the world and of a body of terrain that turns. */
+    static void machines(WorldCalls world) {
+        mixed(world);
+        long[] bodies = world.rigids();
+        long[] circles = circles(world);
+        long mill = world.addBody(0.5f, 0.85f, 0.2f);
+        world.setBodyVelocity(mill, 0.01f, -0.005f, 1.5f);
+        for (int k = 0; k < 4; k++) { // a chain, which hangs on the mill
+            world.addRigidJoint(bodies[k], 0.03f, 0f, bodies[k + 1], -0.03f, 0.005f, of(Kind.PIN));
+        }
+        world.addRigidJointToBody(bodies[0], -0.03f, 0f, mill, 0.08f, 0f, of(Kind.PIN));
+        world.addRigidJointToPlace(bodies[5], 0.02f, 0.01f, 0.3f, 0.6f, of(Kind.PIN));
+        world.addJoint(bodies[5], of(Kind.MOTOR, 4f, 0.02f));
+        world.addRigidJoint(bodies[6], 0.02f, 0f, bodies[7], -0.02f, 0.01f, of(Kind.SPRING, 6f, 0.3f));
+        world.addRigidJoint(bodies[6], 0f, 0f, bodies[8], 0f, 0f, of(Kind.WELD).breakingAt(60f, 3f));
+        world.addRigidJointToCircle(bodies[9], 0.04f, -0.03f, circles[0], of(Kind.PIN));
+        world.addRigidJointToCircle(bodies[9], -0.04f, -0.03f, circles[1], of(Kind.SOFT_PIN, 8f, 0.7f));
+        world.addJoint(circles[0], bodies[9], of(Kind.MOTOR, -6f, 0.05f));
+        world.addJoint(circles[2], bodies[10], of(Kind.WELD));
+        world.addRigidJointToPlace(
+                bodies[11], 0f, 0.03f, 0.7f, 0.9f, of(Kind.LIMITS).withLimits(0.05f, 0.25f));
+        world.addRigidJointToPlace(bodies[12], 0.01f, 0.02f, 0.5f, 0.5f, of(Kind.MOUSE, 5f, 1f, 40f));
+        world.addJoint(bodies[13], of(Kind.SERVO, 0.5f, 3f, 0.5f, 0.05f));
+        world.addJoint(bodies[13], bodies[14], of(Kind.SERVO, -0.5f, 40f, 1f, 0.02f));
+        world.addJoint(bodies[15], of(Kind.FRICTION, 4f, 0.02f));
+        world.addRigidJoint(
+                bodies[16], 0f, 0.02f, bodies[17], 0f, -0.02f, of(Kind.DISTANCE).colliding(true));
+    }
+
+    private static JointPlan of(Kind kind, float... numbers) {
+        return JointPlan.of(kind, numbers);
+    }
+
+    private static long[] circles(WorldCalls world) {
+        long[] circles = new long[world.size()];
+        world.readHandles(circles);
+        return circles;
+    }
+
+    /** The mouse goes round; joints come, go and change. */
+    static void rejoin(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        long[] bodies = world.rigids();
+        int change = run.steps() / GoldenChange.PERIOD;
+        long body = bodies[change * 5 % bodies.length];
+        long other = bodies[change * 7 % bodies.length];
+        float x = 0.1f * (change % 9);
+        world.addRigidJointToPlace(body, 0.01f, 0f, x, 0.5f, of(Kind.MOUSE, 2f + change % 5, 0.7f, 10f).breakingAt(9f, 1f));
+        world.addRigidJointToPlace(body, 0f, 0.02f, x, 0.9f, of(Kind.LIMITS).withLimits(0f, 0.6f).breakingAt(30f, 1f));
+        if (body != other) {
+            Kind kind = change % 3 == 0 ? Kind.PIN : change % 3 == 1 ? Kind.WELD : Kind.DISTANCE;
+            world.addRigidJoint(body, 0.01f, 0.01f, other, 0f, 0f, of(kind).breakingAt(3f, 0.2f).colliding(change % 2 == 0));
+        }
+        world.pushRigid(other, 0.3f, 0.5f, 0.5f, 0.5f);
+        if (change % 20 == 19) {
+            world.removeRigid(other);
+            add(world, x, 0.5f, change % MIXED);
+        }
     }
 
     /** Land with slopes, thick segments, an arch and a bowl, off which bodies fall. */

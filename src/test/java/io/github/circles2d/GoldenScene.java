@@ -361,6 +361,15 @@ record GoldenScene(
                                 GoldenBodies::groups)
                         .with(GoldenBodies.MIXED),
                 new GoldenScene(
+                                "bodies-jointed",
+                                BodyScenes.mixed(),
+                                GoldenBodies::rejoin,
+                                Edge.WRAP,
+                                Edge.WALL,
+                                Surfaces.of(0.5f, 0.01f),
+                                GoldenBodies::machines)
+                        .with(GoldenBodies.MIXED),
+                new GoldenScene(
                                 "bodies-asleep",
                                 BodyScenes.ball(),
                                 GoldenSleep::crates,

@@ -16,7 +16,16 @@ class OutlineTest {
     void boxesMayBeAThousandTimesAsLongAsWideOrRoundAllOver() {
         assertEquals(1000, Outline.box(1000, 1).area(), 0.01);
         assertEquals(1000, Outline.box(1, 1000).area(), 0.01);
-        assertThrows(IllegalArgumentException.class, () -> Outline.box(1010, 1));
+        assertEquals(700 * 0.7, Outline.box(0.7f, 700).area(), 0.01);
+        assertEquals(2000 * 2 + 2 * (Math.PI / 2 - 2), Outline.capsule(1998, 1).area(), 0.01);
+        refused("1.0 wide and 1001.0", () -> Outline.box(1, 1001));
+        refused("1.0 wide and 1001.0", () -> Outline.box(1001, 1));
+        refused("2.0 wide and 2001.0 long", () -> Outline.capsule(1999, 1));
+        for (int k = 0; k < 12; k++) {
+            assertEquals(1000, Outline.polygon(turned(1000, 0.3 * k)).area(), 0.2);
+            float[] longer = turned(1001, 0.3 * k);
+            refused("wide", () -> Outline.polygon(longer));
+        }
         Outline disc = Outline.box(2, 2).round(1);
         assertEquals(Math.PI, disc.area(), 1e-6);
         assertEquals(0.5, disc.inertia(1), 1e-6);
@@ -24,6 +33,18 @@ class OutlineTest {
         Outline capsule = Outline.box(4, 2).round(1);
         assertEquals(Outline.capsule(2, 1).area(), capsule.area(), 1e-6);
         assertEquals(Outline.capsule(2, 1).inertia(1), capsule.inertia(1), 1e-6);
+    }
+
+    /** A box so long and 1 wide, turned by an angle. */
+    private static float[] turned(double length, double angle) {
+        double[] x = {-length / 2, length / 2, length / 2, -length / 2};
+        double[] y = {-0.5, -0.5, 0.5, 0.5};
+        float[] points = new float[8];
+        for (int k = 0; k < 4; k++) {
+            points[2 * k] = (float) (Math.cos(angle) * x[k] - Math.sin(angle) * y[k]);
+            points[2 * k + 1] = (float) (Math.sin(angle) * x[k] + Math.cos(angle) * y[k]);
+        }
+        return points;
     }
 
     @Test

@@ -125,6 +125,9 @@ class ReferenceFuzzTest {
                 for (int k = 0; k < (rigids ? 8 : 0); k++) {
                     addRigid();
                 }
+                for (int k = 0; k < (joints && rigids ? 6 : 0); k++) {
+                    joinRigid();
+                }
                 int count = 10 + random.nextInt(30);
                 for (int k = 0; k < count; k++) {
                     call();
@@ -170,6 +173,9 @@ class ReferenceFuzzTest {
             }
             if (rigids && random.nextInt(2) == 0) {
                 changeRigids();
+            }
+            if (joints && rigids && random.nextInt(3) == 0) {
+                joinRigid();
             }
             switch (random.nextInt(turns ? 50 : 38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
@@ -1064,6 +1070,59 @@ class ReferenceFuzzTest {
         private void joinAlone(long circle) {
             JointPlan plan = plan(JointPlan.Kind.MOTOR, JointPlan.Kind.SERVO, JointPlan.Kind.FRICTION);
             bothIfAllowed("add joint of one circle", c -> c.addJoint(circle, plan));
+        }
+
+        /** A joint of a body with something, which may be far away. */
+        private void joinRigid() {
+            long[] all = reference.rigids();
+            if (all.length == 0) {
+                return;
+            }
+            long body = all[random.nextInt(all.length)];
+            long other = all[random.nextInt(all.length)];
+            float[] at = point(body);
+            float[] to = point(other);
+            JointPlan plan = plan(JointPlan.Kind.values());
+            switch (random.nextInt(7)) {
+                case 0, 1 ->
+                    bothIfAllowed(
+                            "join points of bodies",
+                            c -> c.addRigidJoint(body, at[0], at[1], other, to[0], to[1], plan));
+                case 2 -> bothIfAllowed("join bodies", c -> c.addJoint(body, other, plan));
+                case 3 ->
+                    withSome(circle -> bothIfAllowed(
+                            "join a body to a circle",
+                            c -> c.addRigidJointToCircle(body, at[0], at[1], circle, plan)));
+                case 4 -> withSome(circle -> bothIfAllowed("join a circle to a body", c -> c.addJoint(circle, body, plan)));
+                case 5 -> {
+                    float x = x();
+                    float y = y();
+                    bothIfAllowed(
+                            "join a body to a place", c -> c.addRigidJointToPlace(body, at[0], at[1], x, y, plan));
+                }
+                default -> joinRigidFurther(body, at, plan);
+            }
+        }
+
+        private void joinRigidFurther(long body, float[] at, JointPlan plan) {
+            if (random.nextBoolean()) {
+                bothIfAllowed("join a body", c -> c.addJoint(body, plan));
+                return;
+            }
+            long onBody = someBody();
+            float x = x(onBody);
+            float y = y(onBody);
+            bothIfAllowed(
+                    "join a body to one of terrain",
+                    c -> c.addRigidJointToBody(body, at[0], at[1], onBody, x, y, plan));
+        }
+
+        /** Of a body, mostly within its reach. */
+        private float[] point(long body) {
+            float reach = world.bodies().outline(body).reach() * (random.nextInt(8) == 0 ? 20f : 1f);
+            return random.nextInt(4) == 0
+                    ? new float[] {-0f, 0f}
+                    : new float[] {value(-reach, reach), value(-reach, reach)};
         }
 
         /** A chain of the circles behind one. */

@@ -247,13 +247,45 @@ class WorldBodiesTest {
                     .withMessageContaining("it is of a circle");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.x(body))
-                    .withMessageContaining("it is of a body that is no terrain");
+                    .withMessageContaining("it is of a body of World.bodies");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.terrain().remove(body));
             assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));
             assertThat(world.terrain().contains(body)).isFalse();
             assertThat(world.joints().contains(body)).isFalse();
             assertThat(bodies.contains(world.terrain().ground().handle())).isFalse();
+        }
+    }
+
+    @Test
+    void statsCountBodiesAndPairsWithContacts() {
+        try (World world = WorldScenes.jvm()
+                        .bounds(0, 0, 20, 10)
+                        .gravity(0, -10)
+                        .sleep(true)
+                        .build();
+                World restored = world()) {
+            Bodies bodies = world.bodies();
+            assertThat(world.stats().bodies()).isZero();
+            bodies.add(CRATE, 4, 0.25f, 0, 1);
+            bodies.add(CRATE, 4, 0.75f, 0, 1);
+            bodies.add(CRATE, 9, 0.25f, 0, 1);
+            world.add(9, 1, 0.5f, 1);
+            assertThat(world.stats().bodyContacts()).isZero();
+            world.step(1 / 60f, 10);
+            assertThat(world.stats().bodies()).isEqualTo(3);
+            assertThat(world.stats().awakeBodies()).isEqualTo(3);
+            assertThat(world.stats().circles()).isOne();
+            assertThat(world.stats().contacts()).isZero();
+            // two of them lie on the floor, one on another one, a circle on one
+            assertThat(world.stats().bodyContacts()).isEqualTo(4);
+            restored.restore(snapshot(world));
+            assertThat(restored.stats().bodyContacts()).isEqualTo(4);
+            world.step(1 / 60f, 300);
+            assertThat(world.stats().awakeBodies()).isEqualTo(bodies.awake()).isZero();
+            assertThat(world.stats().bodyContacts()).isEqualTo(4);
+            bodies.clear();
+            assertThat(world.stats().bodyContacts()).isZero();
         }
     }
 
@@ -265,8 +297,22 @@ class WorldBodiesTest {
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, Float.NaN, 5, 0, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 21, 5, 0, 2));
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, Float.NaN, 2));
-            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0));
-            assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 0))
+                    .withMessageContaining("mass is 0.0")
+                    .withMessageContaining("World.terrain");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, Float.POSITIVE_INFINITY))
+                    .withMessageContaining("World.terrain")
+                    .withMessageContaining("Joint.pin");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.addAll(
+                            CRATE, new float[] {1, 1, 0, 1, 2, 2, 0, Float.POSITIVE_INFINITY}, null, null))
+                    .withMessageContaining("body 1")
+                    .withMessageContaining("World.terrain");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, -1))
+                    .withMessage("mass is -1.0, but must be from 1.0E-9 to 1.0E9");
             assertThatIllegalArgumentException().isThrownBy(() -> bodies.add(CRATE, 4, 5, 0, 2, 256));
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> bodies.add(Outline.box(30, 1), 4, 5, 0, 2))

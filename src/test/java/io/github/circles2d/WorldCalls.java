@@ -312,7 +312,25 @@ public interface WorldCalls {
         return joints().add(circle, body(body), x, y, joint(plan));
     }
 
-    /** Of one circle, or of none but the world. */
+    default long addRigidJoint(
+            long body, float x, float y, long other, float otherX, float otherY, JointPlan plan) {
+        return joints().add(body, x, y, other, otherX, otherY, joint(plan));
+    }
+
+    default long addRigidJointToCircle(long body, float x, float y, long circle, JointPlan plan) {
+        return joints().add(body, x, y, circle, joint(plan));
+    }
+
+    default long addRigidJointToPlace(long body, float x, float y, float toX, float toY, JointPlan plan) {
+        return joints().add(body, x, y, toX, toY, joint(plan));
+    }
+
+    default long addRigidJointToBody(
+            long body, float x, float y, long terrainBody, float toX, float toY, JointPlan plan) {
+        return joints().add(body, x, y, body(terrainBody), toX, toY, joint(plan));
+    }
+
+    /** Of one circle or body, or of none but the world. */
     default long addJoint(long circle, JointPlan plan) {
         return joints().add(circle, joint(plan));
     }

@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls on joints of bodies that are pushed do what they say; these joints are state. */
 class WorldJointsOfBodiesTest {
@@ -259,14 +261,26 @@ class WorldJointsOfBodiesTest {
             refused("was removed", j -> j.add(a, 0, 0, gone, 1, 0, pin), joints);
             refused("it is of a circle", j -> j.add(a, 0, 0, circle, 1, 0, pin), joints);
             refused("it is of a circle", j -> j.add(circle, 0, 0, b, 1, 0, pin), joints);
-            refused("it is of a body", j -> j.add(a, 0, 0, b, pin), joints);
-            refused("it is of a body", j -> j.add(a, 1f, 1f, pin), joints);
+            String point = "it is of a body of World.bodies, which a joint holds at a point: x and y of it";
+            refused(point, j -> j.add(a, 0, 0, b, pin), joints);
+            refused(point, j -> j.add(a, 1f, 1f, pin), joints);
+            refused(point, j -> j.add(a, world.terrain().ground(), 1, 1, pin), joints);
+            refused("it is of a body of World.bodies", j -> j.addAll(new long[] {a}, new long[] {b}, pin, null), joints);
             refused("it is of a joint", j -> j.add(a, 0, 0, joint, pin), joints);
             refused("no circle has the handle 0", j -> j.add(a, 0, pin), joints);
-            refused("friction", j -> j.add(a, b, Joint.friction(1, 1)), joints);
-            refused("weld", j -> j.add(a, 0, 0, 1f, 1f, Joint.weld()), joints);
-            refused("motor", j -> j.add(a, 0, 0, 1f, 1f, Joint.motor(1, 1)), joints);
-            refused("pin", j -> j.add(a, pin), joints);
+            refused(
+                    "a friction joint cannot hold a body to another end, but must hold it to the world",
+                    j -> j.add(a, b, Joint.friction(1, 1)),
+                    joints);
+            refused(
+                    "a weld takes no anchor, but must hold a body to another body or a circle",
+                    j -> j.add(a, 0, 0, 1f, 1f, Joint.weld()),
+                    joints);
+            refused(
+                    "a motor takes no anchor, but must hold a body to another body, a circle or the world",
+                    j -> j.add(a, 0, 0, 1f, 1f, Joint.motor(1, 1)),
+                    joints);
+            refused("a pin must hold a body to another body, a circle or an anchor", j -> j.add(a, pin), joints);
             refused("holds two things", j -> j.setAnchor(joint, 1, 1), joints);
             refused("holds two things", j -> j.anchorX(joint), joints);
             assertThat(world.hash()).isEqualTo(before);
@@ -293,6 +307,72 @@ class WorldJointsOfBodiesTest {
                 assertThatIllegalArgumentException().isThrownBy(() -> other.restore(ByteBuffer.wrap(damaged)));
             }
         }
+    }
+
+    /** A circle that a joint holds leaves its path as far as it is pushed: not once the joint has broken, whether or not somebody asks. */
+    @Test
+    void aJointThatBreaksIsGoneInTheNextStepWhetherOrNotSomebodyAsks() {
+        for (int phase = 0; phase < 10; phase++) {
+            try (World one = breaking(phase, Backend.JVM);
+                    World many = breaking(phase, Backend.JVM)) {
+                compareSteps(one, many);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
+    void soItIsOnDevices(Backend backend) {
+        for (int phase = 0; phase < 5; phase++) {
+            try (World one = breaking(phase, Backend.JVM);
+                    World many = breaking(phase, backend)) {
+                compareSteps(one, many);
+            }
+        }
+    }
+
+    private static void compareSteps(World one, World many) {
+        for (int k = 0; k < 12; k++) {
+            one.step(DT);
+            assertThat(one.joints().size()).isZero(); // asks who has gone
+        }
+        many.step(DT, 12);
+        assertThat(one.vx(one.handle(0))).isGreaterThan(20);
+        assertThat(many.hash()).isEqualTo(one.hash());
+    }
+
+    /** The joint of a light circle breaks at once, and a heavy one hits the circle some steps later. */
+    private static World breaking(int phase, Backend backend) {
+        World world = WorldScenes.jvm()
+                .bounds(0, 0, 20, 12)
+                .restitution(1)
+                .backend(backend)
+                .build();
+        long circle = world.add(6, 6, 0.4f, 0.1f);
+        long crate = world.bodies().add(Outline.box(0.5f, 0.5f), 6, 9, 0, 1);
+        world.joints().add(crate, 0, 0, circle, Joint.spring(5, 1).withLength(2.9f).breakingAt(0.01f, 1));
+        world.setVelocity(world.add(1 + 0.05f * phase, 6, 0.4f, 10), 30, 0);
+        return world;
+    }
+
+    /** By the length of the step in which it broke, also where circles are reported and there are none. */
+    @Test
+    void aJointThatBreaksTellsOfItsForceInThatStep() {
+        float[] forces = new float[2];
+        for (int k = 0; k < 2; k++) {
+            try (World world = WorldScenes.jvm().bounds(0, 0, 40, 20).build()) {
+                world.joints().report(true);
+                world.report(k == 0 ? 0 : Events.BEGIN);
+                long plank = world.bodies().add(PLANK, 10, 10, 0, 1);
+                world.step(1 / 30f);
+                world.joints().add(plank, 0, 0, 10f, 8f, Joint.spring(2, 1).withLength(1).breakingAt(1, 1));
+                world.step(DT);
+                JointEvents events = world.joints().events();
+                assertThat(events.size()).isOne();
+                forces[k] = events.force(0);
+            }
+        }
+        assertThat(forces[1]).isEqualTo(forces[0]).isGreaterThan(1);
     }
 
     @Test

@@ -222,6 +222,7 @@ public final class Simulation implements AutoCloseable {
                     world.handles.hasStatics());
             world.pipeline.step(world.input, levels, steps);
         }
+        world.settings.stepped(timeStep); // before anybody looks for joints that have broken
         if (!circles && world.events.isOn()) {
             world.pending.finish();
             world.guard.changing = true;
@@ -232,7 +233,6 @@ public final class Simulation implements AutoCloseable {
         }
         world.terrain.end(timeStep, world.settings.subSteps());
         world.copies.forgetSaved();
-        world.settings.stepped(timeStep);
         world.guard.changing = false;
     }
 
@@ -311,6 +311,9 @@ public final class Simulation implements AutoCloseable {
                     hold ? world.pipeline.contacts() : 0,
                     hold ? world.pipeline.greatestContacts() : 0,
                     readings.awake(),
+                    world.rigids.step.count,
+                    world.rigids.step.awake(),
+                    world.rigids.step.contactPairs(),
                     world.pipeline.bytesHeld()
                             + world.events.bytes()
                             + world.terrain.bytes()

@@ -18,12 +18,39 @@ final class ReferenceJoint {
 
     private static final long JOINT = 0x6A6F696E74733264L;
 
+    /**
+     * What it holds at one side: a circle, a body that is pushed, or neither.
+     *
+     * @param circle null if it is none
+     * @param rigid null if it is none
+     * @param point where it holds a body, in the coordinates of that
+     */
+    record End(Circle circle, Rigid rigid, float... point) {
+        static final End NOTHING = of((Circle) null);
+
+        static End of(Circle circle) {
+            return new End(circle, null, 0f, 0f);
+        }
+
+        /** A zero is always +0. */
+        static End of(Rigid rigid, float x, float y) {
+            return new End(null, rigid, x + 0f, y + 0f);
+        }
+    }
+
     final int id;
     final long handle;
+
+    /** Null if there is a body. */
     final Circle a;
 
-    /** Null if there is an anchor, or nothing. */
+    /** Null if there is a body, an anchor, or nothing. */
     final Circle b;
+
+    /** The bodies that are pushed at A and B, and where it holds them; null if there are none. */
+    final Rigid[] rigids;
+
+    final float[][] points;
 
     /** Of the anchor; null if it is the world's. */
     final Body body;
@@ -71,11 +98,13 @@ final class ReferenceJoint {
 
     float sumOfTurning;
 
-    ReferenceJoint(int id, long handle, Circle a, Circle b, Body body, float[] anchor) {
+    ReferenceJoint(int id, long handle, End a, End b, Body body, float[] anchor) {
         this.id = id;
         this.handle = handle;
-        this.a = a;
-        this.b = b;
+        this.a = a.circle;
+        this.b = b.circle;
+        rigids = new Rigid[] {a.rigid, b.rigid};
+        points = new float[][] {a.point, b.point};
         this.body = body;
         this.anchor = anchor;
     }
@@ -129,13 +158,16 @@ final class ReferenceJoint {
                 keepsDirection = true;
                 angular = Angular.RIGID;
                 float[] way = way(arena);
-                float between = lengthOf(way);
+                float between = holdsRigid() ? 0f : lengthOf(way);
                 direction = between > 0f ? new float[] {way[0] / between, way[1] / between} : new float[] {1f, 0f};
-                referenceOfA = a.angle;
-                referenceOfB = b.angle;
+                referenceOfA = angle(0);
+                referenceOfB = angle(1);
+                meet(way, arena);
             }
         }
-        if (linear == Linear.ALONG && (rigid || elastic)) {
+        if (keepsDirection && holdsRigid()) {
+            length = 0f;
+        } else if (linear == Linear.ALONG && (rigid || elastic)) {
             length = Float.isNaN(plan.length()) ? lengthOf(way(arena)) : plan.length() + 0f;
         }
         limit(plan.leastLength(), plan.greatestLength());
@@ -172,9 +204,56 @@ final class ReferenceJoint {
         sumOfTurning = 0f;
     }
 
-    /** From A to B, or to the anchor, by the bases as they are now. */
+    /** From A to B, or to the anchor, as they are now. */
     private float[] way(Arena arena) {
-        return arena.way(a.base, b == null ? anchorPlace(arena) : b.base);
+        return arena.way(place(0, arena), place(1, arena));
+    }
+
+    private Circle circle(int side) {
+        return side == 0 ? a : b;
+    }
+
+    private float[] place(int side, Arena arena) {
+        if (rigids[side] != null) {
+            return rigids[side].place(points[side], arena);
+        }
+        return circle(side) == null ? anchorPlace(arena) : circle(side).base;
+    }
+
+    private int angle(int side) {
+        return rigids[side] != null ? rigids[side].angle : circle(side).angle;
+    }
+
+    /** A weld of a body gets a point that both ends have: the middle between them, or the centre of a circle. */
+    private void meet(float[] way, Arena arena) {
+        float share = a != null ? 0f : b != null ? 1f : 0.5f;
+        float[] from = place(0, arena);
+        float[] at = {from[0] + share * way[0], from[1] + share * way[1]};
+        for (int side = 0; side < 2; side++) {
+            if (rigids[side] != null) {
+                points[side] = rigids[side].pointAt(at, arena);
+            }
+        }
+    }
+
+    boolean holdsRigid() {
+        return rigids[0] != null || rigids[1] != null;
+    }
+
+    boolean isOf(Rigid rigid) {
+        return rigids[0] == rigid || rigids[1] == rigid;
+    }
+
+    /** The handle of the circle or the body at a side; 0 if there is neither. */
+    long handle(int side) {
+        Circle circle = circle(side);
+        return rigids[side] != null ? rigids[side].handle : circle == null ? 0 : circle.handle;
+    }
+
+    /** Whether it keeps a body and a circle, or another body, from colliding. */
+    boolean parts(RigidThing body, RigidThing other) {
+        boolean isOther = other.body != null ? isOf(other.body) : other.circle != null && isOf(other.circle);
+        return !collides && isOther && isOf(body.body);
     }
 
     private static float lengthOf(float[] way) {
@@ -198,8 +277,14 @@ final class ReferenceJoint {
     // ---- sleep
     // ---------------------------------------------------------------------------------------------------
 
-    /** Whether a circle of it sleeps, and none that a step could move is awake: steps leave it out. */
+    /** Whether a circle of it sleeps, and none that a step could move is awake; or whether all it holds are bodies that sleep: steps leave it out. */
     boolean rests() {
+        if (holdsRigid()) {
+            return a == null
+                    && b == null
+                    && (rigids[0] == null || rigids[0].isAsleep())
+                    && (rigids[1] == null || rigids[1].isAsleep());
+        }
         boolean sleeps = a.isAsleep() || b != null && b.isAsleep();
         return sleeps && a.isStatic() && (b == null || b.isStatic());
     }
@@ -218,6 +303,9 @@ final class ReferenceJoint {
 
     /** Whether it moves one of its circles whatever the others do: by a motor, or since what it holds it to moves by itself. */
     boolean drives(Circle c) {
+        if (holdsRigid()) {
+            return true;
+        }
         if (angular == Angular.SPEED && speed != 0f && mostTorque > 0f || body != null && body.motion != null) {
             return true;
         }
@@ -251,9 +339,13 @@ final class ReferenceJoint {
 
     long hash() {
         long h = ReferenceWorld.absorb(ReferenceWorld.absorb(ReferenceWorld.absorb(JOINT, id), form()), colour);
-        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, a.id), b == null ? -1 : b.id);
+        h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, a == null ? -1 : a.id), b == null ? -1 : b.id);
         h = ReferenceWorld.absorb(h, body == null ? 0 : body.id);
         h = ReferenceWorld.absorb(ReferenceWorld.absorb(h, referenceOfA), referenceOfB);
+        for (int side = 0; side < 2 && holdsRigid(); side++) {
+            h = ReferenceWorld.absorb(h, rigids[side] == null ? -1 : rigids[side].id);
+            h = ReferenceWorld.absorb(h, points[side]);
+        }
         h = ReferenceWorld.absorb(h, anchor == null ? new float[2] : anchor);
         h = ReferenceWorld.absorb(h, length, leastLength, greatestLength, mostForce, mostTorque, speed);
         h = ReferenceWorld.absorb(h, breakForce, breakTorque, direction[0], direction[1], frequency, damping);

@@ -2,6 +2,7 @@ package io.github.circles2d.reference;
 
 import io.github.circles2d.JointEvents;
 import io.github.circles2d.Joints;
+import io.github.circles2d.reference.ReferenceJoint.End;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -12,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The joints between circles, and between circles and places. */
+/** The joints between circles, bodies and places. */
 final class ReferenceJoints {
     /** The colour of joints that found none. */
     static final int SPLIT = 24;
@@ -63,29 +64,32 @@ final class ReferenceJoints {
     // ---- calls
     // -----------------------------------------------------------------------------------------------
 
-    /** Adds a joint to a circle, or to a place. */
-    ReferenceJoint add(Circle a, Circle b, Body body, float[] anchor, JointPlan plan, Arena arena) {
+    /** Adds a joint of a circle or a body with another one, or with a place. */
+    ReferenceJoint add(End a, End b, Body body, float[] anchor, JointPlan plan, Arena arena) {
         if (!joints.contains(null)) {
             joints.add(null);
         }
         int id = joints.indexOf(null);
         long handle = (long) generations.merge(id, 1, Integer::sum) << 32 | 1 << 30 | id;
         ReferenceJoint joint = new ReferenceJoint(id, handle, a, b, body, anchor);
+        joint.colour = joint.holdsRigid() ? SPLIT : 0;
         while (joint.colour < SPLIT && isTaken(joint.colour, joint)) {
             joint.colour++;
         }
         joint.become(plan, arena);
         joints.set(id, joint);
-        if (b != null) {
-            splitIfHub(a);
-            splitIfHub(b);
+        if (joint.a != null && joint.b != null) {
+            splitIfHub(joint.a);
+            splitIfHub(joint.b);
         }
         return joint;
     }
 
     private void splitIfHub(Circle circle) {
         List<ReferenceJoint> own =
-                all().stream().filter(j -> j.b != null && j.isOf(circle)).toList();
+                all().stream()
+                .filter(j -> j.a != null && j.b != null && j.isOf(circle))
+                .toList();
         if (own.size() > HUB) {
             own.forEach(j -> j.colour = SPLIT);
         }
@@ -98,12 +102,10 @@ final class ReferenceJoints {
                         other.colour == colour && (other.isOf(joint.a) || joint.b != null && other.isOf(joint.b)));
     }
 
-    /** Its circles wake if a call changes something of it. */
+    /** Its circles and bodies wake if a call changes something of it. */
     static void wake(ReferenceJoint joint) {
-        joint.a.wake();
-        if (joint.b != null) {
-            joint.b.wake();
-        }
+        Stream.of(joint.a, joint.b).filter(Objects::nonNull).forEach(Circle::wake);
+        Stream.of(joint.rigids).filter(Objects::nonNull).forEach(Rigid::wake);
     }
 
     void remove(ReferenceJoint joint) {
@@ -118,6 +120,20 @@ final class ReferenceJoints {
         });
     }
 
+    /** Removes the joints of a body that goes. */
+    void removed(Rigid gone) {
+        all().stream()
+                .filter(joint -> joint.isOf(gone))
+                .forEach(joint -> go(joint, JointEvents.Reason.BODY_REMOVED, 0f, 0f));
+    }
+
+    /** Removes the joints of all bodies. */
+    void removedRigids() {
+        all().stream()
+                .filter(ReferenceJoint::holdsRigid)
+                .forEach(joint -> go(joint, JointEvents.Reason.BODY_REMOVED, 0f, 0f));
+    }
+
     /** Removes the joints of bodies of terrain that go. */
     void removedBodies(Predicate<Body> gone) {
         all().stream()
@@ -126,8 +142,7 @@ final class ReferenceJoints {
     }
 
     private void go(ReferenceJoint joint, JointEvents.Reason reason, float force, float torque) {
-        long other = joint.b == null ? 0 : joint.b.handle;
-        events.add(new JointEvent(joint.handle, joint.a.handle, other, force, torque, reason));
+        events.add(new JointEvent(joint.handle, joint.handle(0), joint.handle(1), force, torque, reason));
         remove(joint);
     }
 
@@ -148,17 +163,14 @@ final class ReferenceJoints {
         circles.forEach(c -> c.beginJoints(k));
         all().stream().filter(ReferenceJoint::rests).forEach(joint -> joint.keep(warmScale));
         visits = all().stream()
-                .filter(joint -> !joint.rests())
+                .filter(joint -> !joint.holdsRigid() && !joint.rests())
                 .map(joint -> new JointVisit(joint, k, warmScale))
                 .sorted(Comparator.comparingInt((JointVisit visit) -> visit.joint.colour)
                         .thenComparingInt(visit -> visit.joint.id))
                 .toList();
         for (ReferenceJoint joint : all()) {
-            joint.a.jointed = true;
-            if (joint.b != null) {
-                joint.b.jointed = true;
-            }
-            if (joint.b != null && !joint.collides) {
+            Stream.of(joint.a, joint.b).filter(Objects::nonNull).forEach(c -> c.jointed = true);
+            if (joint.a != null && joint.b != null && !joint.collides) {
                 joint.a.parted.add(joint.b);
                 joint.b.parted.add(joint.a);
             }
@@ -238,11 +250,10 @@ final class ReferenceJoints {
         takeAll(Circle::takeJointImpulses);
     }
 
-    /** Ends a step: some break. Returns the circles of these. */
-    List<Circle> end(float dt) {
-        List<ReferenceJoint> broken = visits.stream()
-                .filter(JointVisit::breaks)
-                .map(visit -> visit.joint)
+    /** Ends a step: some break, among them those of bodies. Returns the circles of these. */
+    List<Circle> end(float dt, List<ReferenceJoint> ofBodies) {
+        List<ReferenceJoint> broken = Stream.concat(
+                        visits.stream().filter(JointVisit::breaks).map(visit -> visit.joint), ofBodies.stream())
                 .sorted(Comparator.comparingInt(joint -> joint.id))
                 .toList();
         broken.forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));

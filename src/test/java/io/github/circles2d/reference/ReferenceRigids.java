@@ -24,6 +24,11 @@ final class ReferenceRigids {
         return byId.stream().filter(Objects::nonNull).toList();
     }
 
+    /** Whether a handle is of a body that is pushed. */
+    static boolean isRigid(long handle) {
+        return ((int) handle & 7 << 28) == MARK;
+    }
+
     Rigid byId(int id) {
         return byId.get(id);
     }

@@ -11,6 +11,7 @@ import io.github.circles2d.StaleHandles;
 import io.github.circles2d.Terrain;
 import io.github.circles2d.Wall;
 import io.github.circles2d.WorldCalls;
+import io.github.circles2d.reference.ReferenceJoint.End;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -689,6 +690,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void removeRigid(long body) {
+        joints.removed(rigids.find(body));
         wakeNear(rigids.find(body));
         rigids.remove(rigids.find(body));
     }
@@ -705,6 +707,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void clearRigids() {
+        joints.removedRigids();
         wakeAll();
         rigids.clear();
     }
@@ -801,19 +804,49 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, long other, JointPlan plan) {
-        return added(joints.add(find(circle), find(other), null, null, plan, arena));
+        return added(joints.add(end(circle), end(other), null, null, plan, arena));
     }
 
     @Override
     public long addJoint(long circle, float x, float y, JointPlan plan) {
-        return added(joints.add(find(circle), null, null, place(x, y), plan, arena));
+        return added(joints.add(end(circle), End.NOTHING, null, place(x, y), plan, arena));
     }
 
     @Override
     public long addJointToBody(long circle, long body, float x, float y, JointPlan plan) {
+        return addAnchored(end(circle), body, x, y, plan);
+    }
+
+    private long addAnchored(End end, long body, float x, float y, JointPlan plan) {
         boolean onGround = terrain.body(body).id == 0;
         float[] place = onGround ? place(x, y) : new float[] {x + 0f, y + 0f};
-        return added(joints.add(find(circle), null, onGround ? null : terrain.body(body), place, plan, arena));
+        return added(joints.add(end, End.NOTHING, onGround ? null : terrain.body(body), place, plan, arena));
+    }
+
+    /** A circle, or the centroid of a body. */
+    private End end(long handle) {
+        return ReferenceRigids.isRigid(handle) ? End.of(rigids.find(handle), 0f, 0f) : End.of(find(handle));
+    }
+
+    @Override
+    public long addRigidJoint(long body, float x, float y, long other, float otherX, float otherY, JointPlan plan) {
+        End end = End.of(rigids.find(body), x, y);
+        return added(joints.add(end, End.of(rigids.find(other), otherX, otherY), null, null, plan, arena));
+    }
+
+    @Override
+    public long addRigidJointToCircle(long body, float x, float y, long circle, JointPlan plan) {
+        return added(joints.add(End.of(rigids.find(body), x, y), end(circle), null, null, plan, arena));
+    }
+
+    @Override
+    public long addRigidJointToPlace(long body, float x, float y, float toX, float toY, JointPlan plan) {
+        return added(joints.add(End.of(rigids.find(body), x, y), End.NOTHING, null, place(toX, toY), plan, arena));
+    }
+
+    @Override
+    public long addRigidJointToBody(long body, float x, float y, long terrainBody, float toX, float toY, JointPlan plan) {
+        return addAnchored(End.of(rigids.find(body), x, y), terrainBody, toX, toY, plan);
     }
 
     /** A zero is always +0. */
@@ -823,7 +856,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long addJoint(long circle, JointPlan plan) {
-        return added(joints.add(find(circle), null, null, new float[2], plan, arena));
+        return added(joints.add(end(circle), End.NOTHING, null, new float[2], plan, arena));
     }
 
     private static long added(ReferenceJoint joint) {

@@ -60,6 +60,25 @@ final class Rigid {
         inertia = mass * outline.inertia;
     }
 
+    /** Where a point of it is in the world. */
+    float[] place(float[] point, Arena arena) {
+        float[] at = turned(angle, point[0], point[1]);
+        return new float[] {arena.inside(0, base[0] + at[0]), arena.inside(1, base[1] + at[1])};
+    }
+
+    /** Where a place of the world is in its coordinates. */
+    float[] pointAt(float[] place, Arena arena) {
+        float[] way = arena.way(base, new float[] {arena.inside(0, place[0]), arena.inside(1, place[1])});
+        float[] point = turned(-angle, way[0], way[1]);
+        return new float[] {point[0] + 0f, point[1] + 0f};
+    }
+
+    private static float[] turned(int units, float x, float y) {
+        double cos = Angles.cos(units);
+        double sin = Angles.sin(units);
+        return new float[] {(float) (cos * x - sin * y), (float) (sin * x + cos * y)};
+    }
+
     boolean isAsleep() {
         return restSteps < 0;
     }

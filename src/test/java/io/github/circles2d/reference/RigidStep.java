@@ -39,6 +39,11 @@ final class RigidStep {
     private final StepParameters k;
     private final Kinds kinds;
     private final List<RigidThing> bodies;
+
+    /** Those that hold bodies and do not rest, in the order of their ids. */
+    private final List<ReferenceJoint> joints;
+
+    private List<RigidJointVisit> visits = List.of();
     private final List<RigidThing> things = new ArrayList<>();
 
     /** Those with contacts, in the order of the types and the ids. */
@@ -50,13 +55,22 @@ final class RigidStep {
     /** Those without circles, in the order in which a pass visits them. */
     private List<RigidPair> coloured = List.of();
 
-    RigidStep(List<Rigid> bodies, List<Circle> circles, ReferenceTerrain terrain, StepParameters k, Kinds kinds) {
+    RigidStep(
+            List<Rigid> bodies,
+            List<Circle> circles,
+            ReferenceTerrain terrain,
+            ReferenceJoints joints,
+            StepParameters k,
+            Kinds kinds) {
         this.circles = circles;
         this.terrain = terrain;
         this.k = k;
         this.kinds = kinds;
         this.bodies = bodies.stream().map(this::thing).toList();
         things.addAll(this.bodies);
+        this.joints = joints.all().stream()
+                .filter(joint -> joint.holdsRigid() && !joint.rests())
+                .toList();
     }
 
     // ---- what takes part
@@ -254,6 +268,11 @@ final class RigidStep {
         return kinds.response(body.kind, kind) == Response.SOLID;
     }
 
+    /** Whether a joint keeps two from colliding. */
+    private boolean areParted(RigidThing body, RigidThing other) {
+        return joints.stream().anyMatch(joint -> joint.parts(body, other));
+    }
+
     private static boolean areOfOneGroup(RigidThing body, int group) {
         return group != 0 && body.body.group == group;
     }
@@ -281,6 +300,7 @@ final class RigidStep {
                         && (t.gives() || o.gives())
                         && meets(t, o.kind)
                         && !areOfOneGroup(t, o.body.group)
+                        && !areParted(t, o)
                         && meet(box(t), box(o))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
@@ -317,7 +337,8 @@ final class RigidStep {
                 float m = o.reach + 2.25f * o.near;
                 float[] box = wider(new float[] {o.place[0], o.place[1], o.place[0], o.place[1]}, m);
                 boolean moves = t.gives() || !isStill(o.circle);
-                if (moves && meets(t, o.kind) && !areOfOneGroup(t, o.circle.group) && meet(box, box(t))) {
+                boolean parted = areOfOneGroup(t, o.circle.group) || areParted(t, o);
+                if (moves && meets(t, o.kind) && !parted && meet(box, box(t))) {
                     pairs.add(new RigidPair(t, o, way(o, t), k));
                 }
             }
@@ -443,7 +464,17 @@ final class RigidStep {
         for (RigidThing t : bodies) {
             t.share = Numbers.max(t.share, 1f);
         }
+        visits = joints.stream().map(joint -> visit(joint, warmScale)).toList();
+        visits.forEach(RigidJointVisit::prepare);
         pushCircles();
+    }
+
+    private RigidJointVisit visit(ReferenceJoint joint, float warmScale) {
+        return new RigidJointVisit(joint, thingOf(joint.rigids[0]), thingOf(joint.rigids[1]), k, warmScale);
+    }
+
+    private RigidThing thingOf(Rigid body) {
+        return body == null ? null : bodyOf(body.id);
     }
 
     private List<RigidContact> contacts() {
@@ -559,10 +590,12 @@ final class RigidStep {
             t.omegaBefore = t.omega;
         }
         takeCircles(true);
+        visits.forEach(RigidJointVisit::warmStart);
         contacts().forEach(RigidContact::warmStart);
     }
 
-    void solve() {
+    void solve(int subStep) {
+        visits.forEach(visit -> visit.solve(subStep));
         coloured.forEach(RigidStep::solve);
     }
 
@@ -625,7 +658,8 @@ final class RigidStep {
         t.turnBody();
     }
 
-    void relax() {
+    void relax(int subStep) {
+        visits.forEach(visit -> visit.relax(subStep, subStep == k.subSteps() - 1));
         for (RigidPair pair : coloured) {
             for (RigidContact c : pair.contacts) {
                 if (!c.isIdle() && !c.bouncesLater()) {
@@ -711,6 +745,14 @@ final class RigidStep {
 
     // ---- end
     // ---------------------------------------------------------------------------------------------------------------
+
+    /** Joints that break. */
+    List<ReferenceJoint> broken() {
+        return visits.stream()
+                .filter(RigidJointVisit::breaks)
+                .map(visit -> visit.joint)
+                .toList();
+    }
 
     /** What the pairs touched, each by the contact that pressed most. */
     List<RigidTouch> touches() {

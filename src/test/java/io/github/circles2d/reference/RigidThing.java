@@ -164,6 +164,11 @@ final class RigidThing {
         return to;
     }
 
+    /** From its place to a point of it. */
+    float[] turned(float[] point) {
+        return turned(point, 0);
+    }
+
     /** Whether a direction is in the cone of a corner, within a tolerance. */
     static boolean isInCone(float[] corner, float x, float y, float tolerance) {
         return isDisc(corner)

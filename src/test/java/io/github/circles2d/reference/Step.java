@@ -57,7 +57,7 @@ final class Step {
         if (k.sleep()) {
             circles.forEach(c -> c.turn = new Turn(c, kinds, k.surfaces(), k.h()));
             circles.forEach(this::planMotion);
-            RigidStep lying = new RigidStep(rigids.all(), circles, terrain, k, kinds);
+            RigidStep lying = new RigidStep(rigids.all(), circles, terrain, joints, k, kinds);
             RigidSleep bodies = new RigidSleep(lying, rigids.contacts(), k, warmScale);
             new Sleep(circles, terrain, joints, k, kinds).wake(impulseCache, bodies, warmScale);
         }
@@ -69,7 +69,7 @@ final class Step {
         circles.stream().filter(c -> !c.isStatic()).forEach(c -> terrain.findContacts(c, kinds, k));
         findContacts(grid);
         prepare(impulseCache, warmScale);
-        RigidStep bodies = new RigidStep(rigids.all(), circles, terrain, k, kinds);
+        RigidStep bodies = new RigidStep(rigids.all(), circles, terrain, joints, k, kinds);
         bodies.begin(rigids.contacts(), warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
             int now = subStep;
@@ -77,7 +77,7 @@ final class Step {
             bodies.integrateVelocities();
             contacts.forEach(Contact::solve);
             joints.solve(subStep);
-            bodies.solve();
+            bodies.solve(subStep);
             crossPass(Contact::solve);
             bodies.solveCircles();
             all(Contact::lookAfterSolve);
@@ -85,7 +85,7 @@ final class Step {
             bodies.integratePositions(subStep);
             contacts.forEach(Step::relax);
             joints.relax(subStep);
-            bodies.relax();
+            bodies.relax(subStep);
             crossPass(Step::relax);
             circles.forEach(c -> c.claim = 0);
             circles.forEach(Circle::takeImpulses);
@@ -102,7 +102,7 @@ final class Step {
         }
         all(Contact::lookAfterStep);
         storeImpulses(impulseCache, warmScale);
-        torn = joints.end(k.dt());
+        torn = joints.end(k.dt(), bodies.broken());
     }
 
     /** Lets circles fall asleep, after the step. */

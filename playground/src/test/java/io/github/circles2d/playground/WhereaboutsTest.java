@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class WhereaboutsTest {
     private static WorldStats world(Backend backend, int moves, double millis) {
         return new WorldStats(
-                1, 0, 0, 0, 1, 0, Map.of(), backend, "a device", "frames are shorter here", moves, millis);
+                1, 0, 0, 0, 1, 0, 0, 0, 0, Map.of(), backend, "a device", "frames are shorter here", moves, millis);
     }
 
     @Test

@@ -63,6 +63,20 @@ final class OutlineChecks {
         return path.points(Math.max(tolerance, Float.MIN_NORMAL));
     }
 
+    /** The greatest distance of two of its points. */
+    static double length(ChainPath path) {
+        float[] p = polygon(path);
+        double most = 0;
+        for (int k = 0; k < p.length; k += 2) {
+            for (int to = k + 2; to < p.length; to += 2) {
+                double dx = (double) p[to] - p[k];
+                double dy = (double) p[to + 1] - p[k + 1];
+                most = Math.max(most, dx * dx + dy * dy);
+            }
+        }
+        return Math.sqrt(most);
+    }
+
     /** The least width of its hull. */
     static double leastWidth(ChainPath path) {
         float[] p = polygon(path);

@@ -53,8 +53,8 @@ public final class OutlineShape {
 
     private static final double LEAST_ROUNDING = 0.01;
 
-    /** Of the greatest extent: the least width. A thousandth of a length is a little less of a diagonal. */
-    private static final double LEAST_WIDTH = 0.000999;
+    /** Of the greatest distance of two points: the least width. A thousandth of a length is a little less of a diagonal, and rounding counts. */
+    private static final double LEAST_WIDTH = 0.0009999;
 
     /** Share of the rounding at which an edge would be gone. */
     private static final double OF_EDGE = 0.25;
@@ -162,10 +162,10 @@ public final class OutlineShape {
     public static OutlineShape of(ChainPath drawn, float rounding) {
         OutlineChecks.closed(drawn);
         ChainPath path = OutlineChecks.area(drawn) < 0 ? drawn.reversed() : drawn;
-        double extent = OutlineChecks.extent(path);
+        double length = OutlineChecks.length(path);
         double width = OutlineChecks.leastWidth(path);
-        if (!(width >= LEAST_WIDTH * extent)) {
-            throw new IllegalArgumentException("the outline is " + (float) width + " wide and " + (float) extent
+        if (!(width >= LEAST_WIDTH * length)) {
+            throw new IllegalArgumentException("the outline is " + (float) width + " wide and " + (float) length
                     + " long, but must be at least a thousandth as wide as long");
         }
         OutlineChecks.simple(path);

@@ -148,6 +148,15 @@ public final class RigidStep {
         return Sleep.isAsleep(extras.get(body, RigidExtras.REST));
     }
 
+    /** How many do not sleep. */
+    public int awake() {
+        int awake = 0;
+        for (int body = 0; body < end; body++) {
+            awake += outline[body] != null && !isAsleep(body) ? 1 : 0;
+        }
+        return awake;
+    }
+
     /** Wakes those that sleep and reach out of bounds, or nearly. */
     public void wakeOutside(Bounds calm) {
         for (int body = 0; body < end; body++) {
@@ -261,6 +270,19 @@ public final class RigidStep {
         forceX = newForceX;
         forceY = newForceY;
         torque = newTorque;
+    }
+
+    /** Pairs that have contacts: those of one are next to each other. */
+    public int contactPairs() {
+        int pairs = 0;
+        for (int k = 0; k < KEYS * contacts; k += KEYS) {
+            boolean isOfPairBefore = k > 0
+                    && contactKeys[k + TYPE] == contactKeys[k - KEYS + TYPE]
+                    && contactKeys[k + A] == contactKeys[k - KEYS + A]
+                    && contactKeys[k + B] == contactKeys[k - KEYS + B];
+            pairs += isOfPairBefore ? 0 : 1;
+        }
+        return pairs;
     }
 
     /** Makes room for contacts, and keeps those that there are. If there is none, nothing has changed. */

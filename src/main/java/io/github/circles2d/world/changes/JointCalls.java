@@ -123,11 +123,20 @@ public final class JointCalls implements Calls.Effects {
 
     private int find(int type, long handle) {
         return switch (type) {
-            case JointEndType.CIRCLE -> world.circle(handle);
+            case JointEndType.CIRCLE -> circle(handle);
             case JointEndType.RIGID -> world.rigid(handle);
             case JointEndType.ANCHOR -> world.body(handle);
             default -> 0;
         };
+    }
+
+    /** The id of a circle, where a caller may have meant a body that is pushed. */
+    private int circle(long handle) {
+        if (world.rigids.ids.find(handle) >= 0) {
+            throw new IllegalArgumentException(WorldParts.goneCircle(handle)
+                    + ", which a joint holds at a point: x and y of it, from the centroid, follow the handle of the body");
+        }
+        return world.circle(handle);
     }
 
     /** Adds a joint that holds a circle to a place of a body of terrain, in the body's coordinates, and returns its handle. */
@@ -139,7 +148,7 @@ public final class JointCalls implements Calls.Effects {
         world.guard.enter();
         try {
             world.pending.settleJoints();
-            words[0] = world.circle(circle);
+            words[0] = circle(circle);
             if (call != Call.JOINT_ALONE) {
                 words[1] = call == Call.JOINT ? world.circle(other) : world.body(other);
             }

@@ -49,7 +49,7 @@ public final class Handle {
             case JOINT -> ": it is of a joint";
             case PIECE -> ": it is of a piece of terrain";
             case BODY -> ": it is of a body of terrain";
-            case RIGID -> ": it is of a body that is no terrain";
+            case RIGID -> ": it is of a body of World.bodies";
             default -> ": it was removed, or is none of this world's";
         };
     }

@@ -182,6 +182,16 @@ public final class JointForm {
                 : takesNothing(traits) ? "another one or to the world" : "another one";
     }
 
+    /** For people: what it can hold a body to. */
+    String placeOfBody() {
+        if (takesAnchor(traits)) {
+            return "another body, a circle or an anchor";
+        }
+        return !takesNothing(traits)
+                ? "another body or a circle"
+                : takesCircles(traits) ? "another body, a circle or the world" : "the world";
+    }
+
     // ---- by {@link JointRow#FORM}
     // -----------------------------------------------------------------------------------------
 

@@ -60,14 +60,15 @@ public final class JointLimits {
     public static void things(JointForm form) {
         if (JointRules.takesNothing(form.traits) && !JointRules.takesCircles(form.traits)) {
             throw new IllegalArgumentException(
-                    "a " + form.name() + " cannot hold two things, but must hold one to " + form.place());
+                    "a " + form.name() + " cannot hold a body to another end, but must hold it to " + form.placeOfBody());
         }
     }
 
     /** Of a body that is pushed and a place. */
     public static void anchorOfBody(JointForm form, float x, float y) {
         if (!JointForm.takesAnchor(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name() + " takes no anchor");
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " takes no anchor, but must hold a body to " + form.placeOfBody());
         }
         JointSetting.ANCHOR.check(form.traits, x, y);
     }
@@ -75,7 +76,7 @@ public final class JointLimits {
     /** Of a body that is pushed and the world, without a place. */
     public static void bodyAlone(JointForm form) {
         if (!JointForm.takesNothing(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name() + " needs two ends");
+            throw new IllegalArgumentException("a " + form.name() + " must hold a body to " + form.placeOfBody());
         }
     }
 

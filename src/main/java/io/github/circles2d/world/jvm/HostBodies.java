@@ -118,17 +118,19 @@ public final class HostBodies implements AutoCloseable {
         workers = Math.max(1, Math.min(team.most(), passes.workers(these)));
     }
 
-    private void findHeld() {
+    /** Finds the circles that joints hold to bodies, before each step: some may have broken in the one before. */
+    public void findHeld() {
         heldCount = 0;
         int joined = joined() ? input.joints.rigidCount : 0;
         if (held.length < joined) {
             held = new int[joined + (joined >> 1)];
         }
         for (int n = 0; n < joined; n++) {
-            int traits = JointRow.traits(input.joints.rigidOrder[n]);
+            int joint = input.joints.rigidOrder[n];
+            int traits = JointRow.traits(joint);
             int a = input.joints.traits[traits + JointRow.A];
             int circle = a != JointRow.NONE ? a : input.joints.traits[traits + JointRow.B];
-            if (circle != JointRow.NONE) {
+            if (circle != JointRow.NONE && !states.hasBroken(joint, input.joints)) {
                 held[heldCount++] = circle;
             }
         }

@@ -116,11 +116,7 @@ public final class RigidReads {
         world.guard.enter();
         try {
             world.pending.settle();
-            int count = 0;
-            for (int body = 0; body < table.ids.end(); body++) {
-                count += table.ids.lives(body) && !bodies.isAsleep(body) ? 1 : 0;
-            }
-            return count;
+            return bodies.awake();
         } finally {
             world.guard.leave();
         }

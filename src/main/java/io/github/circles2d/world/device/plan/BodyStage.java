@@ -59,6 +59,9 @@ final class BodyStage {
 
     /** Before continuous collision: circles that joints hold to bodies may leave their paths. */
     void free() {
+        if (bodies.areThere()) {
+            bodies.findHeld();
+        }
         int held = bodies.areThere() ? bodies.held() : 0;
         if (held > 0) {
             arrays.ensureHeld(bytes(held));

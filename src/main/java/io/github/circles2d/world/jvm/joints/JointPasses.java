@@ -113,12 +113,13 @@ public final class JointPasses {
         }
     }
 
-    /** Takes note of circles that joints hold to rigid bodies, which are none of these passes. */
+    /** Takes note of circles that joints hold to rigid bodies, which are none of these passes. Some may have broken. */
     public void beginRigid(JointStep all) {
         for (int n = 0; n < all.rigidCount; n++) {
-            int traits = JointRow.traits(all.rigidOrder[n]);
+            int joint = all.rigidOrder[n];
+            int traits = JointRow.traits(joint);
             for (int end = JointRow.A; end <= JointRow.B; end++) {
-                if (all.traits[traits + end] != JointRow.NONE) {
+                if (all.traits[traits + end] != JointRow.NONE && !states.hasBroken(joint, all)) {
                     mark(state.slotOf[all.traits[traits + end]]);
                 }
             }
