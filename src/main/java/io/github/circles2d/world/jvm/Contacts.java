@@ -110,7 +110,7 @@ public final class Contacts {
     /** If circles can rotate: the rows of contacts behind the normal ones. */
     final PairRows rows;
 
-    Contacts(State state, Grid grid, GridLevels levels, Team team) {
+    Contacts(State state, Grid grid, GridLevels levels, Team team, Ahead[] ahead) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
@@ -121,7 +121,7 @@ public final class Contacts {
         resting = new NearResting(state, grid, levels, candidates, team);
         pairs = new Pairs(state, grid, levels, candidates, resting);
         nearby = Nearby.ofWorkers(grid, levels, team);
-        cross = new CrossContacts(state, grid, levels, candidates, team, nearby, resting);
+        cross = new CrossContacts(state, grid, levels, candidates, team, nearby, ahead, resting);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {

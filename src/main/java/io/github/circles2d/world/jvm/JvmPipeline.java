@@ -131,8 +131,9 @@ public final class JvmPipeline implements Pipeline {
         times = new StageTimes(profiling, "Grid", "ContinuousCollision", "Contacts", "Solver");
         grid = new Grid(state, levels, team);
         extent = new Extent(state, team);
-        contacts = new Contacts(state, grid, levels, team);
-        sweep = new ContinuousCollision(state, grid, levels, team);
+        Ahead[] ahead = Ahead.ofWorkers(team);
+        contacts = new Contacts(state, grid, levels, team, ahead);
+        sweep = new ContinuousCollision(state, grid, levels, team, ahead);
         solver = new Solver(state, grid, contacts, levels, team);
         saving = new Saving(state, contacts.impulseCache(), team);
         state.ensure(capacity);
