@@ -70,7 +70,6 @@ public final class Grid {
 
     private final Team.Work findBuckets = this::findBuckets;
     private final Team.Work setStarts = this::setStarts;
-    private final Team.Work clear = this::clear;
     private final Team.Work count = this::count;
     private final Team.Work scatter = this::scatter;
     private final Team.Work sortBuckets = this::sortBuckets;
@@ -146,7 +145,6 @@ public final class Grid {
     }
 
     private void sort() {
-        team.all(clear);
         team.all(count);
         sums.sumUp(start, levels.buckets());
         team.all(scatter);
@@ -154,7 +152,9 @@ public final class Grid {
         if (moved) {
             team.all(permute);
             if (2 * state.awake >= state.n) {
-                team.all(copyResting);
+                if (state.awake < state.n) {
+                    team.all(copyResting);
+                }
                 state.swap();
             } else {
                 team.all(takeBack);
@@ -168,10 +168,6 @@ public final class Grid {
 
     private int to(int worker) {
         return team.part(state.awake, worker + 1);
-    }
-
-    private void clear(int worker) {
-        Arrays.fill(start, team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1), 0);
     }
 
     private void permute(int worker) {
@@ -203,6 +199,7 @@ public final class Grid {
     }
 
     private void findBuckets(int worker) {
+        Arrays.fill(start, team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1), 0);
         int to = to(worker);
         boolean inOrder = true;
         int before = from(worker) > 0 ? findBucket(from(worker) - 1) : 0;
