@@ -55,6 +55,7 @@ public final class ContinuousCollision {
     private final Carrying carrying;
     private final ReachGrid reaches;
     private final SparseGrid sparse;
+    private final Ahead[] ahead;
 
     /** By worker: the circles around the one that it looks at. */
     private final Nearby[] nearby;
@@ -85,11 +86,12 @@ public final class ContinuousCollision {
 
     private StepConstants constants;
 
-    public ContinuousCollision(State state, Grid grid, GridLevels levels, Team team) {
+    public ContinuousCollision(State state, Grid grid, GridLevels levels, Team team, Ahead[] ahead) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.team = team;
+        this.ahead = ahead;
         carrying = new Carrying(state, grid);
         reaches = new ReachGrid(state, grid, levels, team);
         sparse = new SparseGrid(state, grid, levels, team);
@@ -120,10 +122,21 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     public long bytes() {
-        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes() + sparse.bytes();
+        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes() + sparse.bytes() + aheadBytes();
+    }
+
+    private long aheadBytes() {
+        long sum = 0;
+        for (Ahead each : ahead) {
+            sum += each.bytes();
+        }
+        return sum;
     }
 
     public void sweep(StepConstants k) {
+        for (Ahead each : ahead) {
+            each.clear();
+        }
         if (!grid.anyFast()) {
             team.all(setFreeClamps);
             return;
@@ -241,10 +254,11 @@ public final class ContinuousCollision {
 
     /** Finds the pairs in which a fast circle stops. It looks for others itself, or they look for it if it reaches far. */
     private void lookForStops(int worker, int from, int to) {
+        boolean notes = levels.bounds.isWalled() && !grid.anyMovingStatic();
         for (int slot = from; slot < to; slot++) {
             boolean looks = looksForStops(slot);
             if (looks) {
-                lookForStops(worker, slot);
+                lookForStops(worker, slot, notes);
                 lookAtResting(resting[worker], slot);
             }
             int count = reaches.find(worker, slot, looks);
@@ -269,35 +283,51 @@ public final class ContinuousCollision {
     }
 
     /** Looks at the circles around the path of a fast one, in the levels in which it does not reach far. */
-    private void lookForStops(int worker, int slot) {
+    private void lookForStops(int worker, int slot, boolean notes) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
         float reach = reaches.reaches()[slot];
-        for (int l = levels.usedCount - 1; l >= 0; l--) {
+        int coarser = notes ? grid.level[slot] : 0;
+        Ahead seen = ahead[worker];
+        if (coarser > 0) {
+            seen.begin(slot);
+        }
+        int l = levels.usedCount - 1;
+        for (; l >= 0; l--) {
             int level = levels.used[l];
             if (reach > reaches.farIn(level)) {
                 break;
             }
             float margin = Paths.sightMargin(state.circle[s + RADIUS], grid.path[slot], levels.top[level]);
+            boolean noted = level < coarser;
+            if (noted) {
+                margin = CircleMath.max(margin, grid.speculativeDistance[slot] + levels.reach(level));
+            }
             float left = CircleMath.min(x, x + px) - margin;
             float right = CircleMath.max(x, x + px) + margin;
             float low = CircleMath.min(y, y + py) - margin;
             float high = CircleMath.max(y, y + py) + margin;
             if (sparse.holds(level)) {
                 int count = sparse.find(worker, slot, level, left, right, low, high, reaches.reaches());
+                if (noted) {
+                    seen.add(sparse.hits(worker), count);
+                }
                 meetNear(slot, sparse.hits(worker), count);
             } else if (levels.folded[level]) {
                 Nearby near = nearby[worker];
                 near.begin(level, left, right, low, high, true);
                 while (near.next()) {
-                    meetNear(slot, near.from, near.to);
+                    meetNear(slot, near.from, near.to, noted ? seen : null);
                 }
             } else {
-                meetInRows(slot, level, left, right, low, high);
+                meetInRows(slot, level, left, right, low, high, noted ? seen : null);
             }
+        }
+        if (coarser > 0) {
+            seen.end(l + 1);
         }
     }
 
@@ -325,7 +355,7 @@ public final class ContinuousCollision {
     }
 
     /** Row by row: a walk that knows of sheets takes longer. */
-    private void meetInRows(int slot, int level, float left, float right, float low, float high) {
+    private void meetInRows(int slot, int level, float left, float right, float low, float high, Ahead seen) {
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
         int c0 = levels.columnFrom(left, level);
@@ -337,15 +367,15 @@ public final class ContinuousCollision {
         int row = GridLevels.onRing(r0, rows);
         for (int v = Math.min(r1 - r0 + 1, rows); v > 0; v--) {
             int b = levels.rowStart(level, row);
-            meetNear(slot, grid.start[b + column], grid.start[b + Math.min(end, columns)]);
+            meetNear(slot, grid.start[b + column], grid.start[b + Math.min(end, columns)], seen);
             if (end > columns) {
-                meetNear(slot, grid.start[b], grid.start[b + end - columns]);
+                meetNear(slot, grid.start[b], grid.start[b + end - columns], seen);
             }
             row = row + 1 < rows ? row + 1 : 0;
         }
     }
 
-    private void meetNear(int slot, int from, int to) {
+    private void meetNear(int slot, int from, int to, Ahead seen) {
         float[] circle = state.circle;
         float[] reach = reaches.reaches();
         float own = reach[slot];
@@ -358,10 +388,13 @@ public final class ContinuousCollision {
                 dx = CircleMath.shortWay(dx, state.periodX);
                 dy = CircleMath.shortWay(dy, state.periodY);
             }
-            if (PairRule.isNear(dx, dy, own, reach[other]) != 0
-                    && other != slot
-                    && (mayTouch(slot, other) != 0 || state.isStatic(other))) {
-                meet(slot, other);
+            if (PairRule.isNear(dx, dy, own, reach[other]) != 0 && other != slot) {
+                if (seen != null) {
+                    seen.add(other);
+                }
+                if (mayTouch(slot, other) != 0 || state.isStatic(other)) {
+                    meet(slot, other);
+                }
             }
         }
     }

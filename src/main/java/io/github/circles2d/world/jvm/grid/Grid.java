@@ -73,7 +73,6 @@ public final class Grid {
 
     private final Team.Work findBuckets = this::findBuckets;
     private final Team.Work setStarts = this::setStarts;
-    private final Team.Work clear = this::clear;
     private final Team.Work count = this::count;
     private final Team.Work scatter = this::scatter;
     private final Team.Work sortBuckets = this::sortBuckets;
@@ -149,7 +148,6 @@ public final class Grid {
     }
 
     private void sort() {
-        team.all(clear);
         team.all(count);
         sums.sumUp(start, levels.buckets());
         team.all(scatter);
@@ -157,7 +155,9 @@ public final class Grid {
         if (moved) {
             team.all(permute);
             if (2 * state.awake >= state.n) {
-                team.all(copyResting);
+                if (state.awake < state.n) {
+                    team.all(copyResting);
+                }
                 state.swap();
             } else {
                 team.all(takeBack);
@@ -171,10 +171,6 @@ public final class Grid {
 
     private int to(int worker) {
         return team.part(state.awake, worker + 1);
-    }
-
-    private void clear(int worker) {
-        Arrays.fill(start, team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1), 0);
     }
 
     private void permute(int worker) {
@@ -206,6 +202,7 @@ public final class Grid {
     }
 
     private void findBuckets(int worker) {
+        Arrays.fill(start, team.part(levels.buckets(), worker), team.part(levels.buckets(), worker + 1), 0);
         int to = to(worker);
         boolean inOrder = true;
         int before = from(worker) > 0 ? findBucket(from(worker) - 1) : 0;

@@ -44,4 +44,24 @@ public final class NearSlots {
         }
         count = many;
     }
+
+    /** The same of so many slots in an array, from one place on. */
+    void test(State state, Grid grid, int slot, int[] others, int from, int length) {
+        if (slots.length < count + length) {
+            slots = Arrays.copyOf(slots, 2 * (count + length));
+        }
+        int[] hits = slots;
+        float own = grid.speculativeDistance[slot];
+        int many = count;
+        for (int k = from; k < from + length; k++) {
+            int other = others[k];
+            hits[many] = other;
+            many -= PairRule.isNear(
+                    state.differenceX(slot, other),
+                    state.differenceY(slot, other),
+                    own,
+                    grid.speculativeDistance[other]);
+        }
+        count = many;
+    }
 }

@@ -8,6 +8,7 @@ import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
@@ -101,7 +102,9 @@ final class ReachGrid {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
             boolean isStatic = state.isStatic(slot);
-            reach[slot] = Reach.reachOf(r, grid.path[slot], isStatic);
+            // no less than the distance of contacts, for those who look once for both
+            reach[slot] = CircleMath.max(
+                    Reach.reachOf(r, grid.path[slot], isStatic), grid.speculativeDistance[slot]);
             if (!(reach[slot] > far) || isStatic || !Paths.isFast(grid.path[slot], r)) {
                 continue;
             }

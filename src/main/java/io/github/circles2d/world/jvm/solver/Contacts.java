@@ -13,6 +13,7 @@ import static io.github.circles2d.world.jvm.solver.ContactRow.RADII;
 import static io.github.circles2d.world.jvm.solver.ContactRow.RESTITUTION;
 import static io.github.circles2d.world.jvm.solver.ContactRow.RESTITUTION_THRESHOLD;
 
+import io.github.circles2d.world.jvm.grid.Ahead;
 import io.github.circles2d.world.jvm.grid.Candidates;
 import io.github.circles2d.world.jvm.grid.Grid;
 import io.github.circles2d.world.jvm.grid.Nearby;
@@ -115,7 +116,7 @@ public final class Contacts {
     /** If circles can rotate: the rows of contacts behind the normal ones. */
     final PairRows rows;
 
-    public Contacts(State state, Grid grid, GridLevels levels, Team team) {
+    public Contacts(State state, Grid grid, GridLevels levels, Team team, Ahead[] ahead) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
@@ -126,7 +127,7 @@ public final class Contacts {
         resting = new NearResting(state, grid, levels, candidates, team);
         pairs = new Pairs(state, grid, levels, candidates, resting);
         nearby = Nearby.ofWorkers(grid, levels, team);
-        cross = new CrossContacts(state, grid, levels, candidates, team, nearby, resting);
+        cross = new CrossContacts(state, grid, levels, candidates, team, nearby, ahead, resting);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {

@@ -5,6 +5,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.grid.Candidates;
+import io.github.circles2d.world.jvm.grid.Ahead;
 import io.github.circles2d.world.jvm.grid.Grid;
 import io.github.circles2d.world.jvm.grid.NearSlots;
 import io.github.circles2d.world.jvm.grid.Nearby;
@@ -32,6 +33,7 @@ final class CrossContacts {
     private final Sums sums;
     private final FoundCross[] found;
     private final Nearby[] nearby;
+    private final Ahead[] ahead;
     private final NearResting resting;
 
     /** The circles that are heavy in some contact. */
@@ -68,6 +70,7 @@ final class CrossContacts {
             Candidates candidates,
             Team team,
             Nearby[] nearby,
+            Ahead[] ahead,
             NearResting resting) {
         this.state = state;
         this.grid = grid;
@@ -75,6 +78,7 @@ final class CrossContacts {
         this.candidates = candidates;
         this.team = team;
         this.nearby = nearby;
+        this.ahead = ahead;
         this.resting = resting;
         sums = new Sums(team);
         heavyCircles = new HeavyCircles(state, team);
@@ -180,10 +184,11 @@ final class CrossContacts {
 
     private void findAll(int worker) {
         FoundCross f = found[worker];
+        ahead[worker].rewind();
         for (int round = 0; round < team.rounds(); round++) {
             int end = team.to(state.awake, worker, round);
             for (int slot = team.from(state.awake, worker, round); slot < end && !f.overflowed; slot++) {
-                find(f, nearby[worker], slot);
+                find(f, nearby[worker], ahead[worker], slot);
             }
         }
     }
@@ -297,11 +302,14 @@ final class CrossContacts {
     }
 
     /** Finds the contacts of a circle with those of coarser levels. */
-    private void find(FoundCross f, Nearby near, int slot) {
+    private void find(FoundCross f, Nearby near, Ahead seen, int slot) {
         int before = f.count;
         int level = grid.level[slot];
         int fromFiner = 0;
-        for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
+        int seenNow = seen.take(state, grid, f.near, slot);
+        f.tested += Math.max(seenNow, 0);
+        int left = seenNow < 0 ? levels.usedCount : seen.left();
+        for (int k = left - 1; k >= 0 && levels.used[k] < level; k--) {
             findInCoarserLevel(f, near, slot, levels.used[k]);
         }
         boolean rest = resting.areAny() && resting.first(slot) < resting.first(slot + 1);

@@ -70,10 +70,8 @@ public final class Solver {
     /** Records what contacts do; null if nobody is told. */
     private Touches touches;
 
-    private final Team.Work begin = this::begin;
-    private final Team.Work prepareRows = this::prepareRows;
+    private final Team.Work beginAndPrepareRows = this::beginAndPrepareRows;
     private final Team.Work prepareEdge = this::prepareEdge;
-    private final Team.Work prepareHeavyCircles = this::prepareHeavyCircles;
     private final Team.Work prepareCross = this::prepareCross;
     private final Team.Work takeImpulses = this::takeImpulses;
     private final Team.Work sweepInwards = this::sweepInwards;
@@ -91,6 +89,12 @@ public final class Solver {
 
     /** Whether workers sweep over the contacts of the step. */
     private boolean sweeps;
+
+    /**
+     * Whether heavy circles take what cross contacts give them in the next stage over circles, as a part of it: then workers wait less often.
+     * Rigid bodies need it before.
+     */
+    private boolean takesLate;
 
     private StepConstants constants;
     private TerrainStep terrain;
@@ -157,12 +161,7 @@ public final class Solver {
         if (!sweeps) {
             bands.divide(contacts.rowStart, alike ? null : contacts.cross(), 0);
         }
-        team.all(begin);
-        team.all(prepareRows);
-        team.all(prepareEdge);
-        if (joints != null) {
-            joints.prepare();
-        }
+        takesLate = !alike && !k.rigid;
         for (int worker = 0; worker < team.size(); worker++) {
             if (alike) {
                 shares[worker].takeSlots(team, state.awake, worker);
@@ -170,27 +169,46 @@ public final class Solver {
                 shares[worker].takeBands(bands, worker);
             }
         }
+        team.all(beginAndPrepareRows);
+        team.all(prepareEdge);
+        if (joints != null) {
+            joints.prepare();
+        }
         if (!alike) {
-            team.all(prepareHeavyCircles);
             team.all(prepareCross);
-            team.all(takeImpulses);
+            if (!takesLate) {
+                team.all(takeImpulses);
+            }
         }
     }
 
-    private void begin(int worker) {
-        int from = team.part(state.awake, worker);
-        int to = team.part(state.awake, worker + 1);
+    private void beginAndPrepareRows(int worker) {
         movers[worker].beginTerrain(terrain, constants);
-        movers[worker].begin(from, to, constants);
         likeVisits[worker].turn(constants.turning);
         crossVisits[worker].turn(constants.turning);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            begin(
+                    worker,
+                    grid.start[levels.rowStart(level, contacts.firstRow(level, worker))],
+                    grid.start[levels.rowStart(level, contacts.firstRow(level, worker + 1))]);
+        }
+        contacts.beginToFill(worker);
+        prepareRows(worker);
+        if (levels.usedCount > 1) {
+            prepareHeavyCircles(worker);
+        }
+    }
+
+    /** Begins a step of the circles of some rows, in which the worker fills contacts next. */
+    private void begin(int worker, int from, int to) {
+        movers[worker].begin(from, to, constants);
         if (movers[worker].walls.touches != null) {
             movers[worker].walls.touches.clear(from, to);
         }
         if (movers[worker].pieceTouches != null) {
             movers[worker].pieceTouches.clear(from, to);
         }
-        contacts.beginToFill(worker);
     }
 
     private void prepareRows(int worker) {
@@ -388,7 +406,9 @@ public final class Solver {
             if (crosses) {
                 team.all(look);
                 team.all(solveCross);
-                team.all(takeGains);
+                if (!takesLate) {
+                    team.all(takeGains);
+                }
             }
             if (rigids != null) {
                 rigids.solveCircles();
@@ -407,7 +427,9 @@ public final class Solver {
             if (crosses) {
                 team.all(look);
                 team.all(relaxCross);
-                team.all(endRelaxing);
+                if (!takesLate) {
+                    team.all(endRelaxing);
+                }
             }
             if (rigids != null) {
                 rigids.relaxCircles(isLast());
@@ -417,6 +439,13 @@ public final class Solver {
     }
 
     private void integrateVelocities(int worker) {
+        if (takesLate) {
+            if (sub > 0) {
+                takeGains(worker);
+                forgetClaims(worker);
+            }
+            takeImpulses(worker);
+        }
         Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
             movers[worker].integrateVelocities(share.fromSlot[l], share.toSlot[l], constants, sub);
@@ -424,6 +453,9 @@ public final class Solver {
     }
 
     private void integratePositions(int worker) {
+        if (takesLate) {
+            takeGains(worker);
+        }
         Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
             movers[worker].integratePositions(share.fromSlot[l], share.toSlot[l], constants, sub);
@@ -431,6 +463,10 @@ public final class Solver {
     }
 
     private void finalizePositions(int worker) {
+        if (takesLate) {
+            takeGains(worker);
+            forgetClaims(worker);
+        }
         Share share = shares[worker];
         for (int l = 0; l < share.count; l++) {
             movers[worker].finalizePositions(share.fromSlot[l], share.toSlot[l], constants);
@@ -517,13 +553,17 @@ public final class Solver {
     }
 
     private void endRelaxing(int worker) {
-        Share share = shares[worker];
         takeGains(worker);
-        for (int l = 0; l < share.count; l++) {
-            heavyCircles.forgetClaims(share.fromHeavy[l], share.toHeavy[l]);
-        }
+        forgetClaims(worker);
         if (!isLast()) {
             takeImpulses(worker);
+        }
+    }
+
+    private void forgetClaims(int worker) {
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.forgetClaims(share.fromHeavy[l], share.toHeavy[l]);
         }
     }
 
