@@ -42,7 +42,7 @@ class MovesTest {
     /** Worlds with bodies stay at home. */
     static List<GoldenScene> scenes() {
         return GoldenScene.all().stream()
-                .filter(scene -> scene.runsOnDevices() && scene.cost() <= TestScale.of(2_000, 5_000, 5_000))
+                .filter(scene -> scene.cost() <= TestScale.of(2_000, 5_000, 5_000))
                 .toList();
     }
 

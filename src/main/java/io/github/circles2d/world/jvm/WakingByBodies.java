@@ -14,6 +14,12 @@ import java.util.Arrays;
  * {@link Waking}, which has the rings. Of bodies, the half thickness stands for the radius. What presses a body is summed up as speeds.
  */
 final class WakingByBodies {
+    /** The circles that sleep. */
+    interface Circles {
+        /** What has woken a body reaches a circle that it touches, with an impulse or a gap. */
+        void reachFromBody(int id, float speed, float impulse, float gap, float inverseMass);
+    }
+
     private static final int SUMS = 4;
     private static final int SUM_X = 0;
     private static final int SUM_Y = 1;
@@ -51,6 +57,9 @@ final class WakingByBodies {
     private int[] woken = new int[64];
     private int wokenCount;
     private int ringFrom;
+
+    /** Whether the next step looks at the balance of all. */
+    private boolean looksAtAll;
 
     // of what the balance of all was looked at last
     private int changes = -1;
@@ -221,12 +230,18 @@ final class WakingByBodies {
 
     /** Whether all is as it was when the balance of all was looked at. */
     private boolean isAsBefore() {
-        return changes == bodies.changes
+        return !looksAtAll
+                && changes == bodies.changes
                 && jointsVersion == joints.version()
                 && gravityX == k.gravityStepX
                 && gravityY == k.gravityStepY
                 && h == k.h
                 && k.warmScale == 1f;
+    }
+
+    /** Others have made steps since the last one here, or it has been undone. */
+    void lookAtAll() {
+        looksAtAll = true;
     }
 
     /** Whether nothing is there for bodies to notice, all of which sleep: no circle moves, either. */
@@ -247,6 +262,7 @@ final class WakingByBodies {
     /** Finds who wakes first. */
     void findWoken() {
         boolean all = !isAsBefore();
+        looksAtAll = false;
         changes = bodies.changes;
         jointsVersion = joints.version();
         gravityX = k.gravityStepX;
@@ -488,7 +504,7 @@ final class WakingByBodies {
     }
 
     /** What woke bodies in the ring before reaches others, and circles. */
-    void passOn(Waking circles) {
+    void passOn(Circles circles) {
         for (int n = ringFrom; n < wokenCount; n++) {
             int id = woken[n];
             for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
@@ -508,8 +524,7 @@ final class WakingByBodies {
                             speed[id],
                             contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
                             contacts.rows[RigidRow.of(c) + RigidRow.GAP],
-                            own,
-                            things.ownW[other]);
+                            own);
                 }
             }
             joints.passOn(pairs.bodyThing(id), speed[id], this);
