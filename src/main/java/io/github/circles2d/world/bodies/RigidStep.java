@@ -208,11 +208,8 @@ public final class RigidStep {
         }
         for (int k = 0; k < contacts; k++) {
             int at = KEYS * k;
-            boolean presses =
-                    contactKeys[at + TYPE] == BODY_WALL && contactImpulses[IMPULSES * k + NORMAL] > 0f;
-            if (presses
-                    && isAsleep(contactKeys[at + A])
-                    && (commands.wallsToWake() & 1 << contactKeys[at + B]) != 0) {
+            boolean presses = contactKeys[at + TYPE] == BODY_WALL && contactImpulses[IMPULSES * k + NORMAL] > 0f;
+            if (presses && isAsleep(contactKeys[at + A]) && (commands.wallsToWake() & 1 << contactKeys[at + B]) != 0) {
                 wake(contactKeys[at + A]);
             }
         }

@@ -35,7 +35,8 @@ final class HostWaking implements WakingByBodies.Circles {
     /** By slot: where a circle is among them, and 1; or 0. */
     private int[] placeOf = new int[0];
 
-    // by place: the speed that wakes a circle, or that reaches it in a ring; the speed that has woken it; the ring in which it woke; what loads it
+    // by place: the speed that wakes a circle, or that reaches it in a ring; the speed that has woken it; the ring in
+    // which it woke; what loads it
     private float[] speed = new float[0];
     private float[] woke = new float[0];
     private int[] ring = new int[0];

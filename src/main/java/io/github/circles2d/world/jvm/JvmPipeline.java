@@ -273,8 +273,7 @@ public final class JvmPipeline implements Pipeline {
         begin();
         grid.build(constants);
         rigidIdle = false;
-        boolean sleep = state.sleepers != null
-                && (state.sleepers.count > 0 || constants.rigid && rigids.anySleeps());
+        boolean sleep = state.sleepers != null && (state.sleepers.count > 0 || constants.rigid && rigids.anySleeps());
         boolean found = sleep && !wake();
         times.end(GRID);
         if (records()) {

@@ -747,10 +747,14 @@ final class Waking implements WakingByBodies.Circles {
             reach(otherId, passedFreely(id, itsInverseMass, other, 0f));
         }
         if (joints.has(joint, JointRow.LOWER)) {
-            reach(otherId, passedFreely(id, itsInverseMass, other, distance - joints.value(joint, JointRow.MIN_LENGTH)));
+            reach(
+                    otherId,
+                    passedFreely(id, itsInverseMass, other, distance - joints.value(joint, JointRow.MIN_LENGTH)));
         }
         if (joints.has(joint, JointRow.UPPER)) {
-            reach(otherId, passedFreely(id, itsInverseMass, other, joints.value(joint, JointRow.MAX_LENGTH) - distance));
+            reach(
+                    otherId,
+                    passedFreely(id, itsInverseMass, other, joints.value(joint, JointRow.MAX_LENGTH) - distance));
         }
     }
 

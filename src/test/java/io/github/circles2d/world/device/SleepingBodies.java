@@ -4,6 +4,7 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
@@ -34,6 +35,19 @@ final class SleepingBodies {
     SleepingBodies(Simulation simulation, int seed) {
         this.simulation = simulation;
         random = new SplittableRandom(seed);
+        simulation.rigidReads.report(seed % 2 == 1);
+        simulation.reports.report(seed % 4 == 3 ? ContactEvents.ALL : 0);
+    }
+
+    /** The same world elsewhere. */
+    SleepingBodies goOn(Simulation elsewhere) {
+        SleepingBodies next = new SleepingBodies(elsewhere, 0);
+        next.restore(snapshot());
+        next.bodies.addAll(bodies);
+        next.circles.addAll(circles);
+        next.lift = lift;
+        next.rod = rod;
+        return next;
     }
 
     Simulation simulation() {
@@ -45,7 +59,6 @@ final class SleepingBodies {
         simulation.kinds.set(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
         simulation.kinds.set(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.05f));
         simulation.kinds.setSetting(2, 0, KindTable.RESPONSE + PairTable.SENSE);
-        simulation.rigidReads.report(true);
         lift = simulation.bodies.add(6.5f, 0.1f, 0);
         simulation.pieces.addSegment(lift, 0, -0.8f, 0, 0.8f, 0, 0);
         simulation.pieces.addSegment(simulation.bodies.ground(), 0, 0, 2.5f, 1.5f, 2.5f, 0);
@@ -60,6 +73,8 @@ final class SleepingBodies {
         body(2, 0.2f, 4, 1.8f);
         body(0.6f, 0.4f, 6.5f, 0.9f);
         body(0.4f, 0.4f, 1.1f, 2.75f);
+        body(0.8f, 0.3f, WIDTH - 0.1f, 0.3f); // across the seam, if there is one
+        circle(WIDTH - 0.3f, 0.9f, 0.2f, 0);
         circle(4, 2.3f, 0.25f, 0);
         JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
         long first = body(0.4f, 0.2f, 2.4f, 3);
@@ -138,8 +153,7 @@ final class SleepingBodies {
     String awake() {
         mostSleepers = Math.max(
                 mostSleepers, simulation.circles.size() - simulation.figures().awake());
-        mostSleepingBodies =
-                Math.max(mostSleepingBodies, simulation.rigidReads.size() - simulation.rigidReads.awake());
+        mostSleepingBodies = Math.max(mostSleepingBodies, simulation.rigidReads.size() - simulation.rigidReads.awake());
         long[] ids = new long[simulation.circles.idLimit() / Long.SIZE + 1];
         simulation.readings.readAwakeById(ids);
         StringBuilder all = new StringBuilder(Arrays.toString(ids));
@@ -164,8 +178,11 @@ final class SleepingBodies {
         return poses;
     }
 
+    /** What bodies and circles have begun and ended to touch since the last time. */
     List<String> touches() {
-        return BodyChanges.touches(simulation);
+        List<String> lines = BodyChanges.touches(simulation);
+        lines.addAll(Twins.events(simulation.reports.take()));
+        return lines;
     }
 
     byte[] snapshot() {

@@ -122,8 +122,7 @@ final class BodyStage {
         }
         for (int room = LEAST_ROOM; ; ) {
             arrays.ensureFound(bytes(before + (long) wordsEach * room));
-            room = (int)
-                    Math.min(circles + named, (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
+            room = (int) Math.min(circles + named, (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
             putBoxes(near == find);
             arrays.found().write(0, arrays.host(), 0, bytes(before));
             near.arg(StageKernels.own(0), arrays.found())
@@ -210,14 +209,12 @@ final class BodyStage {
     }
 
     private void sendSleepers(int sleepers) {
-        arrays.sleepers()
-                .write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        arrays.sleepers().write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
     }
 
     /** Returns how many circles have woken in the ring. */
     private int receiveSleepers(int sleepers, int ring) {
-        arrays.sleepers()
-                .read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        arrays.sleepers().read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
         bodies.takeWoken(arrays.host().ints(), SLEEPERS, ring);
         return arrays.host().ints().get(0);
     }
