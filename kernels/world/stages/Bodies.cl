@@ -85,23 +85,24 @@ kernel void bodies_sense(WORLD_PARAMETERS, global int *found, int boxes, int roo
 }
 
 #ifdef JOINTS
-// Index space of both: circles that joints hold to bodies, of which held has the ids.
-
-// Before continuous collision.
+// Circles that joints hold to bodies, before continuous collision. Index space: these, of which held has the ids.
 kernel void bodies_free(WORLD_PARAMETERS, global const int *held, int count) {
     World w = WORLD;
     int k = (int) get_global_id(0);
     if (k < count && !refused(&w)) freeFromPath(&w, slotOfCircle(&w, held[k]));
 }
+#endif
 
-// Behind bodies_find, which may have found them too.
-kernel void bodies_name(WORLD_PARAMETERS, global const int *held, int count, global int *found, int boxes, int room) {
+#if defined(JOINTS) || defined(SLEEPING)
+// Circles that the host names, behind bodies_find, which may have found them too. Index space: these, of which named has the ids.
+kernel void bodies_name(WORLD_PARAMETERS, global const int *named, int count, global int *found, int boxes, int room) {
     World w = WORLD;
     int k = (int) get_global_id(0);
     if (k >= count || refused(&w)) return;
     int place = atomic_inc(found);
     if (place < room) {
-        copyForBodies(&w, slotOfCircle(&w, held[k]), held[k], found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
+        int slot = workingSlotOf(&w)[w.slotOf[named[k]]];
+        copyForBodies(&w, slot, named[k], found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
     }
 }
 #endif

@@ -348,6 +348,15 @@ kernel void sleeping_held(WORLD_PARAMETERS) {
     if (drives_ || takesAlongBehind(&w, &v, v.HOLDS_B)) markHeld(&w, v.HOLDS_A, HELD_DRIVEN);
     if (drives_ || takesAlongBehind(&w, &v, v.HOLDS_A)) markHeld(&w, v.HOLDS_B, HELD_DRIVEN);
 }
+
+#ifdef BODIES
+// Circles that joints hold to bodies, behind the step. Index space: these, of which held has the ids.
+kernel void sleeping_holdByBodies(WORLD_PARAMETERS, global const int *held, int count) {
+    World w = WORLD;
+    int k = (int) get_global_id(0);
+    if (k < count && !refused(&w)) markHeld(&w, held[k], HELD_DRIVEN);
+}
+#endif
 #endif
 
 // ---- who wakes
@@ -586,8 +595,47 @@ bool wakeReached(const World *w, global int *listed, int ring) {
     return false;
 }
 
+#ifdef BODIES
+// Circles that sleep and that bodies touch, which the host has: BODY_SLEEPER_WORDS of each, behind how many circles woke in the last ring.
+#define RING_PARAMETERS , int firstRing, int endRing, global int *touched, int touchedCount
+#define FIRST_RING firstRing
+#define END_RING endRing
+
+global int *rowOfSleeper(global int *touched, int k) { return touched + BODY_SLEEPERS + BODY_SLEEPER_WORDS * k; }
+
+// What bodies do to them. Index space: these.
+kernel void sleeping_pressByBodies(WORLD_PARAMETERS, global int *touched, int touchedCount) {
+    World w = WORLD;
+    int k = (int) get_global_id(0);
+    if (k >= touchedCount || !haveSleepers(&w) || gridIsEmpty(&w)) return;
+    global const int *row = rowOfSleeper(touched, k);
+    global const int *halves = row + SLEEPER_SUMS;
+    int slot = row[SLEEPER_SLOT];
+    for (int e = 0; e < 4; e++) {
+        ulong sum = (ulong) (uint) halves[2 * e] | (ulong) (uint) halves[2 * e + 1] << 32;
+        addFixed((global long *) (w.heavySum + slot) + e, (long) sum);
+    }
+    wakeBy(&w, slot, as_float(row[SLEEPER_SPEED]));
+}
+
+void reachByBody(const World *w, global const int *row, global int *list, local int *count) {
+    int slot = row[SLEEPER_SLOT];
+    if (sleeps(w, slot)) reach(w, slot, as_float(row[SLEEPER_SPEED]), list, count);
+}
+
+void tellOfSleeper(const World *w, global int *row) {
+    int2 waking = w->waking[row[SLEEPER_SLOT]];
+    row[SLEEPER_WOKEN_BY] = waking.WAKING_SPEED;
+    row[SLEEPER_PRESSING] = waking.PRESSING;
+}
+#else
+#define RING_PARAMETERS
+#define FIRST_RING 1
+#define END_RING SLEEP_RINGS
+#endif
+
 // Ring by ring. Index space: one work-group. Cost: the circles around those that wake.
-kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping_spread(WORLD_PARAMETERS) {
+kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping_spread(WORLD_PARAMETERS RING_PARAMETERS) {
     World w = WORLD;
     local int count;
     local int fast;
@@ -597,7 +645,7 @@ kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping
     int woken = idle ? 0 : status[WOKEN_COUNT];
     if (item == 0) fast = 0;
     // As often for all, with no way out: see TILE_EACH.
-    for (int ring = 1; ring < SLEEP_RINGS; ring++) {
+    for (int ring = FIRST_RING; ring < END_RING; ring++) {
         global int *from = lists + (~ring & 1);
         global int *to = lists + (ring & 1);
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
@@ -611,12 +659,23 @@ kernel __attribute__((reqd_work_group_size(SLEEPING_GROUP, 1, 1))) void sleeping
             passOnBetween(&w, jointAt(&w, place), ring, to, &count);
         }
 #endif
+#ifdef BODIES
+        for (int i = item; i < touchedCount && !idle; i += SLEEPING_GROUP) reachByBody(&w, rowOfSleeper(touched, i), to, &count);
+#endif
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         woken = count;
         for (int i = item; i < woken; i += SLEEPING_GROUP) {
             if (wakeReached(&w, to + 2 * i, ring)) fast = 1;
         }
     }
+#ifdef BODIES
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    for (int i = item; i < touchedCount; i += SLEEPING_GROUP) tellOfSleeper(&w, rowOfSleeper(touched, i));
+    if (item == 0) {
+        touched[0] = woken;
+        if (!idle) status[WOKEN_COUNT] = woken;
+    }
+#endif
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item != 0 || idle) return;
     if (fast) status[FAST] = 1;

@@ -34,10 +34,8 @@ import io.github.circles2d.world.model.Limits;
  *
  * <p><b>New:</b> bodies that fly 40 of their widths a second past others are not right yet; the guide has the list.
  *
- * <p><b>On devices</b> the host makes the bodies' part of a step, and waits for the device in each sub-step if circles touch bodies. A world that was
- * built for a device refuses bodies if its circles sleep, with an {@link UnsupportedOperationException}, and goes on without; one of {@link Backend#AUTO}
- * goes to the JVM then. Bodies {@linkplain World.Builder#sleep sleep} as circles do. {@link Queries#bodies} finds
- * bodies, {@link World#joints} hold them.
+ * <p><b>On devices</b> the host makes the bodies' part of a step, and waits for the device in each sub-step if circles touch bodies. Bodies
+ * {@linkplain World.Builder#sleep sleep} as circles do. {@link Queries#bodies} finds bodies, {@link World#joints} hold them.
  *
  * <p><b>Limits:</b> a world has at most 65,536 bodies. A world without bodies pays nothing for this. A change acts from the next step on. Bodies are in
  * snapshots, in logs and in the hash. The rules of {@link World} for threads, failures and closed worlds hold here, too.
@@ -65,7 +63,6 @@ public final class Bodies {
      * @return the handle of the body
      * @throws IllegalArgumentException if a value is out of range; if the outline reaches from its centroid further than a radius may be in these bounds, or
      *     less far; or if there are 65,536 bodies
-     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass) {
         return add(outline, x, y, angle, mass, 0);
@@ -82,7 +79,6 @@ public final class Bodies {
      * @param kind the number of its kind, 0 to 255
      * @return the handle of the body
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float)}, or if there is no such kind
-     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public long add(Outline outline, float x, float y, float angle, float mass, int kind) {
         return simulation.rigids.add(Limits.notNull("outline", outline).shape(), x, y, angle, mass, kind);
@@ -97,7 +93,6 @@ public final class Bodies {
      * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
      * @throws IllegalArgumentException as {@link #add(Outline, float, float, float, float, int)} (the message has the number of the body), or if an
      *     array has the wrong length
-     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public void addAll(Outline outline, float[] bodies, int[] kinds, long[] handles) {
         OutlineShape[] shapes = {Limits.notNull("outline", outline).shape()};
@@ -113,7 +108,6 @@ public final class Bodies {
      * @param handles takes the handle of each; at least as many elements as there are bodies; may be null
      * @throws IllegalArgumentException as {@link #addAll(Outline, float[], int[], long[])}
      * @throws NullPointerException if an outline is null (the message has its number)
-     * @throws UnsupportedOperationException if the world sleeps, runs on a device and may not leave it; nothing has changed then
      */
     public void addAll(Outline[] outlines, float[] bodies, int[] kinds, long[] handles) {
         OutlineShape[] shapes = new OutlineShape[Limits.notNull("outlines", outlines).length];

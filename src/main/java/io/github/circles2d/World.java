@@ -1968,7 +1968,6 @@ public final class World implements AutoCloseable {
      * @param from a snapshot from its position on; the position moves behind it. Its byte order does not matter
      * @throws IllegalArgumentException if the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
      *     before
-     * @throws UnsupportedOperationException if a world on a device that may not leave it is to have bodies that sleep; likewise
      */
     public void restore(ByteBuffer from) {
         simulation.snapshots.restore(from);

@@ -395,11 +395,6 @@ record GoldenScene(
         return new GoldenScene(name, scene, change, edgeX, edgeY, surfaces, terrain, sleeps, itsBodies);
     }
 
-    /** Whether devices can run it: they refuse bodies that sleep. */
-    boolean runsOnDevices() {
-        return bodies == 0 || !sleeps;
-    }
-
     /** What a step costs, in circles. */
     int cost() {
         return scene.size() + COST_OF_BODY * bodies;

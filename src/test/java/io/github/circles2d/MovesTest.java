@@ -39,10 +39,9 @@ class MovesTest {
 
     private static final long ON_DEVICE = TestScale.of(150_000, 1_000_000);
 
-    /** Worlds with bodies stay at home. */
     static List<GoldenScene> scenes() {
         return GoldenScene.all().stream()
-                .filter(scene -> scene.runsOnDevices() && scene.cost() <= TestScale.of(2_000, 5_000, 5_000))
+                .filter(scene -> scene.cost() <= TestScale.of(2_000, 5_000, 5_000))
                 .toList();
     }
 

@@ -2,7 +2,6 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.opencl.TestDevices;
@@ -509,25 +508,63 @@ class WorldBodiesTest {
 
     @ParameterizedTest
     @MethodSource("io.github.circles2d.WorldBackendTest#openClBackends")
-    void aWorldBuiltForADeviceRefusesBodiesThatSleepAndGoesOn(Backend backend) {
-        try (World world = World.builder()
-                        .bounds(0, 0, 20, 10)
-                        .sleep(true)
-                        .backend(backend)
-                        .build();
-                World jvm = World.builder().bounds(0, 0, 20, 10).sleep(true).build()) {
-            world.add(4, 5, 0.5f, 1);
-            long hash = world.hash();
-            assertThatThrownBy(() -> world.bodies().add(CRATE, 10, 5, 0, 2))
-                    .isInstanceOf(UnsupportedOperationException.class)
-                    .hasMessageContaining("only on the JVM yet")
-                    .hasMessageContaining("Backend.AUTO");
-            jvm.bodies().add(CRATE, 10, 5, 0, 2);
-            ByteBuffer bytes = snapshot(jvm);
-            assertThatThrownBy(() -> world.restore(bytes)).isInstanceOf(UnsupportedOperationException.class);
-            assertThat(bytes.position()).isZero();
-            assertThat(world.bodies().size()).isZero();
-            assertThat(world.hash()).isEqualTo(hash);
+    void aWorldBuiltForADeviceHasBodiesThatSleep(Backend backend) {
+        try (World device = sleeping().backend(backend).build();
+                World jvm = sleeping().build()) {
+            long ball = 0;
+            long crate = 0;
+            for (World each : new World[] {device, jvm}) {
+                crate = each.bodies().add(CRATE, 10, 0.5f, 0, 2);
+                ball = each.add(10, 1.25f, 0.25f, 0.2f);
+                each.add(4, 0.5f, 0.5f, 1);
+                each.step(1 / 60f, 150);
+            }
+            assertThat(device.isAwake(ball)).isFalse();
+            assertThat(device.bodies().isAwake(crate)).isFalse();
+            assertThat(snapshot(device)).isEqualTo(snapshot(jvm));
+            for (World each : new World[] {device, jvm}) {
+                each.bodies().applyImpulse(crate, 3, 0);
+                each.step(1 / 60f, 20);
+            }
+            assertThat(device.isAwake(ball)).isTrue();
+            assertThat(snapshot(device)).isEqualTo(snapshot(jvm));
+            assertThat(device.stats().awake()).isEqualTo(jvm.stats().awake());
+        }
+    }
+
+    private static World.Builder sleeping() {
+        return World.builder()
+                .bounds(0, 0, 20, 10)
+                .gravity(0, -10)
+                .friction(0.6f)
+                .rollingResistance(0.05f)
+                .sleep(true);
+    }
+
+    @Test
+    @Tag("long")
+    void aWorldThatMovesTakesBodiesAlongThatSleep() {
+        try (World world = sleeping().backend(Backend.JVM).build();
+                World stays = sleeping().backend(Backend.JVM).build()) {
+            RandomMoves moves = RandomMoves.of(world, 1, TestDevices.all().get(0), Integer.MAX_VALUE);
+            int asleep = 0;
+            for (int k = 0; k < 300; k++) {
+                for (World each : new World[] {world, stays}) {
+                    if (k < 8) {
+                        each.bodies().add(CRATE, 2 + 2 * k, 0.5f + k % 3, 0.1f * k, 2);
+                        each.add(3 + 2 * k, 1 + k % 2, 0.3f, 1);
+                    } else if (k % 40 == 39) {
+                        each.bodies().applyImpulse(each.bodies().handle(k % 7), k % 3 - 1, 1);
+                        each.applyImpulse(each.handle(k % 5), 0, 2);
+                    }
+                    each.step(1 / 60f);
+                }
+                asleep = Math.max(asleep, world.bodies().size() - world.bodies().awake());
+                assertThat(world.hash()).as("step %d", k).isEqualTo(stays.hash());
+            }
+            assertThat(snapshot(world)).isEqualTo(snapshot(stays));
+            assertThat(moves.moves()).isPositive();
+            assertThat(asleep).isGreaterThan(3);
         }
     }
 

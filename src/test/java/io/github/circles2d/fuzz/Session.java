@@ -50,7 +50,7 @@ final class Session implements AutoCloseable {
             for (int n : threads) {
                 add(Backend.JVM, n, ready, null);
             }
-            Backend[] beside = program.setting.onDevices ? devices : new Backend[0];
+            Backend[] beside = devices;
             for (Backend device : beside) {
                 add(device, 0, ready, null);
             }

@@ -45,9 +45,6 @@ final class Setting {
     /** Whether there may be bodies that are pushed. */
     final boolean bodies;
 
-    /** Whether devices take what there may be: they refuse bodies that sleep. */
-    final boolean onDevices;
-
     final boolean recorded;
 
     /** Of a recording, and of a rewind and a rollback. */
@@ -101,7 +98,6 @@ final class Setting {
         }
         call("moving", circles % 2 == 0); // no word on back ends that are named
         bodies = random.nextInt(3) == 0;
-        onDevices = !bodies || !sleeps;
     }
 
     /** Whether programs of such a world make a call. */

@@ -74,11 +74,7 @@ final class BodyTool implements Tool {
     private void add(Sandbox sandbox, Outline outline, float x, float y) {
         Arena arena = Arena.of(sandbox.world());
         if (arena.contains(x, y)) {
-            try {
-                sandbox.world().bodies().add(outline, x, y, 0, sandbox.grain().massOf(outline.area()));
-            } catch (UnsupportedOperationException e) { // on a device
-                sandbox.say(e.getMessage());
-            }
+            sandbox.world().bodies().add(outline, x, y, 0, sandbox.grain().massOf(outline.area()));
         }
     }
 

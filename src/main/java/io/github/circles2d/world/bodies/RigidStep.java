@@ -1,5 +1,6 @@
 package io.github.circles2d.world.bodies;
 
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Sleep;
@@ -205,6 +206,32 @@ public final class RigidStep {
             }
         }
         changes++;
+    }
+
+    /** Wakes those that sleep by their kinds, and at walls, as changes of circles and surroundings ask for. */
+    public void wakeBy(Commands commands) {
+        for (int body = 0; body < end; body++) {
+            if (outline[body] != null && isAsleep(body) && commands.wakes(kind[body], 0f, 0f)) {
+                wake(body);
+            }
+        }
+        for (int k = 0; k < contacts; k++) {
+            int at = KEYS * k;
+            boolean presses = contactKeys[at + TYPE] == BODY_WALL && contactImpulses[IMPULSES * k + NORMAL] > 0f;
+            if (presses && isAsleep(contactKeys[at + A]) && (commands.wallsToWake() & 1 << contactKeys[at + B]) != 0) {
+                wake(contactKeys[at + A]);
+            }
+        }
+        changes++;
+    }
+
+    /** Whether one of them sleeps. */
+    public boolean anySleeps() {
+        boolean any = false;
+        for (int body = 0; !any && body < end; body++) {
+            any = outline[body] != null && isAsleep(body);
+        }
+        return any;
     }
 
     /** Whether there are bodies. */

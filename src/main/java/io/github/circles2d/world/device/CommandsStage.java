@@ -3,6 +3,7 @@ package io.github.circles2d.world.device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
@@ -10,7 +11,9 @@ import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.PairTable;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -112,16 +115,18 @@ final class CommandsStage {
         records = GrownBuffer.of(session, "commands", records, RECORD_BYTES * count, RECORD_BYTES * more);
         links = GrownBuffer.of(session, "command links", links, LINK_BYTES * count, LINK_BYTES * more);
         if (wake != null) {
-            changed = GrownBuffer.of(session, "changed circles", changed, CHANGED_BYTES * count, CHANGED_BYTES * more);
+            int rows = count + commands.areas(); // twice as much as areas need
+            changed = GrownBuffer.of(
+                    session, "changed circles", changed, CHANGED_BYTES * rows, CHANGED_BYTES * (rows + (rows >> 1)));
         }
         arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
 
-    /** In call order. New circles take free slots, then those from slots on; returns the slots at home afterwards. */
-    int apply(Commands commands, int slots, int circles, Bounds arena) {
+    /** In call order; bodies sleep as circles do, or are null. New circles take free slots, then those from slots on; returns the slots at home afterwards. */
+    int apply(Commands commands, int slots, int circles, Bounds arena, RigidStep bodies) {
         int count = commands.count();
         if (count == 0) {
-            wake(commands, slots, arena);
+            wake(commands, slots, arena, bodies);
             return slots;
         }
         int nextSlot = link(commands, slots);
@@ -133,15 +138,20 @@ final class CommandsStage {
             apply.arg(StageKernels.own(3), changed);
         }
         apply.run(count);
-        wake(commands, nextSlot, arena);
+        wake(commands, nextSlot, arena, bodies);
         return nextSlot;
     }
 
     /** Wakes those near to circles that have changed, and those of kinds and at walls. */
-    private void wake(Commands commands, int slots, Bounds arena) {
-        if (wake == null || !(commands.wakesSome() || wakesNear(commands))) {
+    private void wake(Commands commands, int slots, Bounds arena, RigidStep bodies) {
+        boolean near = wakesNear(commands);
+        if (wake == null || !(commands.wakesSome() || near || commands.areas() > 0)) {
             return;
         }
+        if (bodies != null && bodies.anySleeps()) {
+            wakeBodies(commands, near, arena, bodies);
+        }
+        putAreas(commands);
         if (commands.wakesSome()) {
             kindsToWake.write(0, IntBuffer.wrap(commands.kindsToWake()));
         }
@@ -152,7 +162,7 @@ final class CommandsStage {
                 .arg(4, arrays.get(DeviceArray.HOME_SLEEP))
                 .arg(5, slots)
                 .arg(6, changed)
-                .arg(7, 2 * commands.count())
+                .arg(7, 2 * commands.count() + commands.areas())
                 .arg(8, arena.periodX())
                 .arg(9, arena.periodY())
                 .arg(10, commands.wakesSome() ? 1 : 0)
@@ -160,6 +170,41 @@ final class CommandsStage {
                 .arg(12, commands.wallsToWake())
                 .arg(13, arrays.get(DeviceArray.FIELDS))
                 .run(slots);
+    }
+
+    /** Wakes bodies by what wakes circles. */
+    private void wakeBodies(Commands commands, boolean near, Bounds arena, RigidStep bodies) {
+        if (commands.wakesSome()) {
+            bodies.wakeBy(commands);
+        }
+        if (near) {
+            float[] circles = new float[CircleRow.of(2 * commands.count())];
+            changed.read(FloatBuffer.wrap(circles));
+            for (int s = 0; s < circles.length; s += CircleRow.STRIDE) {
+                if (circles[s + CircleRow.MASS] > 0f) {
+                    bodies.wakeNear(
+                            -1,
+                            circles[s + CircleRow.X],
+                            circles[s + CircleRow.Y],
+                            circles[s + CircleRow.RADIUS],
+                            arena.periodX(),
+                            arena.periodY());
+                }
+            }
+        }
+    }
+
+    /** Places around which circles wake are like circles that have changed, behind these. */
+    private void putAreas(Commands commands) {
+        if (commands.areas() == 0) {
+            return;
+        }
+        float[] rows = new float[CircleRow.of(commands.areas())];
+        for (int k = 0; k < commands.areas(); k++) {
+            System.arraycopy(commands.areaValues(), Commands.AREA * k, rows, CircleRow.of(k), Commands.AREA);
+            rows[CircleRow.of(k) + CircleRow.MASS] = 1f;
+        }
+        changed.write(CHANGED_BYTES * commands.count(), FloatBuffer.wrap(rows));
     }
 
     private static boolean wakesNear(Commands commands) {

@@ -298,12 +298,7 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(RigidStep bodies, boolean sleeping) {
-        if (sleeping) {
-            throw new UnsupportedOperationException(
-                    "bodies that are pushed, in a world that sleeps, are only on the JVM yet, and this World runs on "
-                            + device() + ": build it with Backend.JVM or Backend.AUTO, or without sleep");
-        }
+    public void prepare(RigidStep bodies) {
         if (hostBodies == null) {
             bodyArrays = new BodyArrays(session);
             hostBodies = new HostBodies(MOST_THREADS);
@@ -429,7 +424,7 @@ public final class DevicePipeline implements Pipeline {
             int operation = changes.operation(r);
             home.circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
-        home.slots = commands.apply(changes, home.slots, home.circles, arena);
+        home.slots = commands.apply(changes, home.slots, home.circles, arena, sleeps ? rigids : null);
     }
 
     @Override
@@ -439,12 +434,18 @@ public final class DevicePipeline implements Pipeline {
             home.slots = 0;
             commands.slotsInOrder();
             if (input.constants.rigid) {
+                arena = input.constants.bounds;
+                sleeps = input.constants.sleeping;
                 stepBodiesAlone(input, count);
             }
             return;
         }
         prepareSteps(input.reports);
-        if (queue.isQuiet() && reader == null && continues(input, shape)) {
+        if (hostBodies != null) {
+            settle(); // steps without bodies
+            hostBodies.use(input, rigids);
+        }
+        if (queue.isQuiet() && reader == null && continues(input, shape) && stages.bodiesAreIdle()) {
             return;
         }
         if (!queue.canContinue() || !continues(input, shape) || ready.haveNews()) {
@@ -463,8 +464,8 @@ public final class DevicePipeline implements Pipeline {
                 reader.prepare(input.reports, stages, queue.status());
             }
         }
-        if (hostBodies != null) {
-            hostBodies.use(input, rigids);
+        if (input.constants.rigid) {
+            queue.stir();
         }
         queue.add(count);
         if (input.constants.rigid) {

@@ -229,7 +229,7 @@ final class StepQueue {
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
                 awake = sleeping ? status.get(StatusWord.AWAKE) : -1;
-                quiet = sleeping && waking > 0 && !status.has(StatusWord.RESTLESS);
+                quiet = sleeping && waking > 0 && !status.has(StatusWord.RESTLESS) && stages.bodiesAreIdle();
                 waking = status.has(StatusWord.SLEEPERS) ? CALM : Math.max(0, waking - 1);
             } else {
                 adapt();

@@ -9,9 +9,11 @@ import io.github.circles2d.world.jvm.bodies.RigidSensing;
 import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindSurface;
+import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepInput;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -26,6 +28,23 @@ public final class HostBodies implements AutoCloseable {
 
     /** Words of a circle that bodies may sense: id, kind, group, radius, x and y as the step begins, and as it ends. */
     public static final int SENSED_WORDS = 8;
+
+    /** Words of a circle that sleeps, as bodies tell a device of it, and that of them: see the next ones. */
+    public static final int SLEEPER_WORDS = 12;
+
+    public static final int SLEEPER_SLOT = 0;
+
+    /** The speed that wakes it, or reaches it in a ring. */
+    public static final int SLEEPER_SPEED = 1;
+
+    /** From the device: the speed that has woken it. */
+    public static final int SLEEPER_WOKEN_BY = 2;
+
+    /** From the device: negative if it has woken, else what loads it. */
+    public static final int SLEEPER_PRESSING = 3;
+
+    /** The four sums of what presses it, each the lower half first. */
+    public static final int SLEEPER_SUMS = 4;
 
     /** Words of a circle at a body, which travel in each pass: motion, load, surface speed, impulse on it, allowance, how far it has turned. */
     public static final int ROW_WORDS = 12;
@@ -62,6 +81,7 @@ public final class HostBodies implements AutoCloseable {
     private final Team team;
     private final State state = new State();
     private final RigidPasses passes;
+    private final HostWaking waking;
     private final RigidSensing sensing = new RigidSensing(state);
 
     /** What joints that hold bodies keep. */
@@ -89,6 +109,11 @@ public final class HostBodies implements AutoCloseable {
 
     private int heldCount;
 
+    /** The same of circles with contacts that stay, since their bodies sleep. */
+    private int[] resting = new int[0];
+
+    private int restingCount;
+
     private final Runnable findBodies = this::findBodiesHere;
     private final Runnable findContacts = this::findContactsHere;
     private final Runnable begin = this::beginHere;
@@ -104,6 +129,7 @@ public final class HostBodies implements AutoCloseable {
         team = new Team(threads);
         state.startTurning();
         passes = new RigidPasses(state, team, JvmPipeline.LEAST_SHARE);
+        waking = new HostWaking(state, passes.waking);
     }
 
     /** Sets what steps are made with, until the next call. */
@@ -127,13 +153,18 @@ public final class HostBodies implements AutoCloseable {
         }
         for (int n = 0; n < joined; n++) {
             int joint = input.joints.rigidOrder[n];
-            int traits = JointRow.traits(joint);
-            int a = input.joints.traits[traits + JointRow.A];
-            int circle = a != JointRow.NONE ? a : input.joints.traits[traits + JointRow.B];
+            int circle = heldBy(joint);
             if (circle != JointRow.NONE && !states.hasBroken(joint, input.joints)) {
                 held[heldCount++] = circle;
             }
         }
+    }
+
+    /** The circle that a joint holds to a body, or {@link JointRow#NONE}. */
+    private int heldBy(int joint) {
+        int traits = JointRow.traits(joint);
+        int a = input.joints.traits[traits + JointRow.A];
+        return a != JointRow.NONE ? a : input.joints.traits[traits + JointRow.B];
     }
 
     /** How many times joints hold circles to bodies. */
@@ -144,6 +175,48 @@ public final class HostBodies implements AutoCloseable {
     /** Puts the ids of these circles. */
     public void putHeld(IntBuffer to) {
         to.put(held, 0, heldCount);
+    }
+
+    /** Behind a step: the same without those whose joint has broken; returns how many. */
+    public int putStillHeld(IntBuffer to) {
+        int many = 0;
+        for (int n = 0; heldCount > 0 && n < input.joints.rigidCount; n++) {
+            int joint = input.joints.rigidOrder[n];
+            int circle = heldBy(joint);
+            if (circle != JointRow.NONE
+                    && states.serial[joint] == input.joints.traits[JointRow.traits(joint) + JointRow.SERIAL]) {
+                to.put(circle);
+                many++;
+            }
+        }
+        return many;
+    }
+
+    /** How many times circles are named that come to the host wherever they are: those, and what rests at bodies that sleep. */
+    public int named() {
+        return heldCount + restingCount;
+    }
+
+    /** Puts their ids, those that joints hold first. */
+    public void putNamed(IntBuffer to) {
+        to.put(held, 0, heldCount).put(resting, 0, restingCount);
+    }
+
+    private void findResting() {
+        restingCount = 0;
+        if (!input.constants.sleeping) {
+            return;
+        }
+        if (resting.length < bodies.contacts) {
+            resting = new int[bodies.contacts + (bodies.contacts >> 1)];
+        }
+        for (int c = 0; c < bodies.contacts; c++) {
+            int at = RigidStep.KEYS * c;
+            if (bodies.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_CIRCLE
+                    && bodies.isAsleep(bodies.contactKeys[at + RigidStep.A])) {
+                resting[restingCount++] = bodies.contactKeys[at + RigidStep.B];
+            }
+        }
     }
 
     /** Whether steps have bodies. */
@@ -161,6 +234,7 @@ public final class HostBodies implements AutoCloseable {
         state.ownMotion = input.constants.ownMotion;
         state.turning.surfaces = input.surfaces.rows;
         forgetCircles();
+        findResting();
         team.run(workers, findBodies);
     }
 
@@ -195,10 +269,23 @@ public final class HostBodies implements AutoCloseable {
             atBodies = new int[state.capacity()];
             isAtBodies = new boolean[state.capacity()];
         }
-        for (int k = 0; k < circles; k++) {
-            add(words, at + NEAR_WORDS * k);
-        }
+        addAll(circles, words, at, false);
+        state.awake = state.n;
+        addAll(circles, words, at, true);
         team.run(workers, findContacts);
+    }
+
+    /** Those that sleep lie behind the others, as where all is on the JVM. */
+    private void addAll(int circles, IntBuffer words, int at, boolean asleep) {
+        for (int k = 0; k < circles; k++) {
+            int row = at + NEAR_WORDS * k;
+            boolean sleeps = input.constants.sleeping
+                    && real(words, row + TRAITS + CircleRow.INVERSE_MASS) == 0f
+                    && CircleMath.inverseMass(real(words, row + CIRCLE + CircleRow.MASS)) != 0f;
+            if (sleeps == asleep) {
+                add(words, row);
+            }
+        }
     }
 
     private void add(IntBuffer words, int at) {
@@ -208,7 +295,6 @@ public final class HostBodies implements AutoCloseable {
             return; // it is near, and a joint holds it
         }
         int slot = state.n++;
-        state.awake = state.n;
         deviceSlot[slot] = words.get(at + SLOT);
         state.id[slot] = id;
         state.slotOf[id] = slot;
@@ -234,6 +320,11 @@ public final class HostBodies implements AutoCloseable {
         state.turning.angle[slot] = words.get(at + ANGLE);
         for (int e = 0; e < KindSurface.STRIDE; e++) {
             state.turning.circleSurfaces[KindSurface.of(slot) + e] = real(words, at + SURFACE + e);
+        }
+        if (input.constants.sleeping) { // who sleeps has its surface from here
+            for (int e = 0; e < CircleField.surfaces(); e++) {
+                set(CircleField.surface(e), id, words.get(at + SURFACE + KindSurface.OF_CIRCLES + e));
+            }
         }
     }
 
@@ -271,6 +362,76 @@ public final class HostBodies implements AutoCloseable {
         for (int k = 0; k < atBodiesCount; k++) {
             isAtBodies[atBodies[k]] = false;
         }
+    }
+
+    // ---- who wakes
+    // ------------------------------------------------------------------------------------------------
+
+    /** Whether a body sleeps. */
+    public boolean anySleeps() {
+        return bodies.anySleeps();
+    }
+
+    /** Whether a step changes nothing of bodies if no circle moves, and tells nobody of touches. */
+    public boolean areIdle() {
+        forgetCircles();
+        return bodies == null
+                || input.constants.sleeping
+                        && bodies.listener == null
+                        && passes.isIdle(bodies, input.constants, input.terrain, joined() ? input.joints : null);
+    }
+
+    /** Begins to wake bodies, once contacts have been found. */
+    public void beginWaking() {
+        waking.begin(bodies, input.constants);
+    }
+
+    /** How many circles that sleep the device is told of. */
+    public int sleepers() {
+        return waking.count();
+    }
+
+    /** Puts what presses them and is about to push them, {@link #SLEEPER_WORDS} each. */
+    public void putSleepers(IntBuffer to, int at) {
+        waking.put(to, at, deviceSlot);
+    }
+
+    /** Takes which of them the device has woken in a ring. */
+    public void takeWoken(IntBuffer from, int at, int ring) {
+        waking.take(from, at, ring);
+    }
+
+    /** Whether a body has woken in the ring before. */
+    public boolean hasRing() {
+        return waking.hasRing();
+    }
+
+    /** Makes the part of a ring that bodies have. */
+    public void passOn(int ring) {
+        waking.passOn(ring);
+    }
+
+    /** Puts what reaches circles in it. */
+    public void putReached(IntBuffer to, int at) {
+        waking.putReached(to, at);
+    }
+
+    /** Wakes the bodies that are to wake. */
+    public void endWaking() {
+        waking.end();
+    }
+
+    /** The step is refused: no body has woken. */
+    public void undoWaking() {
+        waking.undo();
+    }
+
+    private void wakeAlone() {
+        beginWaking();
+        for (int ring = 1; ring < Sleep.RINGS && hasRing(); ring++) {
+            passOn(ring);
+        }
+        endWaking();
     }
 
     // ---- circles at bodies
@@ -328,10 +489,11 @@ public final class HostBodies implements AutoCloseable {
     }
 
     private void beginHere() {
+        waking.keep();
         bodies.touches = 0;
         bodies.touchesStay = true;
         sensing.beginWithoutCircles(bodies, input);
-        passes.begin(null);
+        passes.begin(input.constants.sleeping ? input.sleep.rows : null);
     }
 
     /** Begins a sub-step: what drives bodies. */
@@ -455,6 +617,7 @@ public final class HostBodies implements AutoCloseable {
     /** Takes over what joints keep, for which there is room. */
     public void loadJoints(SavedJointStates from) {
         states.load(from);
+        passes.waking.lookAtAll();
     }
 
     /** Saves what joints keep that hold bodies, in the place of what a device has for them. */
@@ -477,6 +640,11 @@ public final class HostBodies implements AutoCloseable {
     public void stepAlone(float warmScale, int subSteps) {
         findBoxes(warmScale);
         findContacts(0, null, 0);
+        if (input.constants.sleeping && bodies.anySleeps()) {
+            wakeAlone();
+            findBoxes(warmScale);
+            findContacts(0, null, 0);
+        }
         begin();
         for (int sub = 0; sub < subSteps; sub++) {
             driveBodies();
@@ -495,7 +663,8 @@ public final class HostBodies implements AutoCloseable {
                 + passes.bytes()
                 + sensing.bytes()
                 + states.bytes()
-                + 4L * (deviceSlot.length + atBodies.length + held.length)
+                + waking.bytes()
+                + 4L * (deviceSlot.length + atBodies.length + held.length + resting.length)
                 + isAtBodies.length;
     }
 

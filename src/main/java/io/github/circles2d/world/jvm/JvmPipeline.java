@@ -181,7 +181,7 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void prepare(RigidStep bodies, boolean sleeps) {
+    public void prepare(RigidStep bodies) {
         rigids = bodies;
         state.rigids = bodies;
         if (rigidPasses == null) {
@@ -288,8 +288,7 @@ public final class JvmPipeline implements Pipeline {
         begin();
         grid.build(constants);
         rigidIdle = false;
-        boolean sleep = state.sleepers != null
-                && (state.sleepers.count > 0 || constants.rigid && rigidPasses.anySleeps(rigids));
+        boolean sleep = state.sleepers != null && (state.sleepers.count > 0 || constants.rigid && rigids.anySleeps());
         boolean found = sleep && !wake();
         times.end(GRID);
         if (records()) {
@@ -612,6 +611,9 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void load(SavedState from) {
+        if (rigidPasses != null) {
+            rigidPasses.waking.lookAtAll();
+        }
         state.load(from);
         contacts.load(from);
         if (joints != null) {

@@ -25,7 +25,6 @@ import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactRows;
-import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PieceGap;
 import io.github.circles2d.world.model.PieceRow;
@@ -40,14 +39,7 @@ import java.util.Arrays;
  * sleep near to those that are awake, now or in the step before, and at those whose balance may be another for another reason; nothing has
  * changed for all others. One worker does it for all.
  */
-final class Waking implements WakingByBodies.Reached {
-    // the sums of a circle
-    private static final int SUMS = 4;
-    private static final int SUM_X = 0;
-    private static final int SUM_Y = 1;
-    private static final int SUM_LOAD = 2;
-    private static final int SUM_SPIN = 3;
-
+final class Waking implements WakingByBodies.Circles {
     private static final int NO_JOINTS = -1;
 
     private final State state;
@@ -60,8 +52,8 @@ final class Waking implements WakingByBodies.Reached {
 
     private int step;
 
-    /** By id, of circles that have been looked at: what presses it, in whole numbers. */
-    private long[] sums = new long[0];
+    /** Of circles that have been looked at. */
+    private final SleeperSums sums;
 
     /** By id, of circles that have been looked at: the speed that wakes it; later that which has woken it. */
     private float[] speed = new float[0];
@@ -116,6 +108,7 @@ final class Waking implements WakingByBodies.Reached {
         this.state = state;
         this.grid = grid;
         this.contacts = contacts;
+        sums = new SleeperSums(state);
     }
 
     private Sleepers sleepers() {
@@ -170,6 +163,7 @@ final class Waking implements WakingByBodies.Reached {
             RestingJoints held,
             WakingByBodies pushed) {
         k = constants;
+        sums.k = constants;
         joints = held;
         bodies = pushed;
         begin();
@@ -228,14 +222,13 @@ final class Waking implements WakingByBodies.Reached {
     private void begin() {
         if (looked.length < state.slotOf.length) {
             int ids = state.slotOf.length;
-            long[] newSums = new long[SUMS * ids];
+            sums.ensure(ids);
             float[] newSpeed = new float[ids];
             float[] newNext = new float[ids];
             int[] newWokenIn = new int[ids];
             looked = new int[ids];
             next = newNext;
             wokenIn = newWokenIn;
-            sums = newSums;
             speed = newSpeed;
             step = 0;
         }
@@ -265,7 +258,7 @@ final class Waking implements WakingByBodies.Reached {
 
     private void begin(int id) {
         looked[id] = step;
-        Arrays.fill(sums, SUMS * id, SUMS * (id + 1), 0L);
+        sums.clear(id);
         speed[id] = 0f;
     }
 
@@ -273,24 +266,12 @@ final class Waking implements WakingByBodies.Reached {
         speed[id] = CircleMath.max(speed[id], by);
     }
 
-    private float gainX(int slot) {
-        return state.gainX(slot, state.ownInverseMass(slot), k);
-    }
-
-    private float gainY(int slot) {
-        return state.gainY(slot, state.ownInverseMass(slot), k);
-    }
-
-    private float gainOfStep(int slot) {
-        return CircleMath.length(gainX(slot), gainY(slot)) * (float) k.subSteps;
-    }
-
     private float radius(int slot) {
         return state.circle[CircleRow.of(slot) + RADIUS];
     }
 
     private float strong(int slot) {
-        return Sleep.strong(gainOfStep(slot), radius(slot), k.dt);
+        return Sleep.strong(sums.gainOfStep(slot), radius(slot), k.dt);
     }
 
     /** Finds the normal from the circle of lower id to the other, and how far their surfaces are apart. */
@@ -354,36 +335,18 @@ final class Waking implements WakingByBodies.Reached {
             if (look(id)) {
                 int slot = state.slotOf[id];
                 float j = bodies.impulse(c);
-                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
                 float v = bodies.approach(c);
-                push(id, hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
+                push(id, sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
             }
         }
-    }
-
-    private float scale(int slot) {
-        return CrossRule.scaleOf(CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot)));
     }
 
     /** Adds the impulses of a contact, whose normal has been found and whose other rows are there, to the sums of a circle. */
     private void press(int slot, boolean isLower, float j) {
         float f = ContactRows.tangentImpulse(rows, 0, 1);
         float rolling = ContactRows.angularImpulse(rows, 0, 1);
-        press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
-    }
-
-    /** The same along a normal, which goes towards the circle if the side is 1. */
-    private void press(int slot, float side, float x, float y, float j, float f, float rolling) {
-        add(slot, side * (x * j - y * f), side * (y * j + x * f), j, -f + side * rolling / radius(slot));
-    }
-
-    private void add(int slot, float x, float y, float load, float spin) {
-        float scale = scale(slot);
-        int at = SUMS * state.id[slot];
-        sums[at + SUM_X] += CrossRule.toFixed(x, scale);
-        sums[at + SUM_Y] += CrossRule.toFixed(y, scale);
-        sums[at + SUM_LOAD] += CrossRule.toFixed(load, scale);
-        sums[at + SUM_SPIN] += CrossRule.toFixed(spin, scale);
+        sums.press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
     }
 
     /** Circles that joints hold to those that are awake: these may pull at them. */
@@ -427,20 +390,7 @@ final class Waking implements WakingByBodies.Reached {
     }
 
     private float hit(int slot, int awake, float approach, float gap, float restitution, float j) {
-        return hit(slot, state.ownInverseMass(awake), approach, gap, restitution, j);
-    }
-
-    private float hit(int slot, float itsInverseMass, float approach, float gap, float restitution, float j) {
-        return Sleep.hit(
-                approach,
-                gap,
-                state.ownInverseMass(slot),
-                itsInverseMass,
-                restitution,
-                j,
-                gainOfStep(slot),
-                radius(slot),
-                k.dt);
+        return sums.hit(slot, state.ownInverseMass(awake), approach, gap, restitution, j);
     }
 
     /** Circles that a joint moves: by a motor, or since what holds them moves by itself. */
@@ -583,7 +533,7 @@ final class Waking implements WakingByBodies.Reached {
             if (c >= 0) {
                 float j = bodies.impulse(c) * k.warmScale;
                 float f = bodies.grip(c) * k.warmScale;
-                press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
             }
         }
         for (int entry = joints == null ? 0 : joints.first(id);
@@ -600,7 +550,7 @@ final class Waking implements WakingByBodies.Reached {
             float y = joints.sumY(joint, k);
             float twist = joints.twist(joint, k);
             float both = joints.both(joint, k);
-            add(
+            sums.add(
                     slot,
                     isA ? -x : x,
                     isA ? -y : y,
@@ -618,7 +568,7 @@ final class Waking implements WakingByBodies.Reached {
         float along = impulse / w;
         float across = impulse == 0f ? 0f : f / w;
         float spin = turns ? ContactRows.spinOfOneBody(state.turning.wallRows, at, ContactRows.OF_WALL) / w : 0f;
-        add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w, spin);
+        sums.add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w, spin);
     }
 
     private void addPiece(int slot, float w, float[] rows, int row) {
@@ -628,7 +578,7 @@ final class Waking implements WakingByBodies.Reached {
             float x = rows[row + PieceContactRow.NX];
             float y = rows[row + PieceContactRow.NY];
             float spin = ContactRows.spinOfOneBody(rows, row + PieceContactRow.ROWS, 1) / w;
-            add(slot, x * j - y * f, y * j + x * f, j, spin);
+            sums.add(slot, x * j - y * f, y * j + x * f, j, spin);
         }
     }
 
@@ -645,28 +595,22 @@ final class Waking implements WakingByBodies.Reached {
         }
     }
 
-    private float load(int id, int slot) {
-        float unit = CrossRule.unitOf(CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot)));
-        return CrossRule.fromFixed(sums[SUMS * id + SUM_LOAD], unit);
-    }
-
     private float outOfBalance(int id, int slot) {
         float w = state.ownInverseMass(slot);
-        float unit = CrossRule.unitOf(CrossRule.impulseRange(radius(slot), k.inverseH, w));
-        float gainX = gainX(slot);
-        float gainY = gainY(slot);
+        float gainX = sums.gainX(slot);
+        float gainY = sums.gainY(slot);
         float gain = CircleMath.length(gainX, gainY);
         float r = radius(slot);
         boolean strict = sleepers().learn(id, gainX, gainY, gain, r, k);
-        float x = gainX + w * CrossRule.fromFixed(sums[SUMS * id + SUM_X], unit);
-        float y = gainY + w * CrossRule.fromFixed(sums[SUMS * id + SUM_Y], unit);
+        float x = gainX + w * sums.sum(slot, SleeperSums.X);
+        float y = gainY + w * sums.sum(slot, SleeperSums.Y);
         int offset = sleepers().offset(id, x, y, gain, strict);
         float b = CircleMath.length(x - Sleep.offsetX(offset, gain), y - Sleep.offsetY(offset, gain));
         if (joints != null && joints.turn(id)) {
-            float spin = CrossRule.fromFixed(sums[SUMS * id + SUM_SPIN], unit);
+            float spin = sums.sum(slot, SleeperSums.SPIN);
             b = CircleMath.max(b, Sleep.SHARE_OF_SPIN * Math.abs(state.turning.ownInverseInertia(slot) * spin));
         }
-        if (!(b > Sleep.tolerance(strict, gain, w * load(id, slot), r, k.dt))) {
+        if (!(b > Sleep.tolerance(strict, gain, w * sums.sum(slot, SleeperSums.LOAD), r, k.dt))) {
             sleepers().setRest(id, Sleep.ASLEEP);
             return 0f;
         }
@@ -723,14 +667,9 @@ final class Waking implements WakingByBodies.Reached {
     }
 
     @Override
-    public void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own) {
-        int slot = state.slotOf[id];
+    public void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass) {
         if (sleepers().isAsleep(id) && wokenIn[id] != step) {
-            reach(
-                    id,
-                    j > 0f
-                            ? Sleep.passedOn(itsSpeed, j, loadOf(id, slot), own, itsInverseMass, gainOfStep(slot))
-                            : Sleep.passedFreely(itsSpeed, gap, own, itsInverseMass, gainOfStep(slot), k.dt));
+            reach(id, passedOn(itsSpeed, itsInverseMass, id, state.slotOf[id], j, gap));
         }
     }
 
@@ -767,22 +706,15 @@ final class Waking implements WakingByBodies.Reached {
         }
         int press = sleepers().find(id, otherId);
         float j = press < 0 ? 0f : sleepers().normal(press) * k.warmScale;
-        reach(otherId, j > 0f ? passedOn(id, slot, otherId, other, j) : passedFreely(id, slot, other, separation));
+        reach(otherId, passedOn(speed[id], state.ownInverseMass(slot), otherId, other, j, separation));
     }
 
-    private float passedOn(int id, int slot, int otherId, int other, float j) {
-        return Sleep.passedOn(
-                speed[id],
-                j,
-                loadOf(otherId, other),
-                state.ownInverseMass(other),
-                state.ownInverseMass(slot),
-                gainOfStep(other));
+    private float passedOn(float itsSpeed, float itsInverseMass, int id, int slot, float j, float gap) {
+        return sums.passedOn(slot, itsSpeed, j, j > 0f ? loadOf(id, slot) : 0f, gap, itsInverseMass);
     }
 
-    private float passedFreely(int id, int slot, int other, float gap) {
-        float w = state.ownInverseMass(other);
-        return Sleep.passedFreely(speed[id], gap, w, state.ownInverseMass(slot), gainOfStep(other), k.dt);
+    private float passedFreely(int id, float itsInverseMass, int other, float gap) {
+        return sums.passedOn(other, speed[id], 0f, 0f, gap, itsInverseMass);
     }
 
     /** What has woken a circle reaches another one with a speed, if that is not 0. */
@@ -815,20 +747,25 @@ final class Waking implements WakingByBodies.Reached {
     private void passOn(int joint, int id, int otherId) {
         int slot = state.slotOf[id];
         int other = state.slotOf[otherId];
+        float itsInverseMass = state.ownInverseMass(slot);
         float j = joints.load(joint, k);
         if (j > 0f) {
-            reach(otherId, passedOn(id, slot, otherId, other, j));
+            reach(otherId, passedOn(speed[id], itsInverseMass, otherId, other, j, 0f));
             return;
         }
         float distance = joints.measure(joint);
         if (joints.has(joint, JointRow.RIGID)) {
-            reach(otherId, passedFreely(id, slot, other, 0f));
+            reach(otherId, passedFreely(id, itsInverseMass, other, 0f));
         }
         if (joints.has(joint, JointRow.LOWER)) {
-            reach(otherId, passedFreely(id, slot, other, distance - joints.value(joint, JointRow.MIN_LENGTH)));
+            reach(
+                    otherId,
+                    passedFreely(id, itsInverseMass, other, distance - joints.value(joint, JointRow.MIN_LENGTH)));
         }
         if (joints.has(joint, JointRow.UPPER)) {
-            reach(otherId, passedFreely(id, slot, other, joints.value(joint, JointRow.MAX_LENGTH) - distance));
+            reach(
+                    otherId,
+                    passedFreely(id, itsInverseMass, other, joints.value(joint, JointRow.MAX_LENGTH) - distance));
         }
     }
 
@@ -838,6 +775,6 @@ final class Waking implements WakingByBodies.Reached {
             begin(id);
             sumUp(id);
         }
-        return load(id, slot);
+        return sums.sum(slot, SleeperSums.LOAD);
     }
 }

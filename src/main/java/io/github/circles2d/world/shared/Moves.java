@@ -52,7 +52,7 @@ public final class Moves {
 
     /** Before so many steps, once all changes have been applied and it is known what the steps report. */
     public void beforeSteps(int steps) {
-        if (mover == null || !world.needs.mayMove()) {
+        if (mover == null) {
             return;
         }
         Readiness now = wanted(world.settings.contacts(), world.needs.features());

@@ -121,7 +121,7 @@ public final class Needs {
 
     private void prepare(ContactSettings contacts, Features features) {
         if (features.bodies()) {
-            world.pipeline.prepare(world.rigids.step, features.sleeping());
+            world.pipeline.prepare(world.rigids.step);
         }
         world.pipeline.prepare(contacts, features);
     }
@@ -129,14 +129,9 @@ public final class Needs {
     /** The same of a pipeline that the world is to move to. */
     void prepare(Pipeline next) {
         if (world.rigids.isThere()) {
-            next.prepare(world.rigids.step, world.settings.sleeps());
+            next.prepare(world.rigids.step);
         }
         next.prepare(world.settings.contacts(), features());
-    }
-
-    /** Whether all pipelines take the rigid bodies that there are: those on devices do not sleep. */
-    boolean mayMove() {
-        return !world.rigids.isThere() || !world.settings.sleeps();
     }
 
     private static boolean turns(SavedState s) {

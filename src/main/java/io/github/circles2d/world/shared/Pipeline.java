@@ -40,12 +40,9 @@ public interface Pipeline extends AutoCloseable {
     default void prepare(ContactSettings contacts, Features features) {}
 
     /**
-     * Makes ready for rigid bodies, which steps change from now on. Throws {@link UnsupportedOperationException} if there can be none such here;
-     * nothing has changed then.
-     *
-     * @param sleeps whether they sleep
+     * Makes ready for rigid bodies, which steps change from now on.
      */
-    void prepare(RigidStep bodies, boolean sleeps);
+    void prepare(RigidStep bodies);
 
     /** Whether nothing is compiled for such worlds any more, nor beside their steps. */
     default boolean isReady(Readiness wanted) {

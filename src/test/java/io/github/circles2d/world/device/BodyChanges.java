@@ -140,6 +140,14 @@ final class BodyChanges {
 
     /** What bodies have begun and ended to touch since the last time. */
     List<String> touches() {
+        List<String> lines = touches(simulation);
+        for (String line : lines) {
+            sensed += line.startsWith("true") && line.contains(" impulse 0.0 ") ? 1 : 0;
+        }
+        return lines;
+    }
+
+    static List<String> touches(Simulation simulation) {
         RigidTouches touches = new RigidTouches();
         simulation.rigidReads.take(touches);
         List<String> lines = new ArrayList<>();
@@ -148,9 +156,9 @@ final class BodyChanges {
             line.append(touches.begins(k)).append(' ').append(touches.type(k));
             line.append(' ').append(touches.body(k)).append(' ').append(touches.other(k));
             for (int value = 0; value < RigidStep.TOUCH_VALUES; value++) {
-                line.append(' ').append(touches.value(k, value));
+                line.append(value == RigidStep.TOUCH_IMPULSE ? " impulse " : " ");
+                line.append(touches.value(k, value));
             }
-            sensed += touches.begins(k) && touches.value(k, RigidStep.TOUCH_IMPULSE) == 0f ? 1 : 0;
             lines.add(line.toString());
         }
         return lines;

@@ -60,6 +60,8 @@ final class OclgrindWorlds {
             "joints of tiles",
             "bodies",
             "bodies of tiles",
+            "bodies that sleep",
+            "bodies that sleep, of tiles",
             "sleep",
             "sleep of tiles");
 
@@ -166,6 +168,12 @@ final class OclgrindWorlds {
                 break;
             case "bodies of tiles":
                 kernels.addAll(bodies(Plans.TILES));
+                break;
+            case "bodies that sleep":
+                kernels.addAll(sleepingBodies(Plans.COLOURS));
+                break;
+            case "bodies that sleep, of tiles":
+                kernels.addAll(sleepingBodies(Plans.TILES));
                 break;
             case "sleep":
                 if (steps > 1) {
@@ -456,6 +464,35 @@ final class OclgrindWorlds {
                 if (one.hash() != other.hash()) {
                     throw new IllegalStateException(plans + " with bodies, step " + step);
                 }
+            }
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /** Bodies and circles that fell asleep on the host, of which some wake. */
+    private Set<String> sleepingBodies(Plans plans) {
+        DevicePipeline pipeline = pipeline(plans);
+        WorldParameters parameters =
+                new WorldParameters(new Bounds(0, 0, 12, 8), 0, -10, 0, subSteps, 0).sleeping(true);
+        try (Simulation asleep = new Simulation(jvm(), parameters);
+                Simulation one = new Simulation(jvm(), parameters);
+                Simulation other = new Simulation(pipeline, parameters)) {
+            SleepingBodies before = new SleepingBodies(asleep, 0);
+            before.fill();
+            asleep.step(1 / 60f, 400);
+            SleepingBodies[] each = {before.goOn(one), before.goOn(other)};
+            for (int step = 0; step < 2 * steps; step++) {
+                for (SleepingBodies world : each) {
+                    world.disturb(step);
+                    world.simulation().step(1 / 60f, 1);
+                }
+                if (one.hash() != other.hash()) {
+                    throw new IllegalStateException(plans + " with bodies that sleep, step " + step);
+                }
+            }
+            each[1].awake();
+            if (each[1].mostSleepers() < 3 || each[1].mostSleepingBodies() < 3) {
+                throw new IllegalStateException("few sleep");
             }
             return pipeline.kernelNanos().keySet();
         }

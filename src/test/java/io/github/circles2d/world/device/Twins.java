@@ -341,7 +341,7 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    private static List<String> events(EventRows rows) {
+    static List<String> events(EventRows rows) {
         List<String> events = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "

@@ -76,6 +76,7 @@ class WorldOclgrindTest {
                         "terrain",
                         "joints",
                         "bodies",
+                        "bodies that sleep",
                         "sleep",
                         "queries"))
                 .containsAll(kernelsIn("queries"))
@@ -94,6 +95,8 @@ class WorldOclgrindTest {
                         "joints_takeSums",
                         "bodies_give",
                         "sleeping_spread",
+                        "sleeping_pressByBodies",
+                        "sleeping_holdByBodies",
                         "sleeping_end",
                         "readback_turns");
     }
@@ -122,6 +125,8 @@ class WorldOclgrindTest {
                         "joints of tiles",
                         "bodies",
                         "bodies of tiles",
+                        "bodies that sleep",
+                        "bodies that sleep, of tiles",
                         "sleep",
                         "sleep of tiles",
                         "queries"))

@@ -9,6 +9,7 @@ public final class BodyArrays implements AutoCloseable {
     private final Session session;
     private DeviceBuffer found;
     private DeviceBuffer held;
+    private DeviceBuffer sleepers;
     private DeviceBuffer slots;
     private DeviceBuffer rows;
     private HostBuffer host;
@@ -17,6 +18,7 @@ public final class BodyArrays implements AutoCloseable {
         this.session = session;
         ensureFound(0);
         ensureHeld(0);
+        ensureSleepers(0);
         ensureRows(0, 0);
         ensureHost(0);
     }
@@ -30,6 +32,12 @@ public final class BodyArrays implements AutoCloseable {
     /** Makes room for so many bytes of ids; what there was is lost. */
     public void ensureHeld(long bytes) {
         held = GrownBuffer.of(session, "circles that joints hold to bodies", held, bytes, roomier(bytes));
+        ensureHost(bytes);
+    }
+
+    /** Makes room for so many bytes of circles that sleep at bodies; what there was is lost. */
+    public void ensureSleepers(long bytes) {
+        sleepers = GrownBuffer.of(session, "circles that sleep at bodies", sleepers, bytes, roomier(bytes));
         ensureHost(bytes);
     }
 
@@ -62,6 +70,10 @@ public final class BodyArrays implements AutoCloseable {
         return held;
     }
 
+    public DeviceBuffer sleepers() {
+        return sleepers;
+    }
+
     public DeviceBuffer slots() {
         return slots;
     }
@@ -77,7 +89,7 @@ public final class BodyArrays implements AutoCloseable {
 
     @Override
     public void close() {
-        GrownBuffer.close(found, held, slots, rows);
+        GrownBuffer.close(found, held, sleepers, slots, rows);
         host.close();
     }
 }

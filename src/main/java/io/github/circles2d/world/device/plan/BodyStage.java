@@ -7,19 +7,24 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.jvm.HostBodies;
+import io.github.circles2d.world.model.Sleep;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 
 /**
  * The bodies that are pushed, of a world on a device. The host makes their part of a step ({@link HostBodies}); for circles that touch them it waits for
  * the device twice in a sub-step, takes what these have become, and gives it back; {@code kernels/world/stages/Bodies.cl}. For circles that joints hold to
- * bodies it waits four times. Steps without such circles wait once.
+ * bodies it waits four times. Steps without such circles wait once. Where somebody sleeps, the host finds contacts once more before, and waits for each ring
+ * of those that wake ({@link SleepStage}), if bodies touch circles that sleep.
  */
 final class BodyStage {
     /** Words before the boxes: how many circles were found, whether the step is refused. */
     private static final int BOXES = 4;
 
     private static final int BOX_WORDS = 4;
+
+    /** Words before the circles that sleep at bodies: how many circles woke in the last ring. */
+    private static final int SLEEPERS = 4;
 
     /** Circles that there is room for at least. */
     private static final int LEAST_ROOM = 64;
@@ -32,12 +37,19 @@ final class BodyStage {
     private final Kernel take;
     private final Kernel give;
 
-    /** Null, as the next, in worlds without joints. */
+    /** Null in worlds without joints. */
     private final Kernel free;
 
+    /** Null in worlds without joints in which nobody sleeps. */
     private final Kernel name;
 
-    BodyStage(StageKernels kernels, Session session, HostBodies bodies, BodyArrays arrays, boolean joints) {
+    BodyStage(
+            StageKernels kernels,
+            Session session,
+            HostBodies bodies,
+            BodyArrays arrays,
+            boolean joints,
+            boolean sleeping) {
         this.session = session;
         this.bodies = bodies;
         this.arrays = arrays;
@@ -46,7 +58,7 @@ final class BodyStage {
         take = kernels.staged("bodies_take");
         give = kernels.staged("bodies_give");
         free = joints ? kernels.staged("bodies_free") : null;
-        name = joints ? kernels.staged("bodies_name") : null;
+        name = joints || sleeping ? kernels.staged("bodies_name") : null;
     }
 
     /** Adds the numbers that the kernels share with the host. */
@@ -54,6 +66,13 @@ final class BodyStage {
         return source.define("BODY_BOXES", BOXES)
                 .define("BODY_NEAR_WORDS", HostBodies.NEAR_WORDS)
                 .define("BODY_SENSED_WORDS", HostBodies.SENSED_WORDS)
+                .define("BODY_SLEEPERS", SLEEPERS)
+                .define("BODY_SLEEPER_WORDS", HostBodies.SLEEPER_WORDS)
+                .define("SLEEPER_SLOT", HostBodies.SLEEPER_SLOT)
+                .define("SLEEPER_SPEED", HostBodies.SLEEPER_SPEED)
+                .define("SLEEPER_WOKEN_BY", HostBodies.SLEEPER_WOKEN_BY)
+                .define("SLEEPER_PRESSING", HostBodies.SLEEPER_PRESSING)
+                .define("SLEEPER_SUMS", HostBodies.SLEEPER_SUMS)
                 .define("BODY_ROW_WORDS", HostBodies.ROW_WORDS);
     }
 
@@ -78,36 +97,48 @@ final class BodyStage {
         if (!bodies.areThere()) {
             return false;
         }
+        boolean goesOn = findContacts(warmScale, circles);
+        if (!goesOn) {
+            bodies.undoWaking();
+        }
+        return goesOn;
+    }
+
+    private boolean findContacts(float warmScale, int circles) {
         bodies.findBoxes(warmScale);
         int boxes = bodies.boxes();
         int found = find(find, boxes, circles, HostBodies.NEAR_WORDS);
-        if (found < 0) {
-            return false;
+        if (found >= 0) {
+            bodies.findContacts(found, arrays.host().ints(), BOXES + BOX_WORDS * boxes);
         }
-        bodies.findContacts(found, arrays.host().ints(), BOXES + BOX_WORDS * boxes);
-        return true;
+        return found >= 0;
     }
 
     /** Finds circles near to boxes, so many words each, which are on the host behind the boxes then. Returns how many, or -1 if the step is refused. */
     private int find(Kernel near, int boxes, int circles, int wordsEach) {
         int before = BOXES + BOX_WORDS * boxes;
+        int named = near == find ? bodies.named() : 0;
+        if (named > 0) {
+            arrays.ensureHeld(bytes(named));
+            bodies.putNamed(arrays.host().ints().duplicate().clear());
+            arrays.held().write(0, arrays.host(), 0, bytes(named));
+        }
         for (int room = LEAST_ROOM; ; ) {
             arrays.ensureFound(bytes(before + (long) wordsEach * room));
-            room = (int)
-                    Math.min(circles + bodies.held(), (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
+            room = (int) Math.min(circles + named, (arrays.found().bytes() / Integer.BYTES - before) / wordsEach);
             putBoxes(near == find);
             arrays.found().write(0, arrays.host(), 0, bytes(before));
             near.arg(StageKernels.own(0), arrays.found())
                     .arg(StageKernels.own(1), boxes)
                     .arg(StageKernels.own(2), room)
                     .run(circles);
-            if (near == find && bodies.held() > 0) {
+            if (named > 0) {
                 name.arg(StageKernels.own(0), arrays.held())
-                        .arg(StageKernels.own(1), bodies.held())
+                        .arg(StageKernels.own(1), named)
                         .arg(StageKernels.own(2), arrays.found())
                         .arg(StageKernels.own(3), boxes)
                         .arg(StageKernels.own(4), room)
-                        .run(bodies.held());
+                        .run(named);
             }
             int expected = Math.min(room, LEAST_ROOM);
             arrays.found().read(0, arrays.host(), 0, bytes(before + (long) wordsEach * expected));
@@ -122,6 +153,85 @@ final class BodyStage {
                 return found;
             }
             room = found;
+        }
+    }
+
+    // ---- sleep
+    // ----------------------------------------------------------------------------------------------------------
+
+    boolean areIdle() {
+        return bodies.areIdle();
+    }
+
+    /** Whether bodies may wake as steps begin, or wake circles. */
+    boolean wakes(Steps steps) {
+        return bodies.areThere() && steps.sleeping() && (steps.waking() || bodies.anySleeps());
+    }
+
+    /** Wakes bodies and, if some may sleep, circles, behind the grid. If the step has been refused, nothing happens. */
+    void wake(SleepStage sleep, boolean circlesSleep, float warmScale, int circles) {
+        if (!findContacts(warmScale, circles)) {
+            return;
+        }
+        bodies.beginWaking();
+        int sleepers = circlesSleep ? bodies.sleepers() : 0;
+        if (sleepers > 0) {
+            arrays.ensureSleepers(bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+            bodies.putSleepers(arrays.host().ints(), SLEEPERS);
+            sendSleepers(sleepers);
+        }
+        if (circlesSleep) {
+            sleep.wake(circles, sleepers);
+        }
+        if (sleepers > 0) {
+            spread(sleep, sleepers);
+        } else {
+            if (circlesSleep) {
+                sleep.spread(1, Sleep.RINGS, 0);
+            }
+            for (int ring = 1; ring < Sleep.RINGS && bodies.hasRing(); ring++) {
+                bodies.passOn(ring);
+            }
+        }
+        bodies.endWaking();
+        if (circlesSleep) {
+            sleep.keep(circles);
+        }
+    }
+
+    private void spread(SleepStage sleep, int sleepers) {
+        sleep.spread(1, 1, sleepers);
+        int woken = receiveSleepers(sleepers, 0);
+        for (int ring = 1; ring < Sleep.RINGS && (woken > 0 || bodies.hasRing()); ring++) {
+            bodies.passOn(ring);
+            bodies.putReached(arrays.host().ints(), SLEEPERS);
+            sendSleepers(sleepers);
+            sleep.spread(ring, ring + 1, sleepers);
+            woken = receiveSleepers(sleepers, ring);
+        }
+    }
+
+    private void sendSleepers(int sleepers) {
+        arrays.sleepers().write(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+    }
+
+    /** Returns how many circles have woken in the ring. */
+    private int receiveSleepers(int sleepers, int ring) {
+        arrays.sleepers().read(0, arrays.host(), 0, bytes(SLEEPERS + (long) HostBodies.SLEEPER_WORDS * sleepers));
+        bodies.takeWoken(arrays.host().ints(), SLEEPERS, ring);
+        return arrays.host().ints().get(0);
+    }
+
+    /** Behind a step: circles that joints hold to bodies do not fall asleep. */
+    void keepAwake(SleepStage sleep) {
+        int held = bodies.areThere() ? bodies.held() : 0;
+        if (held > 0) {
+            arrays.ensureHeld(bytes(held));
+            int still = bodies.putStillHeld(arrays.host().ints().duplicate().clear());
+            if (still > 0) {
+                arrays.held().write(0, arrays.host(), 0, bytes(still));
+                sleep.keepAwake(still);
+            }
         }
     }
 

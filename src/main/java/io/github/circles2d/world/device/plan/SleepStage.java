@@ -2,8 +2,10 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.JointUpload;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.Sleep;
 
 /** Circles that wake as a step begins, and those that fall asleep behind it; {@code kernels/world/stages/Sleeping.cl}. */
 final class SleepStage {
@@ -23,8 +25,19 @@ final class SleepStage {
 
     private final JointUpload joints;
 
-    SleepStage(StageKernels kernels, JointUpload joints, boolean haveJoints) {
+    /** Null, as the next two, in a world without bodies that are pushed. */
+    private final BodyArrays bodies;
+
+    private final Kernel pressByBodies;
+
+    /** Null also in a world without joints. */
+    private final Kernel holdByBodies;
+
+    SleepStage(StageKernels kernels, JointUpload joints, boolean haveJoints, BodyArrays bodies) {
         this.joints = joints;
+        this.bodies = bodies;
+        pressByBodies = bodies == null ? null : kernels.staged("sleeping_pressByBodies");
+        holdByBodies = bodies == null || !haveJoints ? null : kernels.staged("sleeping_holdByBodies");
         press = kernels.staged("sleeping_press");
         wake = kernels.staged("sleeping_wake");
         spread = kernels.staged("sleeping_spread");
@@ -41,11 +54,46 @@ final class SleepStage {
 
     /** Behind the grid. */
     void wake(int circles) {
+        wake(circles, 0);
+        spread(1, Sleep.RINGS, 0);
+        keep(circles);
+    }
+
+    /** Finds out who wakes, but for whom others wake. sleepers: how many circles bodies press, which {@link BodyArrays#sleepers} has. */
+    void wake(int circles, int sleepers) {
         press.run(circles);
         runOverJoints(hold);
+        if (sleepers > 0) {
+            pressByBodies
+                    .arg(StageKernels.own(0), bodies.sleepers())
+                    .arg(StageKernels.own(1), sleepers)
+                    .run(sleepers);
+        }
         wake.run(circles);
+    }
+
+    /** Makes some rings of those that wake others. sleepers: how many circles bodies may wake. */
+    void spread(int from, int to, int sleepers) {
+        if (bodies != null) {
+            spread.arg(StageKernels.own(0), from)
+                    .arg(StageKernels.own(1), to)
+                    .arg(StageKernels.own(2), bodies.sleepers())
+                    .arg(StageKernels.own(3), sleepers);
+        }
         spread.run(GROUP, GROUP);
+    }
+
+    /** Once all have woken: those that rest keep what they have. */
+    void keep(int circles) {
         keep.run(circles);
+    }
+
+    /** Behind the step: so many circles, which {@link BodyArrays#held} has, do not fall asleep. */
+    void keepAwake(int held) {
+        holdByBodies
+                .arg(StageKernels.own(0), bodies.held())
+                .arg(StageKernels.own(1), held)
+                .run(held);
     }
 
     /** Behind the step and what it reports. */

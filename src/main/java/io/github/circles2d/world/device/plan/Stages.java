@@ -80,7 +80,9 @@ public final class Stages {
             HostBodies bodies,
             BodyArrays bodyArrays) {
         device = session.device();
-        this.bodies = bodies == null ? null : new BodyStage(kernels, session, bodies, bodyArrays, arrays.joints());
+        this.bodies = bodies == null
+                ? null
+                : new BodyStage(kernels, session, bodies, bodyArrays, arrays.joints(), arrays.sleeping());
         this.kernels = kernels;
         this.arrays = arrays;
         this.parameters = parameters;
@@ -100,7 +102,7 @@ public final class Stages {
         contactsList = kernels.staged("contacts_list");
         pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
-        sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints()) : null;
+        sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints(), bodyArrays) : null;
         degrees = kernels.plain("contacts_degrees");
     }
 
@@ -142,6 +144,11 @@ public final class Stages {
     /** The bodies that are pushed in a step that nothing refuses any more but what has come before; null if there are none, or it is refused. */
     BodyStage findBodies(int circles) {
         return bodies != null && bodies.find(warmScale, circles) ? bodies : null;
+    }
+
+    /** Whether bodies that are pushed, if there are any, leave all as it is unless something is new. */
+    public boolean bodiesAreIdle() {
+        return bodies == null || bodies.areIdle();
     }
 
     /** Whether the steps to come have joints. */
@@ -198,7 +205,9 @@ public final class Stages {
             warmScale = step == 0 ? steps.warmScale() : 1f;
             send(warmScale, slots, circles);
             buildGrid(steps.levels(), slots, circles, steps.waking());
-            if (steps.waking()) {
+            if (bodies != null && bodies.wakes(steps)) {
+                bodies.wake(sleep, steps.waking(), warmScale, circles);
+            } else if (steps.waking()) {
                 sleep.wake(circles);
             }
             if (joints != null) {
@@ -258,6 +267,9 @@ public final class Stages {
     /** Lets circles fall asleep, behind a step and what it reports. */
     public void end(int circles) {
         if (sleeping) {
+            if (bodies != null) {
+                bodies.keepAwake(sleep);
+            }
             sleep.end(circles);
         }
     }

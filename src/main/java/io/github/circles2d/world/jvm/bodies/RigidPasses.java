@@ -135,16 +135,6 @@ public final class RigidPasses {
         return n;
     }
 
-    /** Whether a body sleeps. */
-    public boolean anySleeps(RigidStep bodies) {
-        for (int id = 0; id < bodies.end; id++) {
-            if (bodies.outline[id] != null && bodies.isAsleep(id)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** Whether a step changes nothing of bodies, nor they of circles. Without joints of bodies, theirs are null. */
     public boolean isIdle(RigidStep bodies, StepConstants constants, TerrainStep ground, JointStep jointStep) {
         return jointStep == null

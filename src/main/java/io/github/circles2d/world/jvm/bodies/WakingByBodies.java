@@ -15,6 +15,12 @@ import java.util.Arrays;
  * the rings. Of bodies, the half thickness stands for the radius. What presses a body is summed up as speeds.
  */
 public final class WakingByBodies {
+    /** The circles that sleep. */
+    public interface Circles {
+        /** What has woken a body reaches a circle that it touches, with an impulse or a gap. */
+        void reachFromBody(int id, float speed, float impulse, float gap, float inverseMass);
+    }
+
     private static final int SUMS = 4;
     private static final int SUM_X = 0;
     private static final int SUM_Y = 1;
@@ -23,12 +29,6 @@ public final class WakingByBodies {
 
     /** Of what turns by more in a step, in radians, another corner may arrive than the one that is near. */
     private static final float FAR_TURN = 0.02f;
-
-    /** The circles that woken bodies reach. */
-    public interface Reached {
-        /** What has woken a body reaches a circle that it touches, with an impulse or a gap. own: the inverse mass of the circle. */
-        void reachFromBody(int id, float itsSpeed, float j, float gap, float itsInverseMass, float own);
-    }
 
     private final State state;
     private final RigidContacts contacts;
@@ -58,6 +58,9 @@ public final class WakingByBodies {
     private int[] woken = new int[64];
     private int wokenCount;
     private int ringFrom;
+
+    /** Whether the next step looks at the balance of all. */
+    private boolean looksAtAll;
 
     // of what the balance of all was looked at last
     private int changes = -1;
@@ -228,12 +231,18 @@ public final class WakingByBodies {
 
     /** Whether all is as it was when the balance of all was looked at. */
     private boolean isAsBefore() {
-        return changes == bodies.changes
+        return !looksAtAll
+                && changes == bodies.changes
                 && jointsVersion == joints.version()
                 && gravityX == k.gravityStepX
                 && gravityY == k.gravityStepY
                 && h == k.h
                 && k.warmScale == 1f;
+    }
+
+    /** Others have made steps since the last one here, or it has been undone. */
+    public void lookAtAll() {
+        looksAtAll = true;
     }
 
     /** Whether nothing is there for bodies to notice, all of which sleep: no circle moves, either. */
@@ -254,6 +263,7 @@ public final class WakingByBodies {
     /** Finds who wakes first. */
     public void findWoken() {
         boolean all = !isAsBefore();
+        looksAtAll = false;
         changes = bodies.changes;
         jointsVersion = joints.version();
         gravityX = k.gravityStepX;
@@ -495,7 +505,7 @@ public final class WakingByBodies {
     }
 
     /** What woke bodies in the ring before reaches others, and circles. */
-    public void passOn(Reached circles) {
+    public void passOn(Circles circles) {
         for (int n = ringFrom; n < wokenCount; n++) {
             int id = woken[n];
             for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
@@ -515,8 +525,7 @@ public final class WakingByBodies {
                             speed[id],
                             contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
                             contacts.rows[RigidRow.of(c) + RigidRow.GAP],
-                            own,
-                            things.ownW[other]);
+                            own);
                 }
             }
             joints.passOn(pairs.bodyThing(id), speed[id], this);

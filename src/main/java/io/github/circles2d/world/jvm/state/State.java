@@ -474,7 +474,7 @@ public final class State implements ContactEvents.Sleepers {
     /** Wakes circles by their kinds, and at walls. */
     private void wakeBy(Commands commands) {
         if (sleepers != null && rigids != null) {
-            wakeBodiesBy(commands);
+            rigids.wakeBy(commands);
         }
         for (int slot = n - 1; slot >= 0 && sleepers != null && sleepers.count > 0; slot--) {
             int s = CircleRow.of(slot);
@@ -485,27 +485,6 @@ public final class State implements ContactEvents.Sleepers {
                 slot = Math.min(slot + 1, n); // another one has come to the place
             }
         }
-    }
-
-    /** The same of bodies. */
-    private void wakeBodiesBy(Commands commands) {
-        for (int body = 0; body < rigids.end; body++) {
-            if (rigids.outline[body] != null && rigids.isAsleep(body) && commands.wakes(rigids.kind[body], 0f, 0f)) {
-                rigids.wake(body);
-            }
-        }
-        for (int k = 0; k < rigids.contacts; k++) {
-            int at = RigidStep.KEYS * k;
-            int body = rigids.contactKeys[at + RigidStep.A];
-            boolean presses = rigids.contactKeys[at + RigidStep.TYPE] == RigidStep.BODY_WALL
-                    && rigids.contactImpulses[RigidStep.IMPULSES * k + RigidStep.NORMAL] > 0f;
-            if (presses
-                    && rigids.isAsleep(body)
-                    && (commands.wallsToWake() & 1 << rigids.contactKeys[at + RigidStep.B]) != 0) {
-                rigids.wake(body);
-            }
-        }
-        rigids.changes++;
     }
 
     /** The inverse mass of a circle, also of one that sleeps. */
