@@ -86,8 +86,7 @@ final class ReferenceJoints {
     }
 
     private void splitIfHub(Circle circle) {
-        List<ReferenceJoint> own =
-                all().stream()
+        List<ReferenceJoint> own = all().stream()
                 .filter(j -> j.a != null && j.b != null && j.isOf(circle))
                 .toList();
         if (own.size() > HUB) {

@@ -4,8 +4,8 @@ import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
-import io.github.circles2d.world.jvm.grid.Candidates;
 import io.github.circles2d.world.jvm.grid.Ahead;
+import io.github.circles2d.world.jvm.grid.Candidates;
 import io.github.circles2d.world.jvm.grid.Grid;
 import io.github.circles2d.world.jvm.grid.NearSlots;
 import io.github.circles2d.world.jvm.grid.Nearby;
