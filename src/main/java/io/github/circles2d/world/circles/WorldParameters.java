@@ -84,32 +84,4 @@ public record WorldParameters(
         long grips = surfaces.any() ? StateHash.surfaces(surfaces) : 0;
         return walls + edges + grips + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
     }
-
-    /** By bits and objects; comparing with another record would leave garbage. */
-    public boolean has(
-            Bounds otherBounds,
-            float otherGravityX,
-            float otherGravityY,
-            float otherRestitution,
-            int otherSubSteps,
-            float otherTimeStep,
-            ContactSettings otherContacts,
-            Bounds otherStart,
-            SurfaceSettings otherSurfaces,
-            boolean othersSleep) {
-        return bounds == otherBounds
-                && same(gravityX, otherGravityX)
-                && same(gravityY, otherGravityY)
-                && same(restitution, otherRestitution)
-                && subSteps == otherSubSteps
-                && same(previousTimeStep, otherTimeStep)
-                && contacts == otherContacts
-                && wallStart == otherStart
-                && surfaces == otherSurfaces
-                && sleeps == othersSleep;
-    }
-
-    private static boolean same(float a, float b) {
-        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
-    }
 }

@@ -28,7 +28,7 @@ public final class WorldSettings {
     /** Whether circles fall asleep. */
     private boolean sleeps;
 
-    /** What {@link #parameters} gave last. */
+    /** All of it; null once something has changed, until it is asked for. */
     private WorldParameters parameters;
 
     /** As a world begins; events take part in each change of the bounds. */
@@ -53,12 +53,20 @@ public final class WorldSettings {
         parameters = p;
     }
 
+    private void changeIf(boolean other) {
+        if (other) {
+            parameters = null;
+        }
+    }
+
     public void setGravity(float x, float y) {
+        changeIf(Float.compare(x, gravityX) != 0 || Float.compare(y, gravityY) != 0);
         gravityX = x;
         gravityY = y;
     }
 
     public void setBounds(Bounds start, Bounds next) {
+        changeIf(start != wallStart || next != bounds);
         wallStart = start;
         bounds = next;
         events.setArena(next);
@@ -66,15 +74,18 @@ public final class WorldSettings {
 
     /** The next step moves no wall. */
     public void stopWalls() {
+        changeIf(wallStart != bounds);
         wallStart = bounds;
     }
 
     public void setSurfaces(SurfaceSettings next) {
+        changeIf(next != surfaces);
         surfaces = next;
     }
 
     /** A step has been made, of a length. */
     public void stepped(float length) {
+        changeIf(length != timeStep);
         timeStep = length;
     }
 
@@ -138,17 +149,7 @@ public final class WorldSettings {
 
     /** All of it. */
     public WorldParameters parameters() {
-        if (!parameters.has(
-                bounds,
-                gravityX,
-                gravityY,
-                defaultRestitution,
-                subSteps,
-                timeStep,
-                contacts,
-                wallStart,
-                surfaces,
-                sleeps)) {
+        if (parameters == null) {
             parameters = new WorldParameters(
                     bounds,
                     gravityX,
