@@ -657,7 +657,7 @@ class BodiesPhysicsTest {
     }
 
     /** A polygon whose lines are so far outside those of another, which goes anticlockwise. */
-    private static float[] grown(float[] points, double by) {
+    static float[] grown(float[] points, double by) {
         int n = points.length;
         float[] to = new float[n];
         for (int k = 0; k < n; k += 2) {
