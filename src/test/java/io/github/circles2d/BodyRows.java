@@ -113,7 +113,8 @@ final class BodyRows {
         }
 
         long box(double x, double y, double angle, double halfX, double halfY, double rounding, double density) {
-            Outline outline = Outline.box((float) (2 * halfX), (float) (2 * halfY)).round((float) rounding);
+            Outline outline =
+                    Outline.box((float) (2 * halfX), (float) (2 * halfY)).round((float) rounding);
             return bodies.add(outline, (float) x, (float) y, (float) angle, (float) (density * outline.area()));
         }
 
@@ -174,7 +175,10 @@ final class BodyRows {
     // -------------------------------------------------------------------------------------------------------------
 
     private static double drift(Scene scene, long... crates) {
-        return Arrays.stream(crates).mapToDouble(c -> Math.abs(scene.bodies.x(c))).max().orElseThrow();
+        return Arrays.stream(crates)
+                .mapToDouble(c -> Math.abs(scene.bodies.x(c)))
+                .max()
+                .orElseThrow();
     }
 
     private static List<RowFigure> stackOfTen() {
@@ -202,11 +206,19 @@ final class BodyRows {
     private static List<RowFigure> otherStacks() {
         return List.of(
                 RowFigure.within("D3", "a stack of 15, rounding 0.2, 60 s: stands", 1, 1, 0, stands(15, 0.2, 60)),
-                RowFigure.within("D3", "a stack of 15, steps of 1/30 s, 60 s: stands", 1, 1, 0, stands(15, ROUNDING, 30))
+                RowFigure.within(
+                                "D3", "a stack of 15, steps of 1/30 s, 60 s: stands", 1, 1, 0, stands(15, ROUNDING, 30))
                         .notBelow(0),
                 new RowFigure("D3", "a stack of 20, rounding 0.2, 60 s: stands", 1, 1, 0, 1, NONE, stands(20, 0.2, 60)),
                 new RowFigure(
-                        "D3", "a stack of 20, steps of 1/30 s, 60 s: stands", 1, 1, 0, 1, NONE, stands(20, ROUNDING, 30)));
+                        "D3",
+                        "a stack of 20, steps of 1/30 s, 60 s: stands",
+                        1,
+                        1,
+                        0,
+                        1,
+                        NONE,
+                        stands(20, ROUNDING, 30)));
     }
 
     /** 1 if a stack stands after a minute of so many steps a second, else 0. */
@@ -397,7 +409,8 @@ final class BodyRows {
                 double from = scene.bodies.x(box);
                 scene.bodies.setVelocity(box, 6, 0);
                 scene.run(600);
-                String what = String.format(Locale.ROOT, "slides from 6 m/s to rest, friction %.1f: way, m", frictions[k]);
+                String what =
+                        String.format(Locale.ROOT, "slides from 6 m/s to rest, friction %.1f: way, m", frictions[k]);
                 double way = scene.bodies.x(box) - from;
                 figures.add(RowFigure.share("D6", what, 36 / (20 * frictions[k]), box2d[k], 0.005, way));
             }
@@ -413,7 +426,8 @@ final class BodyRows {
                 long box = scene.box(-0.9 * Math.sin(angle), 0.9 * Math.cos(angle), angle, 0.3, 0.9, ROUNDING, 1);
                 scene.run(240);
                 double tips = scene.bodies.angle(box) - angle > 1 ? 1 : 0;
-                String what = "a slim box, 10 mrad " + (side < 0 ? "below" : "above") + " the angle at which it tips: tips";
+                String what =
+                        "a slim box, 10 mrad " + (side < 0 ? "below" : "above") + " the angle at which it tips: tips";
                 double exact = side < 0 ? 0 : 1;
                 figures.add(RowFigure.within("D7", what, exact, exact, 0, tips));
             }
@@ -640,7 +654,9 @@ final class BodyRows {
                     fell[k] = fell[k] < 0 && scene.bodies.angle(all[k]) < -0.1 ? step : fell[k];
                 }
             }
-            double fallen = Arrays.stream(all).filter(each -> scene.bodies.angle(each) < -0.5).count();
+            double fallen = Arrays.stream(all)
+                    .filter(each -> scene.bodies.angle(each) < -0.5)
+                    .count();
             double wave = 14 * 0.6 / ((fell[19] - fell[5]) / 60.0);
             return List.of(
                     RowFigure.within("D10", "20 dominoes: fall", 20, 20, 0, fallen),
@@ -689,7 +705,9 @@ final class BodyRows {
         List<RowFigure> figures = new ArrayList<>();
         for (int k = 0; k < densities.length; k++) {
             String what = String.format(
-                    Locale.ROOT, "a crate of 2 m and density %.1f on a pit of balls: bottom over the surface, m", densities[k]);
+                    Locale.ROOT,
+                    "a crate of 2 m and density %.1f on a pit of balls: bottom over the surface, m",
+                    densities[k]);
             // asked is that a heavier one lies lower
             double least = k + 1 < densities.length ? bottoms[k + 1] : -3;
             double greatest = k > 0 ? bottoms[k - 1] : 0.5;
@@ -743,7 +761,8 @@ final class BodyRows {
                 points[2 * k] = (float) (r * Math.cos(angle));
                 points[2 * k + 1] = (float) (r * Math.sin(angle));
             }
-            Outline gear = Outline.polygon(BodiesPhysicsTest.grown(points, 0.01)).round(0.01f);
+            Outline gear =
+                    Outline.polygon(BodiesPhysicsTest.grown(points, 0.01)).round(0.01f);
             Bodies b = scene.bodies;
             long driver = b.add(gear, 0, 0, 0, 1e6f);
             long driven = b.add(gear, 3.22f, 0, (float) (PI + pitch / 2), 1e6f);
@@ -775,7 +794,8 @@ final class BodyRows {
     private static List<RowFigure> hook() {
         try (Scene scene = new Scene(0.6, 0, 10, 1 / 60.0)) {
             scene.wall(0, 5, 0.2, 0.2);
-            Outline hook = Outline.polygon(0, 0, 1, 0, 1, 0.25f, 0.25f, 0.25f, 0.25f, 2, 0, 2).round(0.03f);
+            Outline hook = Outline.polygon(0, 0, 1, 0, 1, 0.25f, 0.25f, 0.25f, 0.25f, 2, 0, 2)
+                    .round(0.03f);
             scene.bodies.add(hook, 0.45f - hook.centroidX(), 5.6f - hook.centroidY(), PI, hook.area());
             scene.run(900);
             return List.of(atMost("D16", "an L hangs on a peg, 15 s: kinetic energy, J", NONE, 1e-9, scene.kinetic()));

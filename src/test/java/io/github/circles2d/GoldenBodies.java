@@ -193,11 +193,25 @@ final class GoldenBodies {
         long body = bodies[change * 5 % bodies.length];
         long other = bodies[change * 7 % bodies.length];
         float x = 0.1f * (change % 9);
-        world.addRigidJointToPlace(body, 0.01f, 0f, x, 0.5f, of(Kind.MOUSE, 2f + change % 5, 0.7f, 10f).breakingAt(9f, 1f));
-        world.addRigidJointToPlace(body, 0f, 0.02f, x, 0.9f, of(Kind.LIMITS).withLimits(0f, 0.6f).breakingAt(30f, 1f));
+        world.addRigidJointToPlace(
+                body,
+                0.01f,
+                0f,
+                x,
+                0.5f,
+                of(Kind.MOUSE, 2f + change % 5, 0.7f, 10f).breakingAt(9f, 1f));
+        world.addRigidJointToPlace(
+                body, 0f, 0.02f, x, 0.9f, of(Kind.LIMITS).withLimits(0f, 0.6f).breakingAt(30f, 1f));
         if (body != other) {
             Kind kind = change % 3 == 0 ? Kind.PIN : change % 3 == 1 ? Kind.WELD : Kind.DISTANCE;
-            world.addRigidJoint(body, 0.01f, 0.01f, other, 0f, 0f, of(kind).breakingAt(3f, 0.2f).colliding(change % 2 == 0));
+            world.addRigidJoint(
+                    body,
+                    0.01f,
+                    0.01f,
+                    other,
+                    0f,
+                    0f,
+                    of(kind).breakingAt(3f, 0.2f).colliding(change % 2 == 0));
         }
         world.pushRigid(other, 0.3f, 0.5f, 0.5f, 0.5f);
         if (change % 20 == 19) {

@@ -1091,9 +1091,9 @@ class ReferenceFuzzTest {
                 case 2 -> bothIfAllowed("join bodies", c -> c.addJoint(body, other, plan));
                 case 3 ->
                     withSome(circle -> bothIfAllowed(
-                            "join a body to a circle",
-                            c -> c.addRigidJointToCircle(body, at[0], at[1], circle, plan)));
-                case 4 -> withSome(circle -> bothIfAllowed("join a circle to a body", c -> c.addJoint(circle, body, plan)));
+                            "join a body to a circle", c -> c.addRigidJointToCircle(body, at[0], at[1], circle, plan)));
+                case 4 ->
+                    withSome(circle -> bothIfAllowed("join a circle to a body", c -> c.addJoint(circle, body, plan)));
                 case 5 -> {
                     float x = x();
                     float y = y();

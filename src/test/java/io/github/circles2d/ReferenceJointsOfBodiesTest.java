@@ -80,7 +80,9 @@ class ReferenceJointsOfBodiesTest {
                 }
                 float dt = random.nextInt(30) == 0 ? 1 / 40f : 1 / 60f;
                 both(c -> c.step(dt, 1));
-                assertThat(world.hash()).as("hash of %d after step %d", seed, step).isEqualTo(reference.hash());
+                assertThat(world.hash())
+                        .as("hash of %d after step %d", seed, step)
+                        .isEqualTo(reference.hash());
                 assertThat(JointLoad.of(world.joints()))
                         .as("forces of %d after step %d", seed, step)
                         .isEqualTo(reference.jointLoads());
@@ -115,8 +117,9 @@ class ReferenceJointsOfBodiesTest {
             both(c -> mill = c.addBody(10f, 14f, 0.3f));
             both(c -> c.addSegment(mill, -2f, 0f, 2f, 0f, 0.1f, 0));
             for (int k = 0; k < BODIES; k++) {
-                BodyOutline outline =
-                        k % 3 == 0 ? BodyOutline.capsule(1f, 0.2f) : BodyOutline.box(value(0.5f, 1.5f), value(0.2f, 1f));
+                BodyOutline outline = k % 3 == 0
+                        ? BodyOutline.capsule(1f, 0.2f)
+                        : BodyOutline.box(value(0.5f, 1.5f), value(0.2f, 1f));
                 float x = value(1f, 19f);
                 float y = value(3f, 18f);
                 float angle = value(-3f, 3f);
@@ -147,8 +150,7 @@ class ReferenceJointsOfBodiesTest {
             JointPlan plan = JointPlan.of(kind, numbers);
             if (kind == Kind.LIMITS || kind == Kind.SPRING && random.nextInt(3) == 0) {
                 float least = random.nextBoolean() ? 0f : value(0f, 1f);
-                plan = plan.withLimits(
-                        least, random.nextInt(4) == 0 ? Float.POSITIVE_INFINITY : least + value(0f, 4f));
+                plan = plan.withLimits(least, random.nextInt(4) == 0 ? Float.POSITIVE_INFINITY : least + value(0f, 4f));
             }
             plan = random.nextInt(3) == 0 ? plan.breakingAt(value(20f, 2000f), value(5f, 500f)) : plan;
             return random.nextInt(4) == 0 ? plan.colliding(true) : plan;
@@ -173,7 +175,8 @@ class ReferenceJointsOfBodiesTest {
             JointPlan plan = plan();
             if (meets) {
                 float x = world.bodies().x(body) + 1f;
-                both(c -> c.teleportRigid(other, Math.min(x, 19f), world.bodies().y(body), 0.1f));
+                both(c ->
+                        c.teleportRigid(other, Math.min(x, 19f), world.bodies().y(body), 0.1f));
             }
             switch (random.nextInt(7)) {
                 case 0, 1, 2 -> ifAllowed(c -> c.addRigidJoint(body, ax, ay, other, bx, by, plan));

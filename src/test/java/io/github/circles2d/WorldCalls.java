@@ -312,8 +312,7 @@ public interface WorldCalls {
         return joints().add(circle, body(body), x, y, joint(plan));
     }
 
-    default long addRigidJoint(
-            long body, float x, float y, long other, float otherX, float otherY, JointPlan plan) {
+    default long addRigidJoint(long body, float x, float y, long other, float otherX, float otherY, JointPlan plan) {
         return joints().add(body, x, y, other, otherX, otherY, joint(plan));
     }
 

@@ -265,7 +265,10 @@ class WorldJointsOfBodiesTest {
             refused(point, j -> j.add(a, 0, 0, b, pin), joints);
             refused(point, j -> j.add(a, 1f, 1f, pin), joints);
             refused(point, j -> j.add(a, world.terrain().ground(), 1, 1, pin), joints);
-            refused("it is of a body of World.bodies", j -> j.addAll(new long[] {a}, new long[] {b}, pin, null), joints);
+            refused(
+                    "it is of a body of World.bodies",
+                    j -> j.addAll(new long[] {a}, new long[] {b}, pin, null),
+                    joints);
             refused("it is of a joint", j -> j.add(a, 0, 0, joint, pin), joints);
             refused("no circle has the handle 0", j -> j.add(a, 0, pin), joints);
             refused(
@@ -350,7 +353,8 @@ class WorldJointsOfBodiesTest {
                 .build();
         long circle = world.add(6, 6, 0.4f, 0.1f);
         long crate = world.bodies().add(Outline.box(0.5f, 0.5f), 6, 9, 0, 1);
-        world.joints().add(crate, 0, 0, circle, Joint.spring(5, 1).withLength(2.9f).breakingAt(0.01f, 1));
+        world.joints()
+                .add(crate, 0, 0, circle, Joint.spring(5, 1).withLength(2.9f).breakingAt(0.01f, 1));
         world.setVelocity(world.add(1 + 0.05f * phase, 6, 0.4f, 10), 30, 0);
         return world;
     }
@@ -365,7 +369,14 @@ class WorldJointsOfBodiesTest {
                 world.report(k == 0 ? 0 : Events.BEGIN);
                 long plank = world.bodies().add(PLANK, 10, 10, 0, 1);
                 world.step(1 / 30f);
-                world.joints().add(plank, 0, 0, 10f, 8f, Joint.spring(2, 1).withLength(1).breakingAt(1, 1));
+                world.joints()
+                        .add(
+                                plank,
+                                0,
+                                0,
+                                10f,
+                                8f,
+                                Joint.spring(2, 1).withLength(1).breakingAt(1, 1));
                 world.step(DT);
                 JointEvents events = world.joints().events();
                 assertThat(events.size()).isOne();

@@ -845,7 +845,8 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
-    public long addRigidJointToBody(long body, float x, float y, long terrainBody, float toX, float toY, JointPlan plan) {
+    public long addRigidJointToBody(
+            long body, float x, float y, long terrainBody, float toX, float toY, JointPlan plan) {
         return addAnchored(End.of(rigids.find(body), x, y), terrainBody, toX, toY, plan);
     }
 

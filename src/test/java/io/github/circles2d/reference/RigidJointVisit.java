@@ -130,8 +130,7 @@ final class RigidJointVisit {
                 return velocity(boundary);
             }
             if (body == null) {
-                return Numbers.minus(
-                        circle.velocityBeforeImpulses, circle.isStatic() ? new float[2] : circle.gain);
+                return Numbers.minus(circle.velocityBeforeImpulses, circle.isStatic() ? new float[2] : circle.gain);
             }
             return ofPoint(Numbers.minus(body.velocityBefore, body.gain), body.omegaBefore - body.angularGain);
         }
@@ -310,9 +309,7 @@ final class RigidJointVisit {
     /** Begins what it gives with all its impulses. */
     private void giveAll() {
         float along = (joint.along + joint.least) - joint.greatest;
-        push = isAlong()
-                ? new float[] {normal[0] * along, normal[1] * along}
-                : new float[] {joint.along, joint.across};
+        push = isAlong() ? new float[] {normal[0] * along, normal[1] * along} : new float[] {joint.along, joint.across};
         twist = joint.turning;
     }
 
@@ -424,8 +421,9 @@ final class RigidJointVisit {
             joint.sum[1] += normal[1] * change;
             return change;
         }
-        joint.along =
-                joint.rigid ? rigid.hold(before, m, v, way, most) : spring.soft().solve(before, m, v, way);
+        joint.along = joint.rigid
+                ? rigid.hold(before, m, v, way, most)
+                : spring.soft().solve(before, m, v, way);
         return joint.along - before;
     }
 
@@ -444,8 +442,8 @@ final class RigidJointVisit {
         if (isLinearExact()) {
             float[] change = new float[2];
             for (int axis = 0; axis < 2; axis++) {
-                change[axis] = (spring.now() * velocity[axis] + spring.begun() * begun[axis])
-                        + spring.way() * offset[axis];
+                change[axis] =
+                        (spring.now() * velocity[axis] + spring.begun() * begun[axis]) + spring.way() * offset[axis];
             }
             float[] solved = solved(change[0], change[1]);
             push = cut(kept(-1f * solved[0]), kept(-1f * solved[1]));

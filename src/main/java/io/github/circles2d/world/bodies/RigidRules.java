@@ -25,7 +25,8 @@ public final class RigidRules {
     public static void mass(float mass) {
         if (mass == 0f || mass == Float.POSITIVE_INFINITY) {
             throw new IllegalArgumentException("mass is " + mass + ", but must be from " + Limits.LEAST_MASS + " to "
-                    + Limits.GREATEST_MASS + ": no body is static. Make what stands still of terrain (World.terrain: segments, "
+                    + Limits.GREATEST_MASS
+                    + ": no body is static. Make what stands still of terrain (World.terrain: segments, "
                     + "chains, bodies of terrain), or hold a body by a pin (Joint.pin)");
         }
         Limits.within("mass", mass, Limits.LEAST_MASS, Limits.GREATEST_MASS);

@@ -133,8 +133,9 @@ public final class JointCalls implements Calls.Effects {
     /** The id of a circle, where a caller may have meant a body that is pushed. */
     private int circle(long handle) {
         if (world.rigids.ids.find(handle) >= 0) {
-            throw new IllegalArgumentException(WorldParts.goneCircle(handle)
-                    + ", which a joint holds at a point: x and y of it, from the centroid, follow the handle of the body");
+            throw new IllegalArgumentException(
+                    WorldParts.goneCircle(handle)
+                            + ", which a joint holds at a point: x and y of it, from the centroid, follow the handle of the body");
         }
         return world.circle(handle);
     }

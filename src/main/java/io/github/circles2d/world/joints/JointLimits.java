@@ -59,8 +59,8 @@ public final class JointLimits {
     /** Of two things, of which one is a body that is pushed. */
     public static void things(JointForm form) {
         if (JointRules.takesNothing(form.traits) && !JointRules.takesCircles(form.traits)) {
-            throw new IllegalArgumentException(
-                    "a " + form.name() + " cannot hold a body to another end, but must hold it to " + form.placeOfBody());
+            throw new IllegalArgumentException("a " + form.name()
+                    + " cannot hold a body to another end, but must hold it to " + form.placeOfBody());
         }
     }
 

@@ -142,9 +142,7 @@ public final class JointTables {
 
     /** Behind {@link #x}. */
     private float y(int type, int id, float[] circles) {
-        return type == JointEndType.CIRCLE
-                ? circles[CircleRow.of(handles.place(id)) + CircleRow.Y]
-                : rigids.places.y();
+        return type == JointEndType.CIRCLE ? circles[CircleRow.of(handles.place(id)) + CircleRow.Y] : rigids.places.y();
     }
 
     /** A weld of a body holds both as they lie, at the middle between their points, or at the centre of a circle. */
