@@ -86,8 +86,7 @@ final class ReferenceJoints {
     }
 
     private void splitIfHub(Circle circle) {
-        List<ReferenceJoint> own =
-                all().stream()
+        List<ReferenceJoint> own = all().stream()
                 .filter(j -> j.a != null && j.b != null && j.isOf(circle))
                 .toList();
         if (own.size() > HUB) {
@@ -250,7 +249,7 @@ final class ReferenceJoints {
         takeAll(Circle::takeJointImpulses);
     }
 
-    /** Ends a step: some break, among them those of bodies. Returns the circles of these. */
+    /** Ends a step: some break, among them those of bodies. Returns the circles of the others. */
     List<Circle> end(float dt, List<ReferenceJoint> ofBodies) {
         List<ReferenceJoint> broken = Stream.concat(
                         visits.stream().filter(JointVisit::breaks).map(visit -> visit.joint), ofBodies.stream())
@@ -259,6 +258,7 @@ final class ReferenceJoints {
         broken.forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));
         visits = List.of();
         return broken.stream()
+                .filter(joint -> !joint.holdsRigid())
                 .flatMap(joint -> Stream.of(joint.a, joint.b))
                 .filter(Objects::nonNull)
                 .toList();
