@@ -25,7 +25,7 @@ import io.github.circles2d.world.model.Limits;
  *
  * <p><b>Bodies</b> of {@link World#bodies} are held at points, in their own coordinates from the centroid on: a hinge is a {@link Joint#pin} between points
  * of two bodies. Points are up to 100 times as far from the centroid as the outline is, along each axis. Between bodies all joints are possible but
- * {@link Joint#friction}. A weld of a body keeps both as they lie.
+ * {@link Joint#friction}. A weld of a body keeps both as they lie; the middle between its ends, or the centre of a circle, is as near to the body as points.
  *
  * <p><b>Collisions:</b> two circles or bodies that a joint holds do not collide, unless it is {@link Joint#colliding}.
  *

@@ -4,11 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import java.util.Random;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Scenes of bodies that are pushed, beside their exact values: boxes of 1 m and density 1, gravity 10, steps of 1/60 s, unless a scene says otherwise. */
@@ -30,15 +26,6 @@ class BodiesPhysicsTest {
     private static World onFloor(double friction, double restitution) {
         World world = world(friction, restitution, 10);
         world.terrain().addChain(Chain.of(200, 0, -200, 0));
-        return world;
-    }
-
-    /** With a floor through the origin that rises to the right by an angle. */
-    private static World onSlope(double friction, double angle) {
-        World world = world(friction, 0, 10);
-        float x = (float) (390 * Math.cos(angle));
-        float y = (float) (390 * Math.sin(angle));
-        world.terrain().addChain(Chain.of(x, y, -x, -y));
         return world;
     }
 
@@ -92,10 +79,6 @@ class BodiesPhysicsTest {
                 + world.bodies().mass(body) * 10 * world.bodies().y(body);
     }
 
-    private static double along(World world, long body, double angle) {
-        return world.bodies().x(body) * Math.cos(angle) + world.bodies().y(body) * Math.sin(angle);
-    }
-
     // ---- piles
     // -------------------------------------------------------------------------------------------------------------
 
@@ -116,54 +99,6 @@ class BodiesPhysicsTest {
     }
 
     @Test
-    @Tag("long")
-    void aPyramidOfTwentyRowsStands() {
-        try (World world = onFloor(0.6, 0)) {
-            List<Long> crates = new ArrayList<>();
-            for (int row = 0; row < 20; row++) {
-                for (int k = 0; k < 20 - row; k++) {
-                    crates.add(crate(world, (k - (19 - row) / 2.0) * 1.1, 0.5 + row));
-                }
-            }
-            run(world, 600);
-            int at = 0;
-            for (int row = 0; row < 20; row++) {
-                for (int k = 0; k < 20 - row; k++) {
-                    long each = crates.get(at++);
-                    assertThat(world.bodies().x(each) - (k - (19 - row) / 2.0) * 1.1)
-                            .isCloseTo(0, within(0.02));
-                    assertThat(0.5 + row - world.bodies().y(each)).isCloseTo(0, within(0.02));
-                }
-            }
-        }
-    }
-
-    @Test
-    void heavyOnLightStands() {
-        try (World world = onFloor(0.6, 0)) {
-            for (int k = 0; k < 5; k++) {
-                crate(world, 0, 0.5 + k);
-            }
-            Outline outline = Outline.box(1, 1).round(ROUNDING);
-            long heavy = world.bodies().add(outline, 0, 5.5f, 0, 100 * outline.area());
-            run(world, 1200);
-            assertThat(world.bodies().y(heavy)).isCloseTo(5.5f, within(0.1f));
-        }
-    }
-
-    @Test
-    void aPlankUnderFiftyCratesRests() {
-        try (World world = onFloor(0.6, 0)) {
-            box(world, 0, 0.2, 0, 30, 0.2, 0.02);
-            for (int k = 0; k < 50; k++) {
-                crate(world, -29 + k * 1.15, 0.9);
-            }
-            run(world, 1200);
-            assertThat(kinetic(world)).isLessThan(1e-9);
-        }
-    }
-
-    @Test
     void bodiesThatStartInsideEachOtherComeApart() {
         for (double depth : new double[] {0.2, 0.6, 0.95}) {
             try (World world = onFloor(0.6, 0)) {
@@ -174,45 +109,6 @@ class BodiesPhysicsTest {
                 double dy = Math.abs(world.bodies().y(a) - world.bodies().y(b));
                 assertThat(Math.max(dx, dy)).isCloseTo(1, within(0.01));
             }
-        }
-    }
-
-    @Test
-    @Tag("long")
-    void nineOfTenCardHousesStand() {
-        int standing = 0;
-        for (int house = 0; house < 10; house++) {
-            standing += topOfCards(0.55 + 0.05 * house) > 2.2 ? 1 : 0;
-        }
-        assertThat(standing).isGreaterThanOrEqualTo(9);
-    }
-
-    /** A house of three levels, 15 cards, after 20 s. */
-    private static double topOfCards(double friction) {
-        try (World world = onFloor(friction, 0)) {
-            double lean = 0.45;
-            double thick = 0.02;
-            double width = 2 * Math.sin(lean) + 0.03;
-            double height = 2 * Math.cos(lean);
-            double y = 0;
-            long last = 0;
-            for (int level = 0; level < 3; level++) {
-                for (int k = 0; k < 3 - level; k++) {
-                    double x = (k - (2 - level) / 2.0) * width;
-                    for (int side = -1; side <= 1; side += 2) {
-                        double at = x + side * (Math.sin(lean) * 0.5 + 0.012);
-                        last = box(
-                                world, at, y + height / 4 + thick * Math.sin(lean), side * lean, thick / 2, 0.5, 0.008);
-                    }
-                }
-                y += height / 2 + 2 * thick * Math.sin(lean) - 0.005;
-                for (int k = 0; k < 2 - level; k++) {
-                    last = box(world, (k - (1 - level) / 2.0) * width, y + thick / 2, 0, 0.5, thick / 2, 0.008);
-                }
-                y += thick;
-            }
-            run(world, 1200);
-            return world.bodies().y(last);
         }
     }
 
@@ -347,78 +243,8 @@ class BodiesPhysicsTest {
     // ---- friction
     // ----------------------------------------------------------------------------------------------------------
 
-    @Test
-    void aBoxHoldsOnASlopeBelowTheAngleOfFriction() {
-        for (double friction : new double[] {0.2, 0.5, 0.9}) {
-            double angle = Math.atan(friction) - 0.005;
-            try (World world = onSlope(friction, angle)) {
-                long b = box(world, -0.25 * Math.sin(angle), 0.25 * Math.cos(angle), angle, 0.5, 0.25, ROUNDING);
-                run(world, 60);
-                double from = along(world, b, angle);
-                run(world, 240);
-                assertThat(along(world, b, angle) - from).isCloseTo(0, within(1e-5));
-            }
-        }
-    }
-
-    @Test
-    void aBoxSlidesOnASlopeAboveTheAngleOfFriction() {
-        for (double friction : new double[] {0.2, 0.5, 0.9}) {
-            double angle = Math.atan(friction) + 0.005;
-            try (World world = onSlope(friction, angle)) {
-                long b = box(world, -0.25 * Math.sin(angle), 0.25 * Math.cos(angle), angle, 0.5, 0.25, ROUNDING);
-                run(world, 60);
-                double from = along(world, b, angle);
-                double v =
-                        world.bodies().vx(b) * Math.cos(angle) + world.bodies().vy(b) * Math.sin(angle);
-                run(world, 240);
-                double exact = 4 * v - 8 * 10 * (Math.sin(angle) - friction * Math.cos(angle));
-                assertThat((along(world, b, angle) - from) / exact).isCloseTo(1, within(0.01));
-            }
-        }
-    }
-
-    @Test
-    void aBoxSlidesToRest() {
-        for (double friction : new double[] {0.2, 0.6}) {
-            try (World world = onFloor(friction, 0)) {
-                long b = box(world, 0, 0.25, 0, 0.5, 0.25, ROUNDING);
-                run(world, 30);
-                double from = world.bodies().x(b);
-                world.bodies().setVelocity(b, 6, 0);
-                run(world, 600);
-                assertThat((world.bodies().x(b) - from) / (36 / (20 * friction)))
-                        .isCloseTo(1, within(0.005));
-            }
-        }
-    }
-
-    @Test
-    void aSlimBoxTipsAtItsAngle() {
-        for (double more : new double[] {-0.01, 0.01}) {
-            double angle = Math.atan(0.25 / 0.9) + more;
-            try (World world = onSlope(3, angle)) {
-                long b = box(world, -0.9 * Math.sin(angle), 0.9 * Math.cos(angle), angle, 0.3, 0.9, ROUNDING);
-                run(world, 240);
-                assertThat(world.bodies().angle(b) - angle > 1).isEqualTo(more > 0);
-            }
-        }
-    }
-
     private static Outline disc() {
         return Outline.of(Chain.from(0.5f, 0).arcTo(0, 0, 2 * PI).close());
-    }
-
-    @Test
-    void aDiscOfFourArcsRollsDown() {
-        try (World world = onSlope(1, 0.2)) {
-            Outline disc = disc();
-            long b = world.bodies()
-                    .add(disc, (float) (-0.5 * Math.sin(0.2)), (float) (0.5 * Math.cos(0.2)), 0, disc.area());
-            run(world, 240);
-            assertThat(along(world, b, 0.2) / (-0.5 * 10 * Math.sin(0.2) * 16 / 1.5))
-                    .isCloseTo(1, within(0.002));
-        }
     }
 
     @Test
@@ -434,34 +260,6 @@ class BodiesPhysicsTest {
 
     // ---- bounces
     // -----------------------------------------------------------------------------------------------------------
-
-    @Test
-    void aBoxThatFallsFlatComesBackAsHigh() {
-        for (double e : new double[] {0.5, 1}) {
-            try (World world = onFloor(0, e)) {
-                long b = crate(world, 0, 3.5);
-                double high = 0;
-                boolean up = false;
-                for (int k = 0; k < 150 && !(up && world.bodies().vy(b) < 0); k++) {
-                    run(world, 1);
-                    up |= world.bodies().vy(b) > 0;
-                    high = up ? Math.max(high, world.bodies().y(b)) : 0;
-                }
-                assertThat((high - 0.5) / (3 * e * e)).isCloseTo(1, within(0.02));
-                assertThat(world.bodies().angularVelocity(b)).isCloseTo(0, within(1e-4f));
-            }
-        }
-    }
-
-    @Test
-    void anElasticBoxOnItsCornerKeepsItsEnergy() {
-        try (World world = onFloor(0, 1)) {
-            long b = box(world, 0, 3.5, 0.4, 0.5, 0.5, ROUNDING);
-            double before = energy(world, b);
-            run(world, 1200);
-            assertThat(energy(world, b) / before).isCloseTo(1, within(0.01));
-        }
-    }
 
     @Test
     void aCircleThatHitsAFreeBoxTurnsIt() {
@@ -534,77 +332,6 @@ class BodiesPhysicsTest {
     // -------------------------------------------------------------------------------------------------------------
 
     @Test
-    void dominoesFall() {
-        try (World world = onFloor(0.6, 0)) {
-            long[] all = new long[20];
-            for (int k = 0; k < all.length; k++) {
-                all[k] = box(world, k * 0.6, 0.5, 0, 0.08, 0.5, 0.02);
-            }
-            run(world, 120);
-            world.bodies().setVelocity(all[0], 1.25f, 0);
-            world.bodies().setAngularVelocity(all[0], -2.5f);
-            int[] fell = new int[all.length];
-            Arrays.fill(fell, -1);
-            for (int step = 0; step < 600; step++) {
-                run(world, 1);
-                for (int k = 0; k < all.length; k++) {
-                    fell[k] = fell[k] < 0 && world.bodies().angle(all[k]) < -0.1 ? step : fell[k];
-                }
-            }
-            for (long each : all) {
-                assertThat(world.bodies().angle(each)).isLessThan(-0.5f);
-            }
-            assertThat(14 * 0.6 / ((fell[19] - fell[5]) / 60.0)).isCloseTo(2.9, within(0.09));
-        }
-    }
-
-    @Test
-    @Tag("long")
-    void circlesFallOnCrates() {
-        try (World world = onFloor(0.6, 0)) {
-            wall(world, -7.5, 10, 0.5, 20);
-            wall(world, 7.5, 10, 0.5, 20);
-            long[] crates = new long[10];
-            for (int k = 0; k < crates.length; k++) {
-                crates[k] = box(world, -5.5 + k % 5 * 2.6, 1 + k / 5 * 2.2, 0, 0.9, 0.9, ROUNDING);
-            }
-            Random random = new Random(7);
-            List<Long> circles = new ArrayList<>();
-            for (int k = 0; k < 1000; k++) {
-                double x = -6.5 + k % 40 * 0.33 + 0.02 * random.nextDouble();
-                circles.add(circle(world, x, 6 + k / 40 * 0.4, 0.12 + 0.04 * random.nextDouble(), 1));
-            }
-            run(world, 600);
-            Bodies b = world.bodies();
-            for (long crate : crates) {
-                assertThat(Math.hypot(b.vx(crate), b.vy(crate))).isLessThan(1e-4);
-                double cos = Math.cos(b.angle(crate));
-                double sin = Math.sin(b.angle(crate));
-                for (long c : circles) {
-                    double dx = world.x(c) - b.x(crate);
-                    double dy = world.y(c) - b.y(crate);
-                    boolean inside = Math.abs(cos * dx + sin * dy) < 0.9 && Math.abs(cos * dy - sin * dx) < 0.9;
-                    assertThat(inside).isFalse();
-                }
-            }
-        }
-    }
-
-    @Test
-    void aSeeSawLeansToTheLongerArm() {
-        try (World world = onFloor(0.8, 0)) {
-            world.terrain()
-                    .addChain(Chain.of(-0.6f, 0.02f, 0.6f, 0.02f, 0, 1.02f).close());
-            long plank = box(world, 0, 1.1, 0, 3, 0.1, 0.02);
-            box(world, -2, 1.5, 0, 0.3, 0.3, ROUNDING);
-            box(world, 1.95, 1.5, 0, 0.3, 0.3, ROUNDING);
-            run(world, 600);
-            assertThat(world.bodies().angle(plank)).isCloseTo(0.349f, within(0.0035f));
-            assertThat(kinetic(world)).isLessThan(1e-9);
-        }
-    }
-
-    @Test
     void aConcaveBodyHangsOnAPeg() {
         try (World world = world(0.6, 0, 10)) {
             wall(world, 0, 5, 0.2, 0.2);
@@ -617,47 +344,8 @@ class BodiesPhysicsTest {
         }
     }
 
-    /** Their teeth have play; bodies so heavy that they stay where they are. */
-    @Test
-    void gearsTurnEachOther() {
-        try (World world = world(0.1, 0, 0)) {
-            int teeth = 12;
-            double pitch = 2 * PI / teeth;
-            float[] points = new float[8 * teeth];
-            for (int k = 0; k < 4 * teeth; k++) {
-                int corner = k % 4;
-                double angle = pitch * (k / 4 + new double[] {-0.27, -0.13, 0.13, 0.27}[corner]);
-                double r = corner == 1 || corner == 2 ? 1.74 : 1.4;
-                points[2 * k] = (float) (r * Math.cos(angle));
-                points[2 * k + 1] = (float) (r * Math.sin(angle));
-            }
-            Outline gear = Outline.polygon(grown(points, 0.01)).round(0.01f);
-            Bodies b = world.bodies();
-            long driver = b.add(gear, 0, 0, 0, 1e6f);
-            long driven = b.add(gear, 3.22f, 0, (float) (PI + pitch / 2), 1e6f);
-            b.setInertia(driver, 1.01e-3f * gear.inertia(1e6f));
-            b.setInertia(driven, 1.01e-3f * gear.inertia(1e6f));
-            double turned = 0;
-            double sum = 0;
-            float last = b.angle(driver);
-            float lastDriven = b.angle(driven);
-            for (int k = 0; k < 1200; k++) {
-                b.setVelocity(driver, 0, 0);
-                b.setVelocity(driven, 0, 0);
-                b.setAngularVelocity(driver, 3);
-                run(world, 1);
-                turned += turnOf(last, b.angle(driver));
-                sum += turnOf(last, b.angle(driver)) + turnOf(lastDriven, b.angle(driven));
-                last = b.angle(driver);
-                lastDriven = b.angle(driven);
-                assertThat(sum).isCloseTo(0, within(0.06));
-            }
-            assertThat(turned).isCloseTo(60, within(0.1));
-        }
-    }
-
     /** A polygon whose lines are so far outside those of another, which goes anticlockwise. */
-    private static float[] grown(float[] points, double by) {
+    static float[] grown(float[] points, double by) {
         int n = points.length;
         float[] to = new float[n];
         for (int k = 0; k < n; k += 2) {
@@ -676,53 +364,6 @@ class BodiesPhysicsTest {
             to[k + 1] = (float) (points[k + 1] + share * ny);
         }
         return to;
-    }
-
-    private static double turnOf(float from, float to) {
-        return Math.IEEEremainder((double) to - from, 2 * Math.PI);
-    }
-
-    @Test
-    void aBodySlidesOverJointsOfTilesAndLooseCrates() {
-        try (World world = world(0, 0, 10)) {
-            for (int k = 0; k < 60; k++) {
-                wall(world, k - 1, -0.5, 0.5, 0.5);
-            }
-            long b = box(world, 0, 0.3, 0, 0.4, 0.3, ROUNDING);
-            run(world, 60);
-            world.bodies().setVelocity(b, 4.7f, 0);
-            for (int k = 0; k < 600; k++) {
-                run(world, 1);
-                assertThat(world.bodies().vx(b)).isCloseTo(4.7f, within(0.047f));
-            }
-        }
-        try (World world = onFloor(0, 0)) {
-            for (int k = 0; k < 12; k++) {
-                crate(world, k, 0.5);
-            }
-            run(world, 60);
-            long b = box(world, 2, 1.3, 0, 0.4, 0.3, ROUNDING);
-            run(world, 120);
-            world.bodies().setVelocity(b, 3, 0);
-            for (int k = 0; k < 140; k++) {
-                run(world, 1);
-                assertThat(world.bodies().vx(b)).isCloseTo(3, within(0.03f));
-            }
-        }
-    }
-
-    @Test
-    void aThinPlankIsHitByAFastCircle() {
-        try (World world = world(0, 0, 0)) {
-            long plank = box(world, 0, 0, 0, 0.05, 1, 0.02);
-            long c = circle(world, -3.03, 0.9, 0.1, 1);
-            world.setVelocity(c, 100, 0);
-            run(world, 5);
-            double mass = world.bodies().mass(plank);
-            double inertia = world.bodies().inertia(plank);
-            double j = 100 / (1 / mass + 1.0 / world.mass(c) + 0.81 / inertia);
-            assertThat(world.bodies().vx(plank) / (j / mass)).isCloseTo(1, within(0.002));
-        }
     }
 
     /** Planks and boxes that turn fly at thin ground at all angles. */

@@ -8,7 +8,7 @@ import java.util.Locale;
 
 /**
  * Measures scenes on the JVM back end, and prints the file that the page on the physics is made of: those in which surfaces grip, those of
- * terrain, or those of joints.
+ * terrain, those of joints, or those of bodies.
  */
 final class RowFigures {
     private RowFigures() {}
@@ -47,7 +47,8 @@ final class RowFigures {
                 rows.addAll(JointRows.all());
                 rows.addAll(JointNets.all());
             }
-            default -> throw new IllegalArgumentException("surfaces, terrain or joints, not " + of);
+            case "bodies" -> rows.addAll(BodyRows.all());
+            default -> throw new IllegalArgumentException("surfaces, terrain, joints or bodies, not " + of);
         }
         return rows;
     }

@@ -386,6 +386,26 @@ class WorldJointsOfBodiesTest {
         assertThat(forces[1]).isEqualTo(forces[0]).isGreaterThan(1);
     }
 
+    /** Its place is a point of each body, which snapshots check. */
+    @Test
+    void aWeldOfASmallBodyToOneFarAwayIsRefused() {
+        try (World world = world(1);
+                World restored = world(1)) {
+            Outline small = Outline.box(0.1f, 0.1f);
+            long a = world.bodies().add(small, 2, 10, 0, 1);
+            long near = world.bodies().add(PLANK, 15, 10, 0, 1);
+            long far = world.bodies().add(PLANK, 35, 10, 0, 1);
+            long circle = world.add(12, 10, 0.5f, 1);
+            long before = world.hash();
+            refused("the middle of the weld", j -> j.add(a, far, Joint.weld()), world.joints());
+            refused("the middle of the weld", j -> j.add(circle, a, Joint.weld()), world.joints());
+            assertThat(world.hash()).isEqualTo(before);
+            world.joints().add(a, near, Joint.weld());
+            restored.restore(ByteBuffer.wrap(snapshot(world)));
+            assertThat(restored.hash()).isEqualTo(world.hash());
+        }
+    }
+
     @Test
     void bodiesWithoutJointsHaveTheirHashWithThemToo() {
         try (World world = world(1);

@@ -315,6 +315,14 @@ final class ReferenceJoint {
                 && (o.velocity[0] != 0f || o.velocity[1] != 0f || turns() && o.angularVelocity != 0f);
     }
 
+    /** Whether it moves its bodies whatever they do. Circles know nothing of what bodies do by joints: so one that holds a circle does. */
+    boolean drivesRigids() {
+        return a != null
+                || b != null
+                || angular == Angular.SPEED && speed != 0f && mostTorque > 0f
+                || body != null && body.motion != null;
+    }
+
     /** From A to B, or to the anchor, with displacements. */
     float[] offset(Arena arena) {
         float[] way = b == null ? arena.way(a.base, anchorPlace(arena)) : a.wayTo(b);

@@ -249,7 +249,7 @@ final class ReferenceJoints {
         takeAll(Circle::takeJointImpulses);
     }
 
-    /** Ends a step: some break, among them those of bodies. Returns the circles of these. */
+    /** Ends a step: some break, among them those of bodies. Returns the circles of the others. */
     List<Circle> end(float dt, List<ReferenceJoint> ofBodies) {
         List<ReferenceJoint> broken = Stream.concat(
                         visits.stream().filter(JointVisit::breaks).map(visit -> visit.joint), ofBodies.stream())
@@ -258,6 +258,7 @@ final class ReferenceJoints {
         broken.forEach(joint -> go(joint, JointEvents.Reason.BROKEN, joint.force(dt), joint.torque(dt)));
         visits = List.of();
         return broken.stream()
+                .filter(joint -> !joint.holdsRigid())
                 .flatMap(joint -> Stream.of(joint.a, joint.b))
                 .filter(Objects::nonNull)
                 .toList();

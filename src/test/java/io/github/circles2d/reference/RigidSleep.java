@@ -18,10 +18,12 @@ final class RigidSleep {
     private final List<RigidContact> resting;
     private final List<RigidThing> woken = new ArrayList<>();
     private final StepParameters k;
+    private final float warmScale;
 
     RigidSleep(RigidStep lying, List<RigidContact.Saved> saved, StepParameters k, float warmScale) {
         this.lying = lying;
         this.k = k;
+        this.warmScale = warmScale;
         found = lying.find(saved, warmScale);
         resting = lying.resting(saved, warmScale).stream().map(lying::measured).toList();
     }
@@ -50,6 +52,9 @@ final class RigidSleep {
                 float speed = lying.movesNear(t) ? strong(t) : 0f;
                 for (RigidContact c : found) {
                     speed = max(speed, pushedBy(c, t));
+                }
+                for (ReferenceJoint joint : lying.joints()) {
+                    speed = max(speed, max(pulledBy(joint, 0, t), pulledBy(joint, 1, t)));
                 }
                 speed = max(speed, outOfBalance(t));
                 if (speed > 0f) {
@@ -99,12 +104,70 @@ final class RigidSleep {
         if (!(v > 0f) || !(c.gap < v * k.dt())) {
             return 0f;
         }
-        float own = c.inverseMassOf(isA);
-        float share = own / (own + c.inverseMassOf(!isA));
-        float speed = share * (1f + max(c.a.restitution, c.b.restitution)) * v;
-        float most = (c.impulse > 0f ? Sleep.PUSH : Sleep.HIT) * gainOfStep(t);
+        float e = max(c.a.restitution, c.b.restitution);
+        return hit(t, c.inverseMassOf(isA), c.inverseMassOf(!isA), e, v, c.impulse > 0f);
+    }
+
+    /** What comes with a speed. */
+    private float hit(RigidThing t, float own, float its, float e, float v, boolean presses) {
+        float share = own / (own + its);
+        float speed = share * (1f + e) * v;
+        float most = (presses ? Sleep.PUSH : Sleep.HIT) * gainOfStep(t);
         return speed > most && speed > Sleep.LEAST_HIT * t.thin / k.dt() ? speed : 0f;
     }
+
+    // ---- joints
+    // ------------------------------------------------------------------------------------------------------------
+
+    /** What is about to move a body at a side of a joint. */
+    private float pulledBy(ReferenceJoint joint, int side, RigidThing t) {
+        if (lying.thing(joint, side) != t) {
+            return 0f;
+        }
+        float speed = joint.drivesRigids() ? strong(t) : 0f;
+        RigidThing o = lying.thing(joint, 1 - side);
+        if (o == null || o.isAsleep()) {
+            return speed;
+        }
+        float[] arm = o.turned(joint.points[1 - side]);
+        float v = length(o.velocity[0] - o.omega * arm[1], o.velocity[1] + o.omega * arm[0]);
+        return v * k.dt() > 0f ? max(speed, hit(t, t.ownW, o.ownW, 0f, v, loadOf(joint) > 0f)) : speed;
+    }
+
+    private float ofSubStep(float sum) {
+        return sum * warmScale / k.subSteps();
+    }
+
+    private float loadOf(ReferenceJoint joint) {
+        float load = length(ofSubStep(joint.sum[0]), ofSubStep(joint.sum[1]));
+        return joint.elastic ? Sleep.SPRING_LOADS * load : load;
+    }
+
+    private void press(ReferenceJoint joint, int side, RigidThing t, FixedSum sum, FixedSum spin) {
+        float sign = side == 0 ? -1f : 1f;
+        float x = sign * ofSubStep(joint.sum[0]);
+        float y = sign * ofSubStep(joint.sum[1]);
+        float[] arm = t.turned(joint.points[side]);
+        sum.add(0, t.ownW * x);
+        sum.add(1, t.ownW * y);
+        sum.add(2, t.ownW * loadOf(joint));
+        spin.add(0, t.ownI * ((arm[0] * y - arm[1] * x) + -sign * ofSubStep(joint.sumOfTurning)));
+    }
+
+    /** What reaches a body by a joint from the body at its other side. */
+    private float passed(ReferenceJoint joint, int side, RigidThing t, List<RigidThing> from) {
+        RigidThing o = lying.thing(joint, 1 - side);
+        if (lying.thing(joint, side) != t || !from.contains(o)) {
+            return 0f;
+        }
+        float j = loadOf(joint);
+        return j > 0f
+                ? Sleep.passedOn(o.wakingSpeed, t.ownW * j, pressed(t).load(), t.ownW, o.ownW, gainOfStep(t))
+                : Sleep.passedFreely(o.wakingSpeed, 0f, t.ownW, o.ownW, gainOfStep(t), k.dt());
+    }
+
+    // ---- balance
+    // -----------------------------------------------------------------------------------------------------------
 
     /** Whether another corner may arrive than the one that is near. */
     static boolean turnsFar(RigidThing body, StepParameters k) {
@@ -131,6 +194,13 @@ final class RigidSleep {
                 sum.add(1, t.ownW * y);
                 sum.add(2, t.ownW * c.impulse);
                 spin.add(0, t.ownI * (armX * y - armY * x));
+            }
+        }
+        for (ReferenceJoint joint : lying.joints()) {
+            for (int side = 0; side < 2; side++) {
+                if (lying.thing(joint, side) == t) {
+                    press(joint, side, t, sum, spin);
+                }
             }
         }
         float[] taken = sum.take();
@@ -200,6 +270,10 @@ final class RigidSleep {
                     }
                 }
             }
+            for (ReferenceJoint joint :
+                    t.isAsleep() && !woken.contains(t) ? lying.joints() : List.<ReferenceJoint>of()) {
+                speed = max(speed, max(passed(joint, 0, t, bodies), passed(joint, 1, t, bodies)));
+            }
             if (speed > Sleep.LEAST_HIT * t.thin / k.dt()) {
                 t.wakingSpeed = speed;
                 next.add(t);
@@ -226,7 +300,7 @@ final class RigidSleep {
     // --------------------------------------------------------------------------------------------------
 
     /** A body that is awake has moved and turned in the step. */
-    static void rest(RigidThing t, float[] moved, int turned, StepParameters k, Kinds kinds) {
+    static void rest(RigidThing t, float[] moved, int turned, boolean driven, StepParameters k, Kinds kinds) {
         Rigid body = t.body;
         float gain = length(t.gain);
         float damping = kinds.getFloat(body.kind, Kinds.DAMPING);
@@ -239,6 +313,7 @@ final class RigidSleep {
         int turn = body.turned + turned;
         boolean rests = (gain > 0f || damping > 0f)
                 && kinds.get(body.kind, Kinds.AWAKE) == 0
+                && !driven
                 && Math.abs(body.omega) * k.dt() < Sleep.TURN_OF_STEP
                 && x * x + y * y <= most * most
                 && Math.abs((float) turn) * Sleep.RADIANS * t.reach <= most;

@@ -40,7 +40,9 @@ final class RigidStep {
     private final Kinds kinds;
     private final List<RigidThing> bodies;
 
-    /** Those that hold bodies and do not rest, in the order of their ids. */
+    /** Those that hold bodies, in the order of their ids, and those of them that do not rest. */
+    private final List<ReferenceJoint> allJoints;
+
     private final List<ReferenceJoint> joints;
 
     private List<RigidJointVisit> visits = List.of();
@@ -68,9 +70,8 @@ final class RigidStep {
         this.kinds = kinds;
         this.bodies = bodies.stream().map(this::thing).toList();
         things.addAll(this.bodies);
-        this.joints = joints.all().stream()
-                .filter(joint -> joint.holdsRigid() && !joint.rests())
-                .toList();
+        allJoints = joints.all().stream().filter(ReferenceJoint::holdsRigid).toList();
+        this.joints = allJoints.stream().filter(joint -> !joint.rests()).toList();
     }
 
     // ---- what takes part
@@ -362,6 +363,15 @@ final class RigidStep {
         return bodies;
     }
 
+    List<ReferenceJoint> joints() {
+        return allJoints;
+    }
+
+    /** The body at a side of a joint, or null. */
+    RigidThing thing(ReferenceJoint joint, int side) {
+        return joint.rigids[side] == null ? null : bodyOf(joint.rigids[side].id);
+    }
+
     private boolean isAsleep(int id) {
         return bodies.stream().anyMatch(t -> t.id == id && t.isAsleep());
     }
@@ -470,11 +480,7 @@ final class RigidStep {
     }
 
     private RigidJointVisit visit(ReferenceJoint joint, float warmScale) {
-        return new RigidJointVisit(joint, thingOf(joint.rigids[0]), thingOf(joint.rigids[1]), k, warmScale);
-    }
-
-    private RigidThing thingOf(Rigid body) {
-        return body == null ? null : bodyOf(body.id);
+        return new RigidJointVisit(joint, thing(joint, 0), thing(joint, 1), k, warmScale);
     }
 
     private List<RigidContact> contacts() {
@@ -793,7 +799,8 @@ final class RigidStep {
             }
             t.body.omega = limitSpeed(t.omega);
             if (k.sleep()) {
-                RigidSleep.rest(t, moved, turned, k, kinds);
+                boolean driven = joints.stream().anyMatch(joint -> joint.isOf(t.body) && joint.drivesRigids());
+                RigidSleep.rest(t, moved, turned, driven, k, kinds);
             }
         }
         List<RigidContact.Saved> kept = new ArrayList<>(resting);

@@ -49,7 +49,7 @@ final class Sleep {
     static final float FREE_WEIGHTS = 2f;
 
     /** How many times what a spring carries counts. */
-    private static final float SPRING_LOADS = 4f;
+    static final float SPRING_LOADS = 4f;
 
     /** How much the balance of its surface counts if joints turn it. */
     static final float SHARE_OF_SPIN = 0.5f;

@@ -198,6 +198,9 @@ public final class JointCalls implements Calls.Effects {
     private void prepare(Call call, int[] w, JointForm of) {
         if (call == Call.RIGID_JOINT) {
             prepareOfBodies(w, of);
+            if (JointForm.isWeld(of.traits())) {
+                world.joints.requireWeld(w[0], w[1], w[4], w[5], pointsOf(w), world.last.circles());
+            }
         } else if (call == Call.ANCHORED_JOINT) {
             JointLimits.anchor(of, w[0], real(w[2]), real(w[3]), world.handles);
         } else {
@@ -236,20 +239,25 @@ public final class JointCalls implements Calls.Effects {
 
     /** Adds a joint of bodies that are pushed, and returns its id. */
     private int addOfBodies(int[] w, JointForm of) {
-        for (int k = 0; k < points.length; k++) {
-            points[k] = w[k < 2 ? 0 : 4] == JointEndType.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
-        }
         int joint = world.joints.add(
                 of,
                 w[0] == JointEndType.CIRCLE ? w[1] : JointRow.NONE,
                 w[4] == JointEndType.CIRCLE ? w[5] : JointRow.NONE,
                 w[0] == JointEndType.RIGID ? w[1] : JointRow.NONE,
                 w[4] == JointEndType.RIGID ? w[5] : JointRow.NONE,
-                points);
+                pointsOf(w));
         if (w[4] == JointEndType.ANCHOR) {
             world.joints.anchor(joint, w[5], real(w[6]), real(w[7]));
         }
         return joint;
+    }
+
+    /** The points of a joint on bodies that are pushed. */
+    private float[] pointsOf(int[] w) {
+        for (int k = 0; k < points.length; k++) {
+            points[k] = w[k < 2 ? 0 : 4] == JointEndType.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
+        }
+        return points;
     }
 
     /** Refuses types of ends in a log that no joint of bodies has, and ids of nothing. */

@@ -87,6 +87,15 @@ public final class JointLimits {
         Limits.within("y of the point on the body", y, -most, most);
     }
 
+    /** The place of a weld of a body that is pushed, in the coordinates of that. */
+    static void weld(float x, float y, OutlineShape outline) {
+        float most = POINT_REACH * outline.reach();
+        if (!(Math.abs(x) <= most && Math.abs(y) <= most)) {
+            throw new IllegalArgumentException("the middle of the weld is at " + x + ", " + y
+                    + " from the centroid of a body, but must be within " + most + " along each axis");
+        }
+    }
+
     private static void moves(int a, HandleTable handles) {
         if (handles.isStatic(a)) {
             throw new IllegalArgumentException(

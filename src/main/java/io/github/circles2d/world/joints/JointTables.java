@@ -2,6 +2,9 @@ package io.github.circles2d.world.joints;
 
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
@@ -101,6 +104,45 @@ public final class JointTables {
                 table.setReferences(joint, a, angles[handles.place(table.b(joint))]);
             }
         }
+    }
+
+    /**
+     * Refuses a weld whose place is too far from a body that is pushed. Ends are those of a new joint.
+     *
+     * @param at the points on the bodies, as {@link #add(JointForm, int, int, int, int, float[])} gets them
+     * @param circles as a bulk read gives them
+     */
+    public void requireWeld(int typeA, int a, int typeB, int b, float[] at, float[] circles) {
+        Bounds bounds = terrain.bounds();
+        float bx = x(typeB, b, at[2], at[3], circles);
+        float by = y(typeB, b, circles);
+        float ax = x(typeA, a, at[0], at[1], circles);
+        float ay = y(typeA, a, circles);
+        float share = typeA == JointEndType.CIRCLE ? 0f : typeB == JointEndType.CIRCLE ? 1f : 0.5f;
+        float x = ax + share * CircleMath.shortWay(bx - ax, bounds.periodX());
+        float y = ay + share * CircleMath.shortWay(by - ay, bounds.periodY());
+        requireWeld(typeA, a, x, y);
+        requireWeld(typeB, b, x, y);
+    }
+
+    private void requireWeld(int type, int body, float x, float y) {
+        if (type == JointEndType.RIGID) {
+            rigids.places.look(body, x, y, terrain.bounds());
+            JointLimits.weld(rigids.places.x(), rigids.places.y(), rigids.step.outline[body]);
+        }
+    }
+
+    private float x(int type, int id, float localX, float localY, float[] circles) {
+        if (type == JointEndType.CIRCLE) {
+            return circles[CircleRow.of(handles.place(id)) + CircleRow.X];
+        }
+        rigids.places.of(id, localX, localY, terrain.bounds());
+        return rigids.places.x();
+    }
+
+    /** Behind {@link #x}. */
+    private float y(int type, int id, float[] circles) {
+        return type == JointEndType.CIRCLE ? circles[CircleRow.of(handles.place(id)) + CircleRow.Y] : rigids.places.y();
     }
 
     /** A weld of a body holds both as they lie, at the middle between their points, or at the centre of a circle. */

@@ -29,6 +29,7 @@ final class PhysicsPage {
                 .replace("{{surfaces}}\n", FigureTable.of(folder, "surfaces.csv"))
                 .replace("{{terrain}}\n", FigureTable.of(folder, "terrain.csv"))
                 .replace("{{joints}}\n", FigureTable.of(folder, "joints.csv"))
+                .replace("{{bodies}}\n", FigureTable.of(folder, "bodies.csv"))
                 .replace("{{charts}}\n", charts(folder));
     }
 
