@@ -278,6 +278,7 @@ public final class JvmPipeline implements Pipeline {
                 && (state.sleepers.count > 0 || constants.rigid && rigidPasses.anySleeps(rigids));
         boolean found = sleep && !wake();
         times.end(GRID);
+        state.seen = null;
         if (records()) {
             recorder.begin();
         }
