@@ -120,7 +120,12 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes() + sparse.bytes() + aheadBytes();
+        return 12L * timeOfImpact.length
+                + 4L * range.length
+                + carrying.bytes()
+                + reaches.bytes()
+                + sparse.bytes()
+                + aheadBytes();
     }
 
     private long aheadBytes() {

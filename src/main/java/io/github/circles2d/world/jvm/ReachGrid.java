@@ -102,8 +102,7 @@ final class ReachGrid {
             float r = state.circle[s + RADIUS];
             boolean isStatic = state.isStatic(slot);
             // no less than the distance of contacts, for those who look once for both
-            reach[slot] = CircleMath.max(
-                    Reach.reachOf(r, grid.path[slot], isStatic), grid.speculativeDistance[slot]);
+            reach[slot] = CircleMath.max(Reach.reachOf(r, grid.path[slot], isStatic), grid.speculativeDistance[slot]);
             if (!(reach[slot] > far) || isStatic || !Paths.isFast(grid.path[slot], r)) {
                 continue;
             }

@@ -24,7 +24,8 @@ import java.util.Arrays;
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
  * when. It looks in the cells of the step's grid, where circles are as they were at its start. {@code Sensing.cl} does the same, but there
- * the sensors look for others; here the circles of that kind do of which there are fewer.
+ * the sensors look for others; here the circles of that kind do of which there are fewer. Of circles that sense their own kind alone, those do
+ * not look that are slow, have moved as planned, and have none near.
  */
 final class Sensing {
     /** An eighth more than needed, for rounding and for {@link TouchRule#SLACK}. */
