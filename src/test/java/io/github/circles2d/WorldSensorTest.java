@@ -103,6 +103,23 @@ class WorldSensorTest {
         assertThat(events()).containsExactly("0 begin 1 2", "1 begin 0 2", "1 end 1 2", "2 end 0 2");
     }
 
+    /** As the step begins, the two are not near to each other, and neither moves. */
+    @Test
+    void aCircleThatAnotherKnocksAgainstOneOfItsKindIsSensedInThatStep() {
+        world.setResponse(OTHER, OTHER, Response.SENSE);
+        world.report(OTHER, OTHER, Events.BEGIN | Events.END);
+        long hit = add(0, 0, 1, 0, OTHER);
+        add(2.15f, 0, 1, 0, OTHER);
+        float ofStep = 14 * DT;
+        world.add(-2.02f - 3 * ofStep, 0, 1, 1000, 14, 0, BODY);
+        world.step(DT, 3);
+        assertThat(events()).isEmpty();
+        assertThat(world.vx(hit)).isZero();
+        world.step(DT);
+        assertThat(world.x(hit)).isGreaterThan(0.15f);
+        assertThat(events()).containsExactly("0 begin 0 1");
+    }
+
     @Test
     void circlesThatAreAddedMovedOrRemovedBeginAndEndWithTheNextStep() {
         addStatic(0, 0, 3, SENSOR);

@@ -291,6 +291,7 @@ public final class JvmPipeline implements Pipeline {
         boolean sleep = state.sleepers != null && (state.sleepers.count > 0 || constants.rigid && rigids.anySleeps());
         boolean found = sleep && !wake();
         times.end(GRID);
+        state.seen = null;
         if (records()) {
             recorder.begin();
         }

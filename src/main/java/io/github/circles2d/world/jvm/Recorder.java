@@ -87,12 +87,13 @@ final class Recorder {
     /** Begins a step, once the circles lie in the order of the grid. */
     void begin() {
         if (reports.sensing) {
+            state.seen = sensing.seen();
             team.all(beginSensing);
         }
     }
 
     private void beginSensing(int worker) {
-        sensing.begin(team.part(state.awake, worker), team.part(state.awake, worker + 1));
+        sensing.beginStep(team.part(state.awake, worker), team.part(state.awake, worker + 1));
     }
 
     void end(TerrainStep step, StepConstants k) {

@@ -18,6 +18,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
@@ -28,11 +29,15 @@ import java.util.Arrays;
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
  * when. It looks in the cells of the step's grid, where circles are as they were at its start. {@code Sensing.cl} does the same, but there
- * the sensors look for others; here the circles of that kind do of which there are fewer.
+ * the sensors look for others; here the circles of that kind do of which there are fewer. Of circles that sense their own kind alone, those do
+ * not look that are slow, have moved as planned, and have none near.
  */
 final class Sensing {
     /** An eighth more than needed, for rounding and for {@link TouchRule#SLACK}. */
     private static final float MORE = 1.125f;
+
+    /** In radii: with {@link TouchRule#SLACK} it is less than the slack of {@link Reach}, and than {@link Tuning#MARGIN}. */
+    private static final float STRAY = 0.004f;
 
     private final State state;
     private final Grid grid;
@@ -66,6 +71,15 @@ final class Sensing {
 
     /** By kind: whether it looks for another, even if it is slow. */
     private final boolean[] seeks = new boolean[PairTable.KINDS];
+
+    /** By kind: whether it senses itself, and no other. */
+    private final boolean[] keepsToItself = new boolean[PairTable.KINDS];
+
+    /** By slot: whether another circle is near, as pairs and continuous collision have found; they look no farther than plans go. */
+    private boolean[] seen = new boolean[0];
+
+    /** By slot: whether it has not moved as was planned. */
+    private boolean[] strays = new boolean[0];
 
     /** Those kinds that take part. */
     private final int[] kinds = new int[PairTable.KINDS];
@@ -118,15 +132,30 @@ final class Sensing {
             float[] newPath = new float[state.capacity()];
             float[] newReach = new float[state.capacity()];
             int[] newKind = new int[state.capacity()];
+            boolean[] newSeen = new boolean[state.capacity()];
+            boolean[] newStrays = new boolean[state.capacity()];
             start = newStart;
             path = newPath;
             reach = newReach;
             kind = newKind;
+            seen = newSeen;
+            strays = newStrays;
         }
     }
 
+    /** Begins a step of the circles that move. */
+    void beginStep(int from, int to) {
+        Arrays.fill(seen, from, to, false);
+        begin(from, to);
+    }
+
+    /** What is to note by slot which circles have others near, for each pair that it finds. */
+    boolean[] seen() {
+        return seen;
+    }
+
     /** Notes where circles are. */
-    void begin(int from, int to) {
+    private void begin(int from, int to) {
         for (int slot = from; slot < to; slot++) {
             start[CircleRow.vector(slot) + X] = state.circle[CircleRow.of(slot) + X];
             start[CircleRow.vector(slot) + Y] = state.circle[CircleRow.of(slot) + Y];
@@ -172,10 +201,19 @@ final class Sensing {
         Arrays.fill(ofLevels, 0f);
         for (int slot = from; slot < to; slot++) {
             measure(slot);
+            strays[slot] = strays(slot);
             ofWorker[kind[slot]]++;
             int level = grid.level[slot];
             ofLevels[level] = isFast(slot) ? ofLevels[level] : CircleMath.max(path[slot], ofLevels[level]);
         }
+    }
+
+    /** Whether a circle has gone elsewhere than planned by more than what contacts and continuous collision look farther. */
+    private boolean strays(int slot) {
+        float offX = pathX(slot) - state.plan[CircleRow.vector(slot) + X];
+        float offY = pathY(slot) - state.plan[CircleRow.vector(slot) + Y];
+        boolean isClose = Math.abs(offX) + Math.abs(offY) <= STRAY * state.circle[CircleRow.of(slot) + RADIUS];
+        return !isClose || state.isStatic(slot);
     }
 
     private void measure(int slot) {
@@ -208,6 +246,7 @@ final class Sensing {
 
     private void settle(int a) {
         seeks[a] = false;
+        keepsToItself[a] = true;
         for (int k = 0; k < kindCount; k++) {
             int b = kinds[k];
             int row = PairTable.get(sensed, a, b);
@@ -216,6 +255,7 @@ final class Sensing {
                 row = looks ? SensorRule.SEEKS : SensorRule.FOUND;
             }
             PairTable.setOne(seeking, a, b, row);
+            keepsToItself[a] &= a == b || row == SensorRule.NONE;
             seeks[a] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
         }
     }
@@ -226,7 +266,7 @@ final class Sensing {
             if (!takesPart[kind[slot]]) {
                 continue;
             }
-            if (seeks[kind[slot]] || isFast(slot)) {
+            if (looks(slot)) {
                 look(nearby[worker], records, slot, k);
             }
             if (state.awake < state.n && (!state.isStatic(slot) || state.asks(slot))) {
@@ -312,10 +352,43 @@ final class Sensing {
             float below = CircleMath.min(y, toY) - margin;
             float right = CircleMath.max(x, toX) + margin;
             float above = CircleMath.max(y, toY) + margin;
+            if (!levels.folded[level] && (statics || !grid.hasSheets())) {
+                lookInRows(records, slot, level, left, right, below, above, k);
+                continue;
+            }
             near.begin(level, left, right, below, above, statics);
             while (near.next()) {
                 lookAt(records, slot, near.from, near.to, k);
             }
+        }
+    }
+
+    /** Row by row: a walk that knows of sheets takes longer. */
+    private void lookInRows(
+            TouchRecords records,
+            int slot,
+            int level,
+            float left,
+            float right,
+            float below,
+            float above,
+            StepConstants k) {
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int c0 = levels.columnFrom(left, level);
+        int c1 = levels.columnTo(left, right, level);
+        int r0 = levels.rowFrom(below, level);
+        int r1 = levels.rowTo(below, above, level);
+        int column = GridLevels.onRing(c0, columns);
+        int end = column + Math.min(c1 - c0 + 1, columns);
+        int row = GridLevels.onRing(r0, rows);
+        for (int v = Math.min(r1 - r0 + 1, rows); v > 0; v--) {
+            int b = levels.rowStart(level, row);
+            lookAt(records, slot, grid.start[b + column], grid.start[b + Math.min(end, columns)], k);
+            if (end > columns) {
+                lookAt(records, slot, grid.start[b], grid.start[b + end - columns], k);
+            }
+            row = row + 1 < rows ? row + 1 : 0;
         }
     }
 
@@ -331,11 +404,24 @@ final class Sensing {
                 dy = CircleMath.shortWay(dy, state.periodY);
             }
             float far = own + reach[other];
-            if (dx * dx + dy * dy <= far * far && other != slot && finds(slot, other)) {
+            if (dx * dx + dy * dy <= far * far && other != slot && (finds(slot, other) || findsFor(slot, other))) {
                 boolean isLower = state.id[slot] < state.id[other];
                 meet(records, isLower ? slot : other, isLower ? other : slot, k);
             }
         }
+    }
+
+    /** Whether a circle looks around. Of a kind that keeps to itself, those do not that are slow, have moved as planned, and have none near. */
+    private boolean looks(int slot) {
+        boolean fast = isFast(slot);
+        boolean near = strays[slot] || seen[slot] || !keepsToItself[kind[slot]];
+        return fast || seeks[kind[slot]] && near;
+    }
+
+    /** Whether a circle finds a pair in place of the other, which does not look. */
+    private boolean findsFor(int slot, int other) {
+        boolean move = slot < state.awake && other < state.awake; // for others lookAtResting does it
+        return move && takesPart[kind[other]] && keepsToItself[kind[other]] && !looks(other) && finds(other, slot);
     }
 
     private boolean finds(int slot, int other) {
@@ -390,6 +476,6 @@ final class Sensing {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * (start.length + path.length + reach.length + kind.length);
+        return 4L * (start.length + path.length + reach.length + kind.length) + seen.length + strays.length;
     }
 }

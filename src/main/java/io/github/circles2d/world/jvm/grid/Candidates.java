@@ -60,6 +60,7 @@ public final class Candidates {
     /** Whether a pair of circles that are near to each other is listed: not if they may not meet, and maybe not in a crowd. */
     public boolean keeps(int slot, int other) {
         if (!PairFilter.mayMeet(state, slot, other)) {
+            state.noteSeen(slot, other);
             return false;
         }
         if (!thinned) {

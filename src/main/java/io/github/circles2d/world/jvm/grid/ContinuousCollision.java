@@ -278,6 +278,7 @@ public final class ContinuousCollision {
 
     /** Two circles whose reaches meet, of which the other reaches far. Most do not touch by their paths. */
     private void meetBoth(int slot, boolean looks, int other) {
+        state.noteSeen(slot, other);
         int touches = mayTouch(slot, other);
         if (looks && (touches != 0 || state.isStatic(other))) {
             meet(slot, other);
@@ -397,6 +398,7 @@ public final class ContinuousCollision {
                 if (seen != null) {
                     seen.add(other);
                 }
+                state.noteSeen(slot, other);
                 if (mayTouch(slot, other) != 0 || state.isStatic(other)) {
                     meet(slot, other);
                 }
@@ -407,6 +409,9 @@ public final class ContinuousCollision {
     private void meetNear(int slot, int[] near, int count) {
         for (int k = 0; k < count; k++) {
             int other = near[k];
+            if (other != slot) {
+                state.noteSeen(slot, other);
+            }
             if (other != slot && (mayTouch(slot, other) != 0 || state.isStatic(other))) {
                 meet(slot, other);
             }

@@ -19,7 +19,8 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
 
 /**
- * Finds the cross contacts: those of circles of different levels. Each circle looks in every coarser level.
+ * Finds the cross contacts: those of circles of different levels. Each circle looks in every coarser level in which continuous collision
+ * has not looked for it ({@link Ahead}).
  *
  * <p>One of the two circles is the light one, the other the heavy one ({@link CrossRule}). Cross contacts lie in the order of the
  * slots of their light circles, and those of one light circle in the order of the ids of the heavy ones.

@@ -95,6 +95,9 @@ public final class State implements ContactEvents.Sleepers {
     /** Within a step: joints that keep circles from colliding, and which of them have broken; null if none does. */
     public JointStep parting;
 
+    /** By slot, whether another circle is near; null in a step that senses none. Workers write true alone. */
+    public boolean[] seen;
+
     public JointStates partingStates;
 
     /** Within a step, by slot: whether a joint holds the circle, so that it may leave its path; null without joints. */
@@ -809,6 +812,15 @@ public final class State implements ContactEvents.Sleepers {
             }
         }
         return false;
+    }
+
+    /** Notes that two circles are near to each other, if the step senses circles. */
+    public void noteSeen(int slot, int other) {
+        boolean[] noted = seen;
+        if (noted != null) {
+            noted[slot] = true;
+            noted[other] = true;
+        }
     }
 
     /** Whether a circle has an infinite mass. */
