@@ -124,7 +124,7 @@ class BodiesAgreeTest {
                 world.fill();
             }
             run(worlds, 20, true, "at first");
-            run(worlds, 240, false, "at rest");
+            run(worlds, 400, false, "at rest");
             SplittableRandom random = new SplittableRandom(seed);
             for (int k = 0; k < SleepingBodies.DISTURBANCES * TestScale.of(1, 3); k++) {
                 int which = (seed + 7 * k) % SleepingBodies.DISTURBANCES;
