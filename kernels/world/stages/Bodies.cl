@@ -93,6 +93,10 @@ kernel void bodies_free(WORLD_PARAMETERS, global const int *held, int count) {
 }
 #endif
 
+#if defined(SLEEPING) && !defined(JOINTS)
+int slotOfCircle(const World *w, int id) { return workingSlotOf(w)[w->slotOf[id]]; }
+#endif
+
 #if defined(JOINTS) || defined(SLEEPING)
 // Circles that the host names, behind bodies_find, which may have found them too. Index space: these, of which named has the ids.
 kernel void bodies_name(WORLD_PARAMETERS, global const int *named, int count, global int *found, int boxes, int room) {
@@ -101,8 +105,7 @@ kernel void bodies_name(WORLD_PARAMETERS, global const int *named, int count, gl
     if (k >= count || refused(&w)) return;
     int place = atomic_inc(found);
     if (place < room) {
-        int slot = workingSlotOf(&w)[w.slotOf[named[k]]];
-        copyForBodies(&w, slot, named[k], found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
+        copyForBodies(&w, slotOfCircle(&w, named[k]), named[k], found + BODY_BOXES + 4 * boxes + BODY_NEAR_WORDS * place);
     }
 }
 #endif

@@ -434,7 +434,7 @@ public final class DevicePipeline implements Pipeline {
             home.slots = 0;
             commands.slotsInOrder();
             if (input.constants.rigid) {
-                arena = input.constants.bounds;
+                arena = input.constants.arena;
                 sleeps = input.constants.sleeping;
                 stepBodiesAlone(input, count);
             }
@@ -454,7 +454,7 @@ public final class DevicePipeline implements Pipeline {
                 ready.takeNews();
                 bind(kernels);
             }
-            arena = input.constants.bounds;
+            arena = input.constants.arena;
             sleeps = input.constants.sleeping;
             queue.begin(shape, input.constants);
             parameters.set(input, shape);

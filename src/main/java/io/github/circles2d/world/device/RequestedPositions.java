@@ -91,10 +91,10 @@ final class RequestedPositions {
         copying = true;
     }
 
-    /** Waits for the copy. Returns whether all steps that precede the request had been made when it was laid out. */
+    /** Waits for the copy. Returns whether all steps that precede the request, if it has not been taken, had been made when it was laid out. */
     boolean arrived() {
         awaitCopy();
-        return circles == 0 || targets[current].host.ints().get(0) == stepsDue;
+        return circles == 0 || !requested || targets[current].host.ints().get(0) == stepsDue;
     }
 
     /** By id, NaN for others, or all circles if shown is null. Valid until the request after the next. */

@@ -271,7 +271,9 @@ public final class HostBodies implements AutoCloseable {
         }
         addAll(circles, words, at, false);
         state.awake = state.n;
-        addAll(circles, words, at, true);
+        if (input.constants.sleeping) {
+            addAll(circles, words, at, true);
+        }
         team.run(workers, findContacts);
     }
 
@@ -366,6 +368,11 @@ public final class HostBodies implements AutoCloseable {
 
     // ---- who wakes
     // ------------------------------------------------------------------------------------------------
+
+    /** Whether bodies and circles sleep in the world. */
+    public boolean sleep() {
+        return input.constants.sleeping;
+    }
 
     /** Whether a body sleeps. */
     public boolean anySleeps() {

@@ -13,6 +13,7 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Features;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.List;
 import java.util.Map;
@@ -124,7 +125,7 @@ class BodiesAgreeTest {
                 world.fill();
             }
             run(worlds, 20, true, "at first");
-            run(worlds, 240, false, "at rest");
+            run(worlds, 400, false, "at rest");
             SplittableRandom random = new SplittableRandom(seed);
             for (int k = 0; k < SleepingBodies.DISTURBANCES * TestScale.of(1, 3); k++) {
                 int which = (seed + 7 * k) % SleepingBodies.DISTURBANCES;
@@ -135,11 +136,41 @@ class BodiesAgreeTest {
                 if (k % 6 == 2) {
                     byte[] saved = worlds[0].snapshot();
                     assertThat(worlds[1].snapshot()).as("disturbance " + which).isEqualTo(saved);
-                    worlds[k % 2].restore(saved);
+                    worlds[k / 6 % 2].restore(saved);
                 }
             }
             assertThat(worlds[1].mostSleepers()).isGreaterThan(3);
             assertThat(worlds[1].mostSleepingBodies()).isGreaterThan(edges == Edges.WALLS ? 5 : 0);
+        }
+    }
+
+    /** A call wakes circles and bodies on the other side of a seam, and all that are near, whoever wakes first. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aCallWakesTheSameAcrossASeam(Device device) {
+        try (Simulation one = new Simulation(new JvmPipeline(1, 1, 0, false), sleeping(Edges.WRAPPED));
+                Simulation other = new Simulation(pipeline(device, Plans.COLOURS), sleeping(Edges.WRAPPED))) {
+            for (Simulation each : new Simulation[] {one, other}) {
+                each.kinds.set(KindField.FRICTION, 0, Float.floatToRawIntBits(0.6f));
+                each.kinds.set(KindField.ROLLING_RESISTANCE, 0, Float.floatToRawIntBits(0.1f));
+                long circle = each.newCircles.add(0.25f, 0.25f, 0.25f, 0.2f, 0, 0, 0);
+                for (int k = 0; k < 3; k++) {
+                    each.newCircles.add(11.74f - 0.51f * k, 0.25f, 0.25f, 0.2f, 0, 0, 0);
+                }
+                each.rigids.add(BodyChanges.box(0.5f, 0.5f), 0.8f, 0.25f, 0, 0.2f, 0);
+                long crate = each.rigids.add(BodyChanges.box(0.5f, 0.5f), 11.75f, 1, 0, 0.2f, 0);
+                each.rigids.remove(crate);
+                each.step(1 / 60f, 150);
+                assertThat(each.figures().awake()).isZero();
+                assertThat(each.rigidReads.awake()).isZero();
+                each.circles.remove(circle);
+                each.rigids.add(BodyChanges.box(0.1f, 0.1f), 0.1f, 1, 0, 0.2f, 0);
+                each.hash();
+                assertThat(each.figures().awake()).isOne();
+                assertThat(each.rigidReads.awake()).isEqualTo(2);
+                each.step(1 / 60f, 3);
+            }
+            assertThat(other.hash()).isEqualTo(one.hash());
         }
     }
 

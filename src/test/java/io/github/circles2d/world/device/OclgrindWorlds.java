@@ -473,14 +473,15 @@ final class OclgrindWorlds {
     private Set<String> sleepingBodies(Plans plans) {
         DevicePipeline pipeline = pipeline(plans);
         WorldParameters parameters =
-                new WorldParameters(new Bounds(0, 0, 12, 8), 0, -10, 0, subSteps, 0).sleeping(true);
+                new WorldParameters(new Bounds(0, 0, 12, 8), 0, -10, 0.1f, subSteps, 0).sleeping(true);
         try (Simulation asleep = new Simulation(jvm(), parameters);
                 Simulation one = new Simulation(jvm(), parameters);
                 Simulation other = new Simulation(pipeline, parameters)) {
             SleepingBodies before = new SleepingBodies(asleep, 0);
             before.fill();
-            asleep.step(1 / 60f, 400);
+            asleep.step(1 / 60f, 600);
             SleepingBodies[] each = {before.goOn(one), before.goOn(other)};
+            each[1].awake();
             for (int step = 0; step < 2 * steps; step++) {
                 for (SleepingBodies world : each) {
                     world.disturb(step);
@@ -490,7 +491,6 @@ final class OclgrindWorlds {
                     throw new IllegalStateException(plans + " with bodies that sleep, step " + step);
                 }
             }
-            each[1].awake();
             if (each[1].mostSleepers() < 3 || each[1].mostSleepingBodies() < 3) {
                 throw new IllegalStateException("few sleep");
             }

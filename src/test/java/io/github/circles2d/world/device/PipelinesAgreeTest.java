@@ -1,14 +1,19 @@
 package io.github.circles2d.world.device;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.shared.Pipeline;
@@ -350,6 +355,22 @@ class PipelinesAgreeTest {
                 twins.assertEqual("with all changes");
                 twins.assertSameFigures();
             }
+        }
+    }
+
+    /** The next request would arrive where none has been. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aDeviceIsLeftOnceOneRequestHasBeenTaken(Device device) {
+        DevicePipeline pipeline = Pipelines.of(device, Plans.COLOURS.of(device), false);
+        WorldParameters parameters = new WorldParameters(new Bounds(0, 0, 9, 9), 0, -10, 0, 4, 0);
+        try (Simulation simulation = new Simulation(pipeline, parameters)) {
+            simulation.newCircles.add(4, 5, 1, 1, 0, 0, 0);
+            simulation.readings.requestPositions();
+            assertThat(simulation.readings.takePositions().get(1)).isEqualTo(5);
+            pipeline.leave();
+            simulation.step(1 / 60f, 1);
+            assertThat(simulation.circles.size()).isOne();
         }
     }
 }

@@ -9,7 +9,10 @@ public final class BodyArrays implements AutoCloseable {
     private final Session session;
     private DeviceBuffer found;
     private DeviceBuffer held;
+
+    /** Null as long as there has been no step in which somebody slept. */
     private DeviceBuffer sleepers;
+
     private DeviceBuffer slots;
     private DeviceBuffer rows;
     private HostBuffer host;
@@ -18,7 +21,6 @@ public final class BodyArrays implements AutoCloseable {
         this.session = session;
         ensureFound(0);
         ensureHeld(0);
-        ensureSleepers(0);
         ensureRows(0, 0);
         ensureHost(0);
     }
@@ -71,6 +73,9 @@ public final class BodyArrays implements AutoCloseable {
     }
 
     public DeviceBuffer sleepers() {
+        if (sleepers == null) {
+            ensureSleepers(0);
+        }
         return sleepers;
     }
 

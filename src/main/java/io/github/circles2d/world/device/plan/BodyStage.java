@@ -118,7 +118,7 @@ final class BodyStage {
     private int find(Kernel near, int boxes, int circles, int wordsEach) {
         int before = BOXES + BOX_WORDS * boxes;
         int named = near == find ? bodies.named() : 0;
-        if (named > 0) {
+        if (named > 0 && bodies.sleep()) { // else free() has sent them
             arrays.ensureHeld(bytes(named));
             bodies.putNamed(arrays.host().ints().duplicate().clear());
             arrays.held().write(0, arrays.host(), 0, bytes(named));

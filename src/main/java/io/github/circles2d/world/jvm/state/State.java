@@ -436,10 +436,13 @@ public final class State implements ContactEvents.Sleepers {
     /** Wakes circles that sleep and may touch one that changes. */
     private void wakeNear(int changed) {
         int s = CircleRow.of(changed);
-        wakeNear(id[changed], circle[s + X], circle[s + Y], circle[s + RADIUS]);
+        float x = circle[s + X];
+        float y = circle[s + Y];
+        float r = circle[s + RADIUS];
         if (sleepers != null && rigids != null) {
-            rigids.wakeNear(-1, circle[s + X], circle[s + Y], circle[s + RADIUS], periodX, periodY);
+            rigids.wakeNear(-1, x, y, r, periodX, periodY);
         }
+        wakeNear(id[changed], x, y, r); // slots change as circles wake
     }
 
     /** The same of what is at a place, and reaches so far; itself: the circle that it is, or -1. */
