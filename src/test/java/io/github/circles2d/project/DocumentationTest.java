@@ -336,7 +336,7 @@ class DocumentationTest {
                 words += read(page.toString()).trim().split("\\s+").length;
             }
         }
-        assertThat(words).isLessThanOrEqualTo(97_000);
+        assertThat(words).isLessThanOrEqualTo(97_500);
     }
 
     @Test
