@@ -38,8 +38,8 @@ final class TerrainTables {
     /** World beside Box2D v3 on the same levels; misses are bold. Empty if the folder has no such file. */
     static String engines(Path folder) {
         StringBuilder text = new StringBuilder(
-                        "| level | circles | Box2D v3, ms | World on the JVM, ms | World is faster by |\n")
-                .append("|---|--:|--:|--:|--:|\n");
+                        "| level | circles | Box2D v3, ms | World before, ms | World on the JVM, ms | World is faster by | asked |\n")
+                .append("|---|--:|--:|--:|--:|--:|--:|\n");
         List<Map<String, String>> rows = Table.rowsOf(folder.resolve("engines.csv"), List.of("level", "n"));
         for (Map<String, String> row : rows) {
             double factor = Numbers.parse(row.get("box2d_ms")) / Numbers.parse(row.get("world_ms"));
@@ -47,8 +47,10 @@ final class TerrainTables {
             text.append("| ").append(row.get("level"));
             text.append(" | ").append(Numbers.whole(row.get("n")));
             text.append(" | ").append(Numbers.brief(row.get("box2d_ms")));
+            text.append(" | ").append(Numbers.brief(row.get("before_ms")));
             text.append(" | ").append(Numbers.brief(row.get("world_ms")));
             text.append(" | ").append(factor < Numbers.parse(row.get("asked")) ? "**" + shown + "**" : shown);
+            text.append(" | ").append(row.get("asked"));
             text.append(" |\n");
         }
         return rows.isEmpty() ? "" : text.toString();

@@ -91,6 +91,9 @@ final class Crew {
     private Team.Work work;
     private int size;
 
+    /** How many pauses have ended. */
+    private int tries;
+
     /** Whether another stage is likely to follow soon. */
     private volatile boolean running;
 
@@ -147,6 +150,7 @@ final class Crew {
         if (pausing) {
             pausing = false;
             together = 0;
+            tries++;
         }
         return start(asked);
     }
@@ -254,6 +258,7 @@ final class Crew {
     private void live(int thread) {
         try {
             long nanos = NANOS_OF_LOOKS;
+            int seen = 0;
             for (int stage = 0; ; ) {
                 boolean slept = await(thread, 0, stage, nanos);
                 nanos = slept ? Math.max(LEAST_NANOS_OF_LOOKS, nanos / 2) : Math.min(NANOS_OF_LOOKS, 2 * nanos);
@@ -261,6 +266,10 @@ final class Crew {
                     return;
                 }
                 stage = announced;
+                if (seen != tries) { // who goes on with short looks sleeps in most stages, also on an idle machine
+                    seen = tries;
+                    nanos = NANOS_OF_LOOKS;
+                }
                 int workers = size;
                 // A thread that was late for the last run may be none of this one's.
                 int own = thread < workers ? thread : 0;
