@@ -54,9 +54,6 @@ Between betweenSurfaces(const World *w, const Turning *t, int number) {
 
 bool oneBodyRowsAct(const Between *b) { return b->friction > 0.0f || b->resistance > 0.0f; }
 
-// What impulses give to a surface speed, by the inverse inertia.
-float spinOfOneBody(RowImpulses i) { return angularImpulse(i) - tangentImpulse(i); }
-
 // Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. Returns the impulse along the tangent.
 float warmOneBodyRows(Turning *t, const Between *b, RowImpulses *i) {
     i->FRICTION_IMPULSE = b->friction > 0.0f ? i->FRICTION_IMPULSE : 0.0f;

@@ -1,13 +1,16 @@
 // uses: world/shared/Velocity.cl
 // Friction, rolling resistance and turning. The Java class Surface documents these formulas.
 
-#ifdef TURNING
-// Whether some row of a contact has acted, which a visit may have to take back.
-bool rowsHold(RowImpulses i) { return any(i != 0.0f); }
-
 // What all rows of a contact give along its tangent, and what they give angularly.
 float tangentImpulse(RowImpulses i) { return i.FRICTION_IMPULSE; }
 float angularImpulse(RowImpulses i) { return i.ROLLING_IMPULSE; }
+
+// What those of a wall or piece give to a surface speed, by the inverse inertia.
+float spinOfOneBody(RowImpulses i) { return angularImpulse(i) - tangentImpulse(i); }
+
+#ifdef TURNING
+// Whether some row of a contact has acted, which a visit may have to take back.
+bool rowsHold(RowImpulses i) { return any(i != 0.0f); }
 
 float friction(float a, float b) { return sqrt(a * b); }
 

@@ -1,4 +1,4 @@
-// uses: world/shared/CrossRule.cl world/shared/PairRows.cl world/shared/Sleep.cl world/shared/Visit.cl world/shared/Wall.cl
+// uses: world/shared/CrossRule.cl world/shared/PairRows.cl world/shared/Sleep.cl world/shared/Visit.cl world/shared/Wall.cl world/shared/Surface.cl
 // uses: world/stages/CellScan.cl world/stages/Grid.cl world/stages/PairFilter.cl world/stages/Pieces.cl world/stages/Joints.cl
 // Which circles wake as a step begins, and which fall asleep behind it. The Java classes world.jvm.Waking and FallingAsleep do the same.
 //
