@@ -43,6 +43,9 @@ final class Crew {
     /** How many times as long as the last wait the threads have to work together, or else the next pause is twice as long. */
     private static final int WORTH = 2;
 
+    /** How many times as long as the last wait a pause is at most: tries cost a sixteenth of the time, however busy the machine is. */
+    private static final int PAUSE_PER_WAIT = 16;
+
     /** Ints from a worker's element of {@link #parts} to the next one's, so that they lie in different cache lines. */
     private static final int APART = 32;
 
@@ -50,7 +53,7 @@ final class Crew {
      * What counts as waited for a stage for which threads are woken: the caller may lose its own processor to one. Counted for each of fifteen
      * threads, it would be longer than most steps.
      */
-    private static final long NANOS_OF_WAKING = 100_000;
+    private static final long NANOS_OF_WAKING = 20_000;
 
     private static final int ASLEEP = 1;
     private static final int CALLED = 2;
@@ -237,9 +240,9 @@ final class Crew {
         running = false;
         pausing = true;
         pausedAt = System.nanoTime();
-        pause = together > WORTH * (waited + wakes)
-                ? SHORTEST_PAUSE
-                : Math.min(LONGEST_PAUSE, Math.max(SHORTEST_PAUSE, 2 * pause));
+        long lost = waited + wakes;
+        long longest = Math.max(SHORTEST_PAUSE, Math.min(LONGEST_PAUSE, PAUSE_PER_WAIT * lost));
+        pause = together > WORTH * lost ? SHORTEST_PAUSE : Math.min(longest, Math.max(SHORTEST_PAUSE, 2 * pause));
     }
 
     // ---- parts
