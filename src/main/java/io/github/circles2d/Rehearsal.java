@@ -94,6 +94,7 @@ final class Rehearsal implements Mover {
 
     private void goToAndFro(int circles, BooleanSupplier goesOn) {
         try {
+            device.forget(); // the world beside may have been there
             int rounds = Math.max(LEAST_ROUNDS, Math.min(MOST_ROUNDS, CIRCLES_OF_ALL_ROUNDS / circles));
             for (int round = 0; round < rounds && goesOn.getAsBoolean(); round++) {
                 RunningBuilds.make(this::goThereAndBack); // an exit must not unload a driver that is at work

@@ -78,6 +78,7 @@ class RehearsalTest {
             assertThat(count(calls, "save")).as("%s", wanted).isEqualTo(2);
             assertThat(left.circles).isEqualTo(CIRCLES);
             assertThat(left.impulses).as("impulses on their way").isGreaterThan(CIRCLES);
+            assertThat(calls.indexOf("forget")).as("tables of the world beside").isLessThan(calls.indexOf("load"));
             assertThat(calls.subList(calls.lastIndexOf("leave"), calls.size())).contains("forget");
             assertThat(calls).doesNotContain("close", "positions", "requestPositions", "compile");
         }
