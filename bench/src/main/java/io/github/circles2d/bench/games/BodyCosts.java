@@ -22,9 +22,15 @@ public final class BodyCosts {
      */
     public static final List<String> CASES = List.of("pyramid", "pour", "crates", "circles");
 
-    /** Those for a device: ten times as many circles, with ten and with a hundred crates, and without. */
-    static final List<String> CASES_OF_DEVICES =
-            List.of("circles", "crates", "many circles", "ten crates in many", "a hundred crates in many");
+    private static final String ASLEEP = "crates asleep";
+    private static final String WAKING = "a crate falls on sleepers";
+
+    /**
+     * Those for a device: ten times as many circles, with ten and with a hundred crates, and without; and the ten thousand circles with ten crates
+     * in a world that sleeps, all asleep, and as another crate falls on them.
+     */
+    static final List<String> CASES_OF_DEVICES = List.of(
+            "circles", "crates", ASLEEP, WAKING, "many circles", "ten crates in many", "a hundred crates in many");
 
     static final String HEADER = "scene,bodies,circles,ms";
     static final String HEADER_OF_DEVICES = "scene,bodies,circles,jvm_ms,device_ms";
@@ -43,6 +49,10 @@ public final class BodyCosts {
     private static final int CRATES_IN_ROW = 50;
     private static final int CRATES = 10;
     private static final int SETTLING = 300;
+
+    /** Steps after which all sleep at the latest. */
+    private static final int FALLING_ASLEEP = 6000;
+
     private static final int STEPS = 600;
 
     private BodyCosts() {}
@@ -57,7 +67,7 @@ public final class BodyCosts {
     }
 
     /**
-     * Prints what bodies cost: the median of steps of settled scenes, and the mean of the steps of a fall.
+     * Prints what bodies cost: the median of steps of settled scenes, and the mean of the steps if something falls.
      *
      * @param arguments scenes on the JVM with two threads, by default all; or a back end, for all that it is measured beside the JVM with its usual
      *     number of threads
@@ -112,10 +122,18 @@ public final class BodyCosts {
         }
     }
 
-    /** A step of a settled scene, the median; of a fall, the mean. */
+    /** A step of a settled scene, the median; if something falls, the mean. */
     private static double millis(World world, String scene, int settling, int steps) {
-        boolean falls = scene.equals("pour");
-        world.step(STEP, falls ? 1 : settling);
+        boolean falls = scene.equals("pour") || scene.equals(WAKING);
+        world.step(STEP, scene.equals("pour") ? 1 : settling);
+        if (sleeps(scene)) {
+            awaitSleep(world);
+        }
+        if (scene.equals(WAKING)) {
+            Outline crate = Outline.box(2, 2);
+            long fallen = world.bodies().add(crate, WIDTH / 2, 100, 0, mass(crate));
+            world.bodies().setVelocity(fallen, 0, -30);
+        }
         double[] ms = new double[steps];
         for (int k = 0; k < steps; k++) {
             world.finish();
@@ -127,6 +145,21 @@ public final class BodyCosts {
         double mean = Arrays.stream(ms).average().orElseThrow();
         Arrays.sort(ms);
         return falls ? mean : ms[steps / 2];
+    }
+
+    private static boolean sleeps(String scene) {
+        return scene.equals(ASLEEP) || scene.equals(WAKING);
+    }
+
+    private static void awaitSleep(World world) {
+        for (int step = 0; step < FALLING_ASLEEP; step += SETTLING) {
+            if (world.stats().awake() == 0 && world.bodies().awake() == 0) {
+                return;
+            }
+            world.step(STEP, SETTLING);
+        }
+        throw new IllegalStateException(
+                world.stats().awake() + " circles and " + world.bodies().awake() + " bodies are still awake");
     }
 
     /** A world of a scene, at its start. */
@@ -143,6 +176,7 @@ public final class BodyCosts {
             case "pyramid" -> pyramid(builder);
             case "pour" -> pour(builder);
             case "crates" -> heap(builder, CIRCLES, CRATES);
+            case ASLEEP, WAKING -> heap(builder.sleep(true), CIRCLES, CRATES);
             case "many circles" -> heap(builder, MANY_CIRCLES, 0);
             case "ten crates in many" -> heap(builder, MANY_CIRCLES, CRATES);
             case "a hundred crates in many" -> heap(builder, MANY_CIRCLES, 10 * CRATES);

@@ -26,6 +26,16 @@ class BodyCostsTest {
     }
 
     @Test
+    void sleepersAreCirclesWithCratesInAWorldThatSleeps() {
+        for (String scene : List.of("crates asleep", "a crate falls on sleepers")) {
+            try (World world = BodyCosts.world(scene)) {
+                assertThat(world.bodies().size()).isEqualTo(10);
+                assertThat(world.sleeps()).isTrue();
+            }
+        }
+    }
+
+    @Test
     void aPyramidHasTwentyRowsAndStands() {
         try (World world = BodyCosts.world("pyramid")) {
             assertThat(world.bodies().size()).isEqualTo(210);
