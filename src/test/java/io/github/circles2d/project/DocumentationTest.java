@@ -336,7 +336,7 @@ class DocumentationTest {
                 words += read(page.toString()).trim().split("\\s+").length;
             }
         }
-        assertThat(words).isLessThanOrEqualTo(97_500);
+        assertThat(words).isLessThanOrEqualTo(91_000);
     }
 
     @Test
