@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Area;
+import java.awt.geom.Path2D;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -110,6 +113,50 @@ class BodiesPhysicsTest {
                 assertThat(Math.max(dx, dy)).isCloseTo(1, within(0.01));
             }
         }
+    }
+
+    /** Like an X, of which no corner is inside the other body; at a small angle also each rests with an end on the other. */
+    @Test
+    void bodiesThatCrossComeApart() {
+        for (double angle : new double[] {0.3, 0.8, 1.5, 2.6}) {
+            for (double off : new double[] {0, 1.2, 4}) {
+                try (World world = world(0.6, 0, 10)) {
+                    wall(world, 0, -1, 100, 1);
+                    long a = box(world, 0, 6, 0, 5, 0.5, ROUNDING);
+                    long b = box(world, off, 6, angle, 5, 0.5, ROUNDING);
+                    double fastest = 0;
+                    for (int k = 0; k < 600; k++) {
+                        world.step(1 / 60f);
+                        fastest = Math.max(fastest, Math.max(speed(world, a), speed(world, b)));
+                    }
+                    Area both = area(world, a);
+                    both.intersect(area(world, b));
+                    assertThat(both.getBounds2D().getWidth() * both.getBounds2D().getHeight())
+                            .as("overlap by %s and %s", angle, off)
+                            .isLessThan(0.02);
+                    assertThat(fastest).as("by %s and %s", angle, off).isLessThan(15);
+                }
+            }
+        }
+    }
+
+    private static double speed(World world, long body) {
+        return Math.hypot(world.bodies().vx(body), world.bodies().vy(body));
+    }
+
+    /** What a body covers. */
+    private static Area area(World world, long body) {
+        float[] points = world.bodies().outline(body).points(1e-3f);
+        Path2D path = new Path2D.Double();
+        path.moveTo(points[0], points[1]);
+        for (int k = 2; k < points.length; k += 2) {
+            path.lineTo(points[k], points[k + 1]);
+        }
+        path.closePath();
+        AffineTransform place = AffineTransform.getTranslateInstance(
+                world.bodies().x(body), world.bodies().y(body));
+        place.rotate(world.bodies().angle(body));
+        return new Area(place.createTransformedShape(path));
     }
 
     // ---- arcs that meet other pieces at an angle

@@ -11,6 +11,7 @@ final class GoldenBodies {
     static final int OF_PYRAMID = 36;
     static final int DOMINOES = 14;
     static final int CRATES = 8;
+    static final int CROSSED = 12;
     static final int MIXED = 18;
     static final int ON_LIFTS = 12;
     static final int ON_ENDS = 20;
@@ -43,6 +44,26 @@ final class GoldenBodies {
             run.calls().setMass(ball, 0.004f + 0.0004f * change);
             run.calls().teleport(ball, 0.05f, 0.1f + 0.002f * change);
             run.calls().setVelocity(ball, 1.5f, 0.3f);
+        }
+    }
+
+    /** Planks and others that cross, in pairs and in stars of three. */
+    static void crossed(WorldCalls world) {
+        for (int k = 0; k < CROSSED; k++) {
+            BodyOutline plank = k % 4 == 3 ? BodyOutline.capsule(0.2f, 0.012f) : BodyOutline.box(0.24f, 0.02f + 0.004f * (k % 3));
+            float x = 0.2f + 0.3f * (k % 3) + 0.01f * (k / 3);
+            world.addRigid(plank, x, 0.3f + 0.02f * (k / 3), 0.35f * k + 0.9f * (k / 3), 0.002f, 0);
+        }
+    }
+
+    /** One of the planks comes to lie across another one. */
+    static void cross(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        long[] bodies = world.rigids();
+        int change = run.steps() / GoldenChange.PERIOD;
+        if (change % 6 == 5) {
+            world.teleportRigid(bodies[change % CROSSED], 0.3f + 0.05f * (change % 9), 0.25f, 0.5f * change);
+            world.teleportRigid(bodies[(change + 4) % CROSSED], 0.31f + 0.05f * (change % 9), 0.26f, 0.8f * change + 1f);
         }
     }
 

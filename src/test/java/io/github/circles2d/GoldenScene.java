@@ -370,6 +370,13 @@ record GoldenScene(
                                 GoldenBodies::machines)
                         .with(GoldenBodies.MIXED),
                 new GoldenScene(
+                                "bodies-crossed",
+                                BodyScenes.ball(),
+                                GoldenBodies::cross,
+                                Surfaces.of(0.5f, 0.01f),
+                                GoldenBodies::crossed)
+                        .with(GoldenBodies.CROSSED),
+                new GoldenScene(
                                 "bodies-asleep",
                                 BodyScenes.ball(),
                                 GoldenSleep::crates,

@@ -114,6 +114,16 @@ final class RigidContact {
         return a.circle == c || b.circle == c;
     }
 
+    /** The normal of the line, towards the first body; null if it is no straight line. */
+    float[] lineNormal() {
+        if (!onLine || RigidThing.isHollow(b.lines.get(feature))) {
+            return null;
+        }
+        float side = first >> 16 == SWAPPED ? -1f : 1f;
+        float[] line = b.lines.get(feature);
+        return new float[] {side * line[2], side * line[3]};
+    }
+
     float[] corner() {
         return a.corners.get(corner);
     }

@@ -5,6 +5,7 @@ import static io.github.circles2d.reference.Numbers.length;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 
 /** A body, A, and what is near to it, B: another body of a higher id, a piece of terrain, a wall or a circle. */
 final class RigidPair {
@@ -82,6 +83,9 @@ final class RigidPair {
         cornersOnLines(a, b, x, y, false);
         cornersOnLines(b, a, -x, -y, true);
         cornersOnCorners(x, y);
+        if ((contacts.isEmpty() || areOpposed()) && b.type == RigidThing.BODY) {
+            leaveCrossed(x, y);
+        }
         contacts.sort(Comparator.comparingInt((RigidContact c) -> c.first).thenComparingInt(c -> c.second));
         contacts.forEach(RigidContact::measure);
         takeImpulses(warmScale);
@@ -240,6 +244,69 @@ final class RigidPair {
                 && d < radius + corner[2] + margin
                 && x * hollow[2] + y * hollow[3] >= hollow[5] * d
                 && RigidThing.isInCone(corner, x / d, y / d, tolerance);
+    }
+
+    /** A contact by which two bodies leave each other whose lines cross. */
+    private void leaveCrossed(float x, float y) {
+        RigidContact best = null;
+        float shallowest = Float.NEGATIVE_INFINITY;
+        for (boolean swapped : new boolean[] {false, true}) {
+            RigidThing t = swapped ? b : a;
+            RigidThing o = swapped ? a : b;
+            float tx = swapped ? -x : x;
+            float ty = swapped ? -y : y;
+            for (int l = 0; l < o.lines.size(); l++) {
+                float[] line = o.lines.get(l);
+                if (t.lines.stream().noneMatch(other -> cross(line, other, tx, ty))) {
+                    continue;
+                }
+                int deepest = -1;
+                float depth = Float.POSITIVE_INFINITY;
+                for (int c = 0; c < t.corners.size(); c++) {
+                    float[] corner = t.corners.get(c);
+                    float[] bend = RigidThing.farthest(corner, -line[2], -line[3]);
+                    float height =
+                            (tx + corner[0] - line[0] + bend[0]) * line[2] + (ty + corner[1] - line[1] + bend[1]) * line[3];
+                    if (height - (corner[2] + line[5]) < depth) {
+                        depth = height - (corner[2] + line[5]);
+                        deepest = c;
+                    }
+                }
+                if (depth > shallowest) {
+                    shallowest = depth;
+                    best = new RigidContact(this, t, o, deepest, l, true, swapped, k);
+                }
+            }
+        }
+        if (best != null) {
+            contacts.clear();
+            contacts.add(best);
+        }
+    }
+
+    /** Whether one of the contacts on lines pushes the other way than the first one. */
+    private boolean areOpposed() {
+        List<float[]> normals = contacts.stream()
+                .map(RigidContact::lineNormal)
+                .filter(Objects::nonNull)
+                .toList();
+        return normals.stream().anyMatch(n -> n[0] * normals.get(0)[0] + n[1] * normals.get(0)[1] < 0f);
+    }
+
+    /** Whether each of two lines has its ends on both sides of the other one; (x, y): from the place of the first to that of the second. */
+    private static boolean cross(float[] first, float[] second, float x, float y) {
+        if (RigidThing.isHollow(first) || RigidThing.isHollow(second)) {
+            return false;
+        }
+        float dx = x + second[0] - first[0];
+        float dy = y + second[1] - first[1];
+        return areBeside(first, dx, dy, dx - second[4] * second[3], dy + second[4] * second[2])
+                && areBeside(second, -dx, -dy, -dx - first[4] * first[3], -dy + first[4] * first[2]);
+    }
+
+    /** Whether of two points, against the start of a line, one is in front of it and one is not. */
+    private static boolean areBeside(float[] line, float x, float y, float otherX, float otherY) {
+        return x * line[2] + y * line[3] > 0f != otherX * line[2] + otherY * line[3] > 0f;
     }
 
     private void cornersOnCorners(float x, float y) {

@@ -43,6 +43,7 @@ final class RigidFeatures {
 
     private final RigidPairs pairs;
     private final RigidThings things;
+    private final RigidCrossing crossing;
 
     int[] found = new int[0];
     int count;
@@ -67,6 +68,7 @@ final class RigidFeatures {
     RigidFeatures(RigidPairs pairs) {
         this.pairs = pairs;
         things = pairs.things;
+        crossing = new RigidCrossing(things);
     }
 
     /** Begins a step, in which nothing has been found. */
@@ -143,6 +145,7 @@ final class RigidFeatures {
     }
 
     private void findOfPair(int p, int t, int other) {
+        int from = count;
         margin = pairs.margin[p];
         float atX = pairs.ox[p] + (things.dx[t] - things.dx[other]);
         float atY = pairs.oy[p] + (things.dy[t] - things.dy[other]);
@@ -154,6 +157,35 @@ final class RigidFeatures {
         cornersOf(t, other, atX, atY);
         swapped = true;
         cornersOf(other, t, -atX, -atY);
+        if (things.shape[other] != null && (count == from || areOpposed(from)) && crossing.find(t, other, atX, atY)) {
+            count = from;
+            swapped = crossing.swapped;
+            add(swapped ? other : t, swapped ? t : other, crossing.corner, crossing.line, true);
+        }
+    }
+
+    /** Whether one of the contacts of a pair on lines pushes the other way than the first one. */
+    private boolean areOpposed(int from) {
+        float firstX = 0f;
+        float firstY = 0f;
+        for (int at = STRIDE * from; at < STRIDE * count; at += STRIDE) {
+            int form = form(found[at + FIRST]);
+            if (form == BOTH || things.isHollow(found[at + OTHER])) {
+                continue;
+            }
+            int line = RigidThings.line(found[at + OTHER]);
+            float side = form == SWAPPED ? -1f : 1f;
+            float nx = side * things.turnedLine[line + NX];
+            float ny = side * things.turnedLine[line + NY];
+            if (nx * firstX + ny * firstY < 0f) {
+                return true;
+            }
+            if (firstX == 0f && firstY == 0f) {
+                firstX = nx;
+                firstY = ny;
+            }
+        }
+        return false;
     }
 
     /** Corners of one thing, and lines of another, from which the first one is so far away; and both things' corners, unless swapped. */

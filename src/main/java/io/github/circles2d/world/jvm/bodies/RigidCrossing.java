@@ -1,0 +1,105 @@
+package io.github.circles2d.world.jvm.bodies;
+
+import static io.github.circles2d.world.bodies.OutlineShape.LENGTH;
+import static io.github.circles2d.world.bodies.OutlineShape.NX;
+import static io.github.circles2d.world.bodies.OutlineShape.NY;
+import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
+import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
+
+/**
+ * Finds how two bodies leave each other whose lines cross, like an X, with no corner of one inside the other: by the corner and the line that are the
+ * least way from being apart, if only the line had no ends.
+ */
+final class RigidCrossing {
+    private final RigidThings things;
+
+    /** The corner and the line of the last find, by number of all, and whether the line is the first thing's. */
+    int corner;
+
+    int line;
+    boolean swapped;
+    private float least;
+
+    RigidCrossing(RigidThings things) {
+        this.things = things;
+    }
+
+    /** Whether lines of a thing cross those of another one, from whose place it is (x, y) away. */
+    boolean find(int t, int other, float x, float y) {
+        corner = -1;
+        least = Float.NEGATIVE_INFINITY;
+        cornersOnLines(t, other, x, y, false);
+        if (corner >= 0) { // else none cross
+            cornersOnLines(other, t, -x, -y, true);
+        }
+        return corner >= 0;
+    }
+
+    private void cornersOnLines(int t, int other, float x, float y, boolean areSwapped) {
+        int end = things.firstLine[other] + things.lines[other];
+        for (int l = things.firstLine[other]; l < end; l++) {
+            if (!things.isHollow(l) && crosses(t, l, x, y)) {
+                take(t, l, x, y, areSwapped);
+            }
+        }
+    }
+
+    /** Whether a line crosses one of a thing. */
+    private boolean crosses(int t, int l, float x, float y) {
+        float[] lines = things.turnedLine;
+        int to = RigidThings.line(l);
+        float nx = lines[to + NX];
+        float ny = lines[to + NY];
+        float length = lines[to + LENGTH];
+        for (int m = things.firstLine[t]; m < things.firstLine[t] + things.lines[t]; m++) {
+            if (things.isHollow(m)) {
+                continue;
+            }
+            int at = RigidThings.line(m);
+            float mx = lines[at + NX];
+            float my = lines[at + NY];
+            float rx = x + lines[at] - lines[to];
+            float ry = y + lines[at + 1] - lines[to + 1];
+            float endX = rx - lines[at + LENGTH] * my;
+            float endY = ry + lines[at + LENGTH] * mx;
+            boolean ofLine = rx * nx + ry * ny > 0f != endX * nx + endY * ny > 0f;
+            float itsX = -rx - length * ny;
+            float itsY = -ry + length * nx;
+            if (ofLine && -rx * mx - ry * my > 0f != itsX * mx + itsY * my > 0f) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Takes the deepest corner of a thing behind a line, if that is less deep than what has been taken. */
+    private void take(int t, int l, float x, float y, boolean areSwapped) {
+        float[] lines = things.turnedLine;
+        float[] corners = things.turnedCorner;
+        int to = RigidThings.line(l);
+        float nx = lines[to + NX];
+        float ny = lines[to + NY];
+        int deepest = -1;
+        float apart = Float.POSITIVE_INFINITY;
+        for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
+            int at = RigidThings.corner(c);
+            float rx = x + corners[at] - lines[to];
+            float ry = y + corners[at + 1] - lines[to + 1];
+            if (things.isBent(c)) {
+                rx += things.bentX(c, -nx, -ny);
+                ry += things.bentY(c, -nx, -ny);
+            }
+            float far = (rx * nx + ry * ny) - (corners[at + RADIUS] + lines[to + THICKNESS]);
+            if (far < apart) {
+                apart = far;
+                deepest = c;
+            }
+        }
+        if (apart > least) {
+            least = apart;
+            corner = deepest;
+            line = l;
+            swapped = areSwapped;
+        }
+    }
+}
