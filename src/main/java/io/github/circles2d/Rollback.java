@@ -48,10 +48,11 @@ import java.nio.ByteBuffer;
  *       Rewind}).
  *   <li><b>Random numbers</b> come from {@link #randomLong}, {@link #randomInt} and {@link #randomFloat}, whose state comes back.
  *   <li><b>Events</b> of each frame go to {@link Game#afterStep(int, Events)}, for what they change in the game. Those of confirmed frames go to {@link
- *       Game#confirmed(int, Events)}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Joints that go by themselves have
- *       methods of the same names. Do not take events by {@link World#events}, {@link World#takeEvents} or {@link Joints#events}. Events that wait when a frame begins are dropped.
+ *       Game#confirmed(int, Events)}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Joints that go by themselves and
+ *       touches of bodies have methods of the same names. Do not take events by {@link World#events}, {@link World#takeEvents}, {@link Joints#events} or {@link
+ *       Bodies#events}: a frame that is made again tells them again. Events that wait when a frame begins are dropped.
  *   <li><b>The reported types of events and the hit speed</b> come back with a frame, so a frame may change them by {@link World#report}, {@link
- *       World#reportWalls}, {@link World#setHitSpeed} and {@link Joints#report}. Snapshots and frames of {@link Rewind} do not have them.
+ *       World#reportWalls}, {@link World#setHitSpeed}, {@link Joints#report} and {@link Bodies#report}. Snapshots and frames of {@link Rewind} do not have them.
  *   <li><b>Arithmetic</b> has the same bits on all machines by {@code + - * /}, {@code Math.sqrt} and {@code StrictMath}. Other functions
  *       of {@code Math} may differ. Nothing depends on a clock, on the order of a HashMap, or on another thread.
  * </ol>
@@ -111,6 +112,15 @@ public final class Rollback {
         default void afterStep(int frame, JointEvents gone) {}
 
         /**
+         * Makes the changes of a frame by what bodies have begun to touch or touch no more, behind {@link #afterStep(int, JointEvents)}. There are some
+         * only if {@link Bodies#report} says so.
+         *
+         * @param frame its number
+         * @param touches those of its changes and of its step, valid during the call
+         */
+        default void afterStep(int frame, BodyEvents touches) {}
+
+        /**
          * Writes the state of the game, at the start of a frame. If the buffer is too short, let its BufferOverflowException pass: the
          * method is called again, with a longer one.
          *
@@ -141,6 +151,15 @@ public final class Rollback {
          * @param gone those of its changes and of its step, valid during the call
          */
         default void confirmed(int frame, JointEvents gone) {}
+
+        /**
+         * Takes note of what bodies have begun to touch or touch no more in a confirmed frame, behind {@link #confirmed(int, JointEvents)} and under the
+         * same rules.
+         *
+         * @param frame its number
+         * @param touches those of its changes and of its step, valid during the call
+         */
+        default void confirmed(int frame, BodyEvents touches) {}
     }
 
     private final World world;
@@ -164,13 +183,19 @@ public final class Rollback {
     /** By place: the joints that have gone. */
     private final JointEvents[] keptJoints;
 
+    /** By place: whether the world told of touches of bodies. */
+    private final boolean[] reportedBodies;
+
+    /** By place: those touches. */
+    private final BodyEvents[] keptBodies;
+
     /** The number of frames that have been made, and the next one to confirm. */
     private int frame;
 
     private int confirmed;
 
-    /** Whether the game has been told of the events of the next frame to confirm, but not of its joints. */
-    private boolean isHalfConfirmed;
+    /** How much the game has been told of the next frame to confirm: nothing, its events, or its joints too. */
+    private int told;
 
     /** The next frame to make: one that was made with a wrong prediction, or the next new one. */
     private int next;
@@ -213,8 +238,11 @@ public final class Rollback {
         reported = new ReportSettings[window];
         reportedJoints = new boolean[window];
         keptJoints = new JointEvents[window];
+        reportedBodies = new boolean[window];
+        keptBodies = new BodyEvents[window];
         for (int place = 0; place < window; place++) {
             keptJoints[place] = new JointEvents();
+            keptBodies[place] = new BodyEvents();
         }
     }
 
@@ -294,17 +322,22 @@ public final class Rollback {
         while (confirmed < end) {
             isInGame = true;
             try {
-                if (!isHalfConfirmed) {
-                    game.confirmed(confirmed, events.of(kept.at(confirmed % window)));
-                    isHalfConfirmed = true;
+                int place = confirmed % window;
+                if (told == 0) {
+                    game.confirmed(confirmed, events.of(kept.at(place)));
+                    told = 1;
                 }
-                game.confirmed(confirmed, keptJoints[confirmed % window]);
+                if (told == 1) {
+                    game.confirmed(confirmed, keptJoints[place]);
+                    told = 2;
+                }
+                game.confirmed(confirmed, keptBodies[place]);
             } finally {
                 isInGame = false;
             }
             inputs.dropFirst();
             confirmed++;
-            isHalfConfirmed = false;
+            told = 0;
         }
     }
 
@@ -337,6 +370,7 @@ public final class Rollback {
         int place = next % window;
         world.simulation().reports.restore(reported[place]); // first: it decides which pairs that touch are restored
         world.joints().report(reportedJoints[place]);
+        world.bodies().report(reportedBodies[place]);
         rewind.restore(next);
         random = randoms[place];
         ByteBuffer state = states[place];
@@ -359,8 +393,10 @@ public final class Rollback {
         randoms[place] = random;
         reported[place] = world.simulation().reports.settings();
         reportedJoints[place] = world.simulation().joints.reports();
+        reportedBodies[place] = world.simulation().rigidReads.reports();
         world.events();
         world.joints().events();
+        world.bodies().events();
         rewind.save(next);
         isSaved = true;
     }
@@ -390,8 +426,11 @@ public final class Rollback {
             game.afterStep(next, happened);
             JointEvents gone = world.joints().events();
             game.afterStep(next, gone);
+            BodyEvents touches = world.bodies().events();
+            game.afterStep(next, touches);
             kept.keep(next % window, happened.rows());
             gone.rows().moveTo(keptJoints[next % window].rows());
+            touches.rows().moveTo(keptBodies[next % window].rows());
         } finally {
             isInFrame = false;
         }
@@ -486,6 +525,9 @@ public final class Rollback {
         long sum = rewind.bytes() + kept.bytes();
         for (JointEvents gone : keptJoints) {
             sum += gone.rows().bytes();
+        }
+        for (BodyEvents touches : keptBodies) {
+            sum += touches.rows().bytes();
         }
         for (ByteBuffer state : states) {
             sum += state.capacity();

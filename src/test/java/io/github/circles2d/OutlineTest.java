@@ -169,6 +169,22 @@ class OutlineTest {
         assertTrue(step.rounding() > 0 && step.rounding() < 0.05f, step::toString);
     }
 
+    /** The rounding of an arc that ends at the origin is that of its radius, not that of the coordinates there. */
+    @Test
+    void aChainThatComesBackToTheOriginIsClosedByNothing() {
+        for (float x : new float[] {0, 10}) {
+            Chain dome = Chain.from(x, 0).lineTo(x + 4, 0).arcTo(x + 2, 0, PI).close();
+            assertEquals(2, dome.pieces());
+            assertEquals(2 * PI, Outline.of(dome).area(), 1e-4);
+            assertEquals(2, dome.reversed().pieces());
+            assertEquals(1, Chain.from(x, 0).arcTo(x + 2, 0, 2 * PI).close().pieces());
+        }
+        assertEquals(3, Chain.from(0, 0).lineTo(4, 0).lineTo(0.0001f, 0.1f).close().pieces());
+        assertEquals(2, Chain.from(0, 0).arcTo(2, 0, 1e-5f).close().pieces(), "a short arc");
+        Chain gap = Chain.from(0, 0).lineTo(4, 0).arcTo(2, 0, PI - 1e-5f).close();
+        assertEquals(3, gap.pieces(), "a gap that is no rounding");
+    }
+
     @Test
     void badOutlinesAreRefusedWithTheirPlace() {
         refused("point 1", () -> Outline.polygon(0, 0, Float.NaN, 0, 1, 1));

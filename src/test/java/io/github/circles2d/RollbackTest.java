@@ -38,8 +38,11 @@ class RollbackTest {
                 game.afterStep(frame, events);
                 JointEvents gone = game.world.joints().events();
                 game.afterStep(frame, gone);
+                BodyEvents touches = game.world.bodies().events();
+                game.afterStep(frame, touches);
                 game.confirmed(frame, events);
                 game.confirmed(frame, gone);
+                game.confirmed(frame, touches);
             }
         }
         return game.frames;
@@ -157,6 +160,79 @@ class RollbackTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {31, 32})
+    void touchesOfBodiesAreToldOfOnceInTheFrameInWhichTheyBeganOrEnded(int seed) {
+        BodiesGame game = new BodiesGame();
+        Throwing throwing = new Throwing(game, seed);
+        play(game, throwing, seed, 20_000);
+        List<String> straight = straight(new BodiesGame());
+        assertThat(game.frames).isEqualTo(straight);
+        assertThat(straight.toString())
+                .contains("begin BODY", "end BODY", "begin CIRCLE", "end CIRCLE", "begin WALL", "end WALL");
+        assertThat(throwing.thrown).isGreaterThan(50);
+    }
+
+    /** A game with bodies, whose touches decide what it does. */
+    private static final class BodiesGame extends RollbackGame {
+        private int begun;
+
+        BodiesGame() {
+            super(Backend.JVM);
+            world.bodies().report(true);
+            for (int k = 0; k < 12; k++) {
+                world.bodies().add(Outline.box(1, 0.5f + 0.1f * k), 2 + 1.5f * k, 18, 0.2f * k, 1);
+            }
+        }
+
+        @Override
+        public void beforeStep(int frame, long[] inputs) {
+            super.beforeStep(frame, inputs);
+            for (long input : inputs) {
+                if (input % 13 == 1) {
+                    world.bodies().report(input % 3 != 0);
+                }
+                if (input != 0) {
+                    long body = world.bodies().handle((int) (input % 12));
+                    if (body == 0) {
+                        world.bodies().add(Outline.box(1, 1), 2 + input % 16, 18, begun, 1);
+                    } else if (input % 5 == 1) {
+                        world.bodies().remove(body);
+                    } else {
+                        world.bodies().setVelocity(body, begun % 20 - 10, 12);
+                    }
+                }
+            }
+        }
+
+        @Override
+        public void afterStep(int frame, BodyEvents touches) {
+            for (int i = 0; i < touches.size(); i++) {
+                begun += touches.isBegin(i) ? 1 : 0;
+            }
+        }
+
+        @Override
+        public void save(ByteBuffer to) {
+            super.save(to);
+            to.putInt(begun);
+        }
+
+        @Override
+        public void restore(ByteBuffer from) {
+            super.restore(from);
+            begun = from.getInt();
+        }
+
+        @Override
+        public void confirmed(int frame, BodyEvents touches) {
+            for (int i = 0; i < touches.size(); i++) {
+                frames.add(frame + ": " + (touches.isBegin(i) ? "begin " : "end ") + touches.partner(i) + " "
+                        + touches.body(i) + " " + touches.other(i) + " " + touches.speed(i) + " " + touches.impulse(i));
+            }
+        }
+    }
+
     /** Plays with a network that delays, repeats and reorders inputs. Calls that a game has made fail are made again. */
     private static Rollback play(RollbackGame game, Rollback.Game rules, int seed, int mostFailures) {
         Random network = new Random(seed);
@@ -240,6 +316,12 @@ class RollbackTest {
         }
 
         @Override
+        public void afterStep(int frame, BodyEvents touches) {
+            game.afterStep(frame, touches);
+            mayThrow();
+        }
+
+        @Override
         public void save(ByteBuffer to) {
             mayThrow();
             game.save(to);
@@ -263,6 +345,12 @@ class RollbackTest {
         public void confirmed(int frame, JointEvents gone) {
             mayThrow();
             game.confirmed(frame, gone);
+        }
+
+        @Override
+        public void confirmed(int frame, BodyEvents touches) {
+            mayThrow();
+            game.confirmed(frame, touches);
         }
     }
 

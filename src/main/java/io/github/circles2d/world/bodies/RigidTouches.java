@@ -61,7 +61,7 @@ public final class RigidTouches {
     }
 
     /** Gives all away, in place of what there is. */
-    void moveTo(RigidTouches to) {
+    public void moveTo(RigidTouches to) {
         long[] ofHandles = to.handles;
         float[] ofValues = to.values;
         boolean[] ofBegins = to.begins;
@@ -103,7 +103,8 @@ public final class RigidTouches {
         return values[RigidStep.TOUCH_VALUES * check(k) + which];
     }
 
-    long bytes() {
+    /** Memory of the arrays. */
+    public long bytes() {
         return 8L * handles.length + 4L * values.length + 2L * types.length;
     }
 

@@ -37,7 +37,12 @@ public final class TerrainLimits {
 
     public static boolean isTooShort(float x1, float y1, float x2, float y2) {
         double most = Math.max(Math.max(Math.abs(x1), Math.abs(y1)), Math.max(Math.abs(x2), Math.abs(y2)));
-        return !(distance(x1, y1, x2, y2) > leastLength(most));
+        return isTooShort(distance(x1, y1, x2, y2), most);
+    }
+
+    /** Whether a length is nothing but rounding, among coordinates or extents of a size. */
+    public static boolean isTooShort(double length, double size) {
+        return !(length > leastLength(size));
     }
 
     /** The units of an angle between the ends of an arc, at most a turn, which is a circle. */

@@ -253,6 +253,11 @@ public final class RigidReads {
         }
     }
 
+    /** Whether somebody is told of touches. */
+    public boolean reports() {
+        return table.events.isOn();
+    }
+
     /** Writes what touches a body; returns how many there are. */
     public int touching(long handle, long[] to) {
         world.guard.enter();

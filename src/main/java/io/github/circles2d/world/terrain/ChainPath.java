@@ -229,12 +229,27 @@ public final class ChainPath {
         if (pieces < 1) {
             throw new IllegalStateException("the chain has 1 point, but must have 2 to be closed");
         }
-        if (!TerrainLimits.isTooShort(x(pieces), y(pieces), x(0), y(0))) {
+        if (!isBack()) {
             checkOpen();
             append(x(0), y(0), 0f, 0f, 0);
         } else if (pieces == 1 && Math.abs(turns[0]) < Rotation.TURN) {
             throw new IllegalStateException("the chain has but one point");
         }
         closed = true;
+    }
+
+    /** Whether the last point is the first but for rounding: that of its coordinates, or that of the chain, which may be much larger. */
+    private boolean isBack() {
+        if (TerrainLimits.isTooShort(x(pieces), y(pieces), x(0), y(0))) {
+            return true;
+        }
+        double extent = 0;
+        for (int k = 0; k < pieces; k++) {
+            extent = Math.max(extent, TerrainLimits.distance(x(0), y(0), x(k), y(k)));
+            if (Math.abs(turns[k]) >= Rotation.TURN / 2) { // else its ends are about as far apart as it is large
+                extent = Math.max(extent, radius(k));
+            }
+        }
+        return TerrainLimits.isTooShort(TerrainLimits.distance(x(pieces), y(pieces), x(0), y(0)), extent);
     }
 }
