@@ -25,8 +25,9 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>No body is static:</b> what stands still, or moves as the game says, is {@link Terrain}. A {@link Joint#pin} to a place of the world holds a body there, which
  * then turns; two pins hold it still.
  *
- * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping, greatest speed, restitution, friction and
- * rolling resistance. A body of a sensor ({@link Kind#setSensor}, {@link Response#SENSE}) pushes nothing but walls and notices bodies, circles and
+ * <p><b>Kinds</b> are those of circles ({@link World#kind}): which kinds meet, gravity, damping and angular damping, greatest speed, restitution,
+ * friction, rolling resistance, belt and sleep, but not {@link Kind#setInertia}: see {@link #setInertia}. Gravity scale, damping, greatest speed
+ * and friction of one body alone are those of a kind of its own. A body of a sensor ({@link Kind#setSensor}, {@link Response#SENSE}) pushes nothing but walls and notices bodies, circles and
  * pieces of terrain, and these notice bodies likewise: {@link BodyEvents} tells of it, and {@link #touching} lists who is there. {@link World#contactsOf}
  * names the bodies that press a circle.
  *

@@ -6,7 +6,7 @@ import io.github.circles2d.world.events.EventRows;
 /**
  * The contacts of circles, of circles and walls, and of circles and pieces of {@link Terrain}, since the last call of {@link World#events}:
  * which began, hit and ended.
- * {@link World#report} sets the types that a world reports.
+ * {@link World#report} sets the types that a world reports. Contacts of circles and {@link Bodies} are in {@link BodyEvents} alone.
  *
  * <pre>{@code
  * world.report(Events.BEGIN | Events.HIT);

@@ -45,7 +45,7 @@ import io.github.circles2d.world.model.Limits;
  * The initial values change no bit.
  *
  * <p><b>How circles grip and turn:</b> a kind has friction, rolling resistance and the speed of a belt, and says how hard its circles are
- * to turn; see <b>Surfaces</b> of {@link World}. Static circles have these too.
+ * to turn; {@link World} says what a pair has. Static circles have these too.
  *
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
@@ -330,7 +330,8 @@ public final class Kind {
     }
 
     /**
-     * Sets how the mass of circles of the kind lies in them.
+     * Sets how the mass of circles of the kind lies in them. It does nothing to {@linkplain Bodies#setInertia bodies}, nor to the angular velocity
+     * that a circle has.
      *
      * @param inertia how it lies
      * @return this
@@ -371,7 +372,8 @@ public final class Kind {
     /**
      * Makes pieces of {@link Terrain} of the kind one-way: circles pass them from behind. A contact begins only if the circle was wholly in
      * front of the piece before the step. The front of a line is its right, that of an arc the side that circles touch; the front of a segment
-     * is its right, too, as seen from its first end to its second. Circles of the kind take no notice.
+     * is its right, too, as seen from its first end to its second. Circles of the kind take no notice. This holds for {@link Bodies}, too: what is
+     * added a little deep in a one-way floor falls through it.
      *
      * @param oneWay true for one-way pieces
      * @return this

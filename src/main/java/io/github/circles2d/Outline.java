@@ -56,7 +56,7 @@ public final class Outline {
     }
 
     /**
-     * Two half discs and what is between them: it lies along x.
+     * Two half discs and what is between them: it lies along x. A body with an angle of pi / 2 has it upright.
      *
      * @param length between the centres of its ends, more than 0 and up to 1e9
      * @param radius of its ends, likewise
@@ -82,7 +82,8 @@ public final class Outline {
     /**
      * A polygon, which may be concave.
      *
-     * @param points x and y of one corner after the other, in either direction, three corners at least and 256 at most
+     * @param points x and y of one corner after the other, in either direction, three corners at least and 256 at most; the last may be
+     *     the first again
      * @return the outline
      * @throws IllegalArgumentException if there are too few or too many points, an odd number of elements, or a point is out of range or the
      *     same as the one before it; if the polygon crosses itself or is more than a thousand times as long as wide
@@ -97,11 +98,29 @@ public final class Outline {
             throw new IllegalArgumentException(
                     "the polygon has " + n / POINT_STRIDE + " corners, but may have at most " + OutlineShape.PIECES);
         }
-        ChainPath path = new ChainPath(points[0], points[1]);
-        for (int k = POINT_STRIDE; k < n; k += POINT_STRIDE) {
-            path.lineTo(points[k], points[k + 1]);
+        ChainPath path = null;
+        for (int k = 0; k < n; k += POINT_STRIDE) {
+            float x = points[k];
+            float y = points[k + 1];
+            corner(k / POINT_STRIDE, x, y, path == null || path.isFar(x, y));
+            if (path == null) {
+                path = new ChainPath(x, y);
+            } else {
+                path.lineTo(x, y);
+            }
         }
         return of(path);
+    }
+
+    private static void corner(int corner, float x, float y, boolean isFar) {
+        String place = "corner " + corner + " of the polygon is " + x + ", " + y;
+        if (!(Math.abs(x) <= Limits.COORDINATE && Math.abs(y) <= Limits.COORDINATE)) {
+            throw new IllegalArgumentException(
+                    place + ", but coordinates must be from " + -Limits.COORDINATE + " to " + Limits.COORDINATE);
+        }
+        if (!isFar) {
+            throw new IllegalArgumentException(place + ", which is the corner before it, or too near to it");
+        }
     }
 
     /**
@@ -128,10 +147,7 @@ public final class Outline {
      * @throws IllegalArgumentException if the radius is out of range, or a line is too short
      */
     public Outline round(float radius) {
-        if (Float.isNaN(radius)) {
-            throw new IllegalArgumentException("the rounding is NaN");
-        }
-        return new Outline(OutlineShape.of(shape.path(), radius));
+        return new Outline(shape.rounded(radius));
     }
 
     /**

@@ -22,6 +22,8 @@ import io.github.circles2d.world.model.Limits;
  * <p><b>Stretch:</b> steps alone hold a long row of rigid joints with a heavy end not tight enough: 100 links stretch by a fifth. So {@link #rope} adds a joint
  * from the first end to the last, which lets them come no farther apart than the rope is long. It costs one joint, and keeps ropes tight.
  *
+ * <p><b>Rest:</b> ropes and bridges swing for minutes, and do not sleep, unless their kind has a {@linkplain Kind#setDamping damping}, such as 1.
+ *
  * <p>The calls add all or nothing.
  */
 public final class Ropes {
@@ -225,7 +227,7 @@ public final class Ropes {
     /**
      * Adds a bridge: circles between two places, which rigid joints hold. Its circles stop others, its joints stop nobody: fast circles can
      * slip through between two planks that are apart, or much lighter. So take enough planks that neighbours overlap, each about as heavy
-     * as what falls on it. A link must be at least as long as the radius: neighbours may overlap by half, others do not.
+     * as what falls on it. Give their kind a {@linkplain Kind#setDamping damping}: else the bridge moves for minutes. A link must be at least as long as the radius: neighbours may overlap by half, others do not.
      *
      * @param world the world
      * @param from where it begins

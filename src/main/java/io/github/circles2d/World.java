@@ -159,7 +159,7 @@ public final class World implements AutoCloseable {
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
      * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
-     *     whatever its radius and kind: see <b>Masses</b> above
+     *     whatever its radius and kind
      * @return its handle
      * @throws IllegalArgumentException if a value is out of range
      */
@@ -174,7 +174,7 @@ public final class World implements AutoCloseable {
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
      * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
-     *     whatever its radius and kind: see <b>Masses</b> above
+     *     whatever its radius and kind
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
      * @return its handle
@@ -191,7 +191,7 @@ public final class World implements AutoCloseable {
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
      * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
-     *     whatever its radius and kind: see <b>Masses</b> above
+     *     whatever its radius and kind
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
      * @param kind the number of its kind, 0 to 255

@@ -165,6 +165,7 @@ class OutlineTest {
     void aRoundingIsATwentiethOfTheWidthUnlessALineIsTooShort() {
         assertEquals(0.05f, Outline.box(3, 1).rounding(), 1e-6);
         assertEquals(0.2f, Outline.box(3, 1).round(0.2f).rounding());
+        assertEquals(0.2f, Outline.box(3, 1).round(0.3f).round(0.2f).rounding());
         Outline step = tooth();
         assertTrue(step.rounding() > 0 && step.rounding() < 0.05f, step::toString);
     }
@@ -179,7 +180,8 @@ class OutlineTest {
             assertEquals(2, dome.reversed().pieces());
             assertEquals(1, Chain.from(x, 0).arcTo(x + 2, 0, 2 * PI).close().pieces());
         }
-        assertEquals(3, Chain.from(0, 0).lineTo(4, 0).lineTo(0.0001f, 0.1f).close().pieces());
+        assertEquals(
+                3, Chain.from(0, 0).lineTo(4, 0).lineTo(0.0001f, 0.1f).close().pieces());
         assertEquals(2, Chain.from(0, 0).arcTo(2, 0, 1e-5f).close().pieces(), "a short arc");
         Chain gap = Chain.from(0, 0).lineTo(4, 0).arcTo(2, 0, PI - 1e-5f).close();
         assertEquals(3, gap.pieces(), "a gap that is no rounding");
@@ -187,10 +189,15 @@ class OutlineTest {
 
     @Test
     void badOutlinesAreRefusedWithTheirPlace() {
-        refused("point 1", () -> Outline.polygon(0, 0, Float.NaN, 0, 1, 1));
-        refused("point 2", () -> Outline.polygon(0, 0, 1, 0, 1, 0, 1, 1));
+        refused("corner 1 of the polygon is NaN", () -> Outline.polygon(0, 0, Float.NaN, 0, 1, 1));
+        refused("corner 2 of the polygon is 1.0, 0.0, which", () -> Outline.polygon(0, 0, 1, 0, 1, 0, 1, 1));
         refused("pieces 1 and 3", () -> Outline.polygon(0, 0, 1, 0, 0, 1, 1, 1));
-        refused("pieces 0 and 2", () -> Outline.polygon(0, 0, 4, 0, 4, 1, 2, -1, 0, 1));
+        refused(
+                "pieces 0 and 2 of the outline, between (0.0, 0.0) and (4.0, 0.0) and between (4.0, 1.0) and (2.0, -1.0), meet",
+                () -> Outline.polygon(0, 0, 4, 0, 4, 1, 2, -1, 0, 1));
+        refused( // clockwise
+                "pieces 1 and 4 of the outline, between (0.0, 1.0) and (2.0, -1.0) and between (4.0, 0.0) and (0.0, 0.0), meet",
+                () -> Outline.polygon(0, 0, 0, 1, 2, -1, 4, 1, 4, 0));
         refused("wide", () -> Outline.polygon(0, 0, 1, 0, 2, 0));
         refused("wide", () -> Outline.box(1, 0.0001f));
         refused("pieces 0 and 2", () -> Outline.polygon(0, 0, 2, 0, 3, 0, 2, 0, 1, 1));
@@ -207,7 +214,8 @@ class OutlineTest {
                         .close()));
         refused("rounding", () -> Outline.box(1, 1).round(0.6f));
         refused("rounding", () -> Outline.box(1, 1).round(0.001f));
-        refused("NaN", () -> Outline.box(1, 1).round(Float.NaN));
+        refused("the rounding is NaN, but must be from 0.01 to 0.5", () -> Outline.box(1, 1)
+                .round(Float.NaN));
         refused("line 4", () -> tooth().round(0.05f));
     }
 

@@ -245,14 +245,38 @@ class WorldBodiesTest {
                     .isThrownBy(() -> bodies.x(circle))
                     .withMessageContaining("it is of a circle");
             assertThatIllegalArgumentException()
+                    .isThrownBy(() -> bodies.x(0))
+                    .withMessage("no body has the handle 0: 0 is the handle of nothing");
+            assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.x(body))
-                    .withMessageContaining("it is of a body of World.bodies");
+                    .withMessageContaining("it is of a body of World.bodies. Bodies has its calls");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.contactsOf(body, new long[1], null))
+                    .withMessageContaining("touching in place of contactsOf");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.setGravityScale(body, 0))
+                    .withMessageContaining("a kind its gravity scale");
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> world.terrain().remove(body));
             assertThatIllegalArgumentException().isThrownBy(() -> world.joints().remove(body));
             assertThat(world.terrain().contains(body)).isFalse();
             assertThat(world.joints().contains(body)).isFalse();
             assertThat(bodies.contains(world.terrain().ground().handle())).isFalse();
+        }
+    }
+
+    @Test
+    void whatIsTooLargeForTheBoundsIsRefusedWithTheBounds() {
+        try (World world = World.builder().backend(Backend.JVM).build()) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.bodies().add(Outline.box(1, 1), 0.5f, 0.5f, 0, 1))
+                    .withMessageStartingWith("the reach of the outline from its centroid is 0.6")
+                    .withMessageContaining("to 0.5 in bounds from 0.0, 0.0 to 1.0, 1.0: larger bounds")
+                    .withMessageContaining("World.setBounds");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.add(0.5f, 0.5f, 1, 1))
+                    .withMessageStartingWith("radius is 1.0, but must be from")
+                    .withMessageContaining("to 0.5 in bounds from 0.0, 0.0 to 1.0, 1.0: larger bounds");
         }
     }
 

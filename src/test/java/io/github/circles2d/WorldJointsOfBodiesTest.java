@@ -259,14 +259,19 @@ class WorldJointsOfBodiesTest {
             refused("NaN", j -> j.add(a, 0, 0, 1f, Float.NaN, pin), joints);
             refused("handle " + a, j -> j.add(a, 0, 0, a, 1, 0, pin), joints);
             refused("was removed", j -> j.add(a, 0, 0, gone, 1, 0, pin), joints);
-            refused("it is of a circle", j -> j.add(a, 0, 0, circle, 1, 0, pin), joints);
-            refused("it is of a circle", j -> j.add(circle, 0, 0, b, 1, 0, pin), joints);
+            refused(
+                    "a circle is held by its centre, and takes no point",
+                    j -> j.add(a, 0, 0, circle, 1, 0, pin),
+                    joints);
+            String order = "it is of a circle, or of nothing: a body and its point come first, then the circle";
+            refused(order, j -> j.add(circle, 0, 0, b, 1, 0, pin), joints);
+            refused(order, j -> j.add(circle, b, 0, 0, pin), joints); // the handle is taken for a point
             String point = "it is of a body of World.bodies, which a joint holds at a point: x and y of it";
             refused(point, j -> j.add(a, 0, 0, b, pin), joints);
             refused(point, j -> j.add(a, 1f, 1f, pin), joints);
             refused(point, j -> j.add(a, world.terrain().ground(), 1, 1, pin), joints);
             refused(
-                    "it is of a body of World.bodies",
+                    "it is of a body of World.bodies, but this call takes circles alone: add joints of bodies one by one",
                     j -> j.addAll(new long[] {a}, new long[] {b}, pin, null),
                     joints);
             refused("it is of a joint", j -> j.add(a, 0, 0, joint, pin), joints);

@@ -120,8 +120,13 @@ final class OutlineChecks {
         return high - low;
     }
 
-    /** Refuses a path that meets itself. */
-    static void simple(ChainPath path) {
+    private static String ends(ChainPath path, int piece) {
+        return "between (" + path.x(piece) + ", " + path.y(piece) + ") and (" + path.x(piece + 1) + ", "
+                + path.y(piece + 1) + ")";
+    }
+
+    /** Refuses a path that meets itself. Reversed: it is not as it was drawn. */
+    static void simple(ChainPath path, boolean reversed) {
         float tolerance = (float) (TOLERANCE * extent(path));
         int pieces = path.pieces();
         float[][] lines = new float[pieces][];
@@ -131,8 +136,11 @@ final class OutlineChecks {
         for (int a = 0; a < pieces; a++) {
             for (int b = a; b < pieces; b++) {
                 if (meet(lines[a], lines[b], a == b, b == a + 1 || pieces == 2, a == 0 && b == pieces - 1)) {
-                    throw new IllegalArgumentException(
-                            "pieces " + a + " and " + b + " of the outline meet, but an outline must not cross itself");
+                    int one = reversed ? pieces - 1 - b : a;
+                    int other = reversed ? pieces - 1 - a : b;
+                    throw new IllegalArgumentException("pieces " + one + " and " + other + " of the outline, "
+                            + ends(path, reversed ? b : a) + " and " + ends(path, reversed ? a : b)
+                            + ", meet, but an outline must not cross itself");
                 }
             }
         }

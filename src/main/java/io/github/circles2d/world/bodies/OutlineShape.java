@@ -168,18 +168,29 @@ public final class OutlineShape {
             throw new IllegalArgumentException("the outline is " + (float) width + " wide and " + (float) length
                     + " long, but must be at least a thousandth as wide as long");
         }
-        OutlineChecks.simple(path);
+        OutlineChecks.simple(path, path != drawn);
         double most = OutlineBuilder.mostRounding(path);
         if (!Float.isNaN(rounding)) {
-            double least = Math.min(LEAST_ROUNDING * width, LEAST_OF_EDGE * most);
-            if (!(rounding >= (float) least && rounding <= width / 2)) {
-                throw new IllegalArgumentException("the rounding is " + rounding + ", but must be from " + (float) least
-                        + " to " + (float) (width / 2)
-                        + ": a hundredth to a half of the least width, or less for short lines");
-            }
+            rounding(rounding, width, most);
         }
         float r = Float.isNaN(rounding) ? (float) Math.min(ROUNDING * width, OF_EDGE * most) : rounding;
         return new OutlineShape(path, r, width, new OutlineBuilder(path, r, width));
+    }
+
+    /** Refuses a rounding that an outline cannot have; most: at which an edge would be gone. */
+    private static void rounding(float rounding, double width, double most) {
+        double least = Math.min(LEAST_ROUNDING * width, LEAST_OF_EDGE * most);
+        if (!(rounding >= (float) least && rounding <= width / 2)) {
+            throw new IllegalArgumentException("the rounding is " + rounding + ", but must be from " + (float) least
+                    + " to " + (float) (width / 2)
+                    + ": a hundredth to a half of the least width, or less for short lines");
+        }
+    }
+
+    /** The same with another rounding. */
+    public OutlineShape rounded(float radius) {
+        rounding(radius, width, OutlineBuilder.mostRounding(path));
+        return of(path, radius);
     }
 
     /** From what {@link #words} has given, or anybody has forged. */

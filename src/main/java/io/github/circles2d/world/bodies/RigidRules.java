@@ -38,11 +38,7 @@ public final class RigidRules {
 
     /** Refuses an outline that has no room in bounds. */
     public static void reach(OutlineShape outline, Bounds bounds) {
-        Limits.within(
-                "the reach of the outline from its centroid",
-                outline.reach(),
-                bounds.leastRadius(),
-                bounds.greatestRadius());
+        Limits.radius("the reach of the outline from its centroid", outline.reach(), bounds);
     }
 
     /** The sum of two forces or torques, within the greatest one, which is the same for both; never -0. */

@@ -103,11 +103,11 @@ public final class JointCalls implements Calls.Effects {
         try {
             world.pending.settleJoints();
             words[0] = typeA;
-            words[1] = find(typeA, first);
+            words[1] = find(typeA, first, ": a body and its point come first, then the circle");
             words[2] = floatToRawIntBits(ax);
             words[3] = floatToRawIntBits(ay);
             words[4] = typeB;
-            words[5] = find(typeB, other);
+            words[5] = find(typeB, other, ": a circle is held by its centre, and takes no point");
             words[6] = floatToRawIntBits(bx);
             words[7] = floatToRawIntBits(by);
             prepare(Call.RIGID_JOINT, words, form);
@@ -121,21 +121,34 @@ public final class JointCalls implements Calls.Effects {
         }
     }
 
-    private int find(int type, long handle) {
+    /** circle: what to do with a circle where a body should be. */
+    private int find(int type, long handle, String circle) {
         return switch (type) {
             case JointEndType.CIRCLE -> circle(handle);
-            case JointEndType.RIGID -> world.rigid(handle);
+            case JointEndType.RIGID -> rigid(handle, circle);
             case JointEndType.ANCHOR -> world.body(handle);
             default -> 0;
         };
     }
 
+    private int rigid(long handle, String circle) {
+        if (world.handles.find(handle) >= 0) {
+            throw new IllegalArgumentException(WorldParts.goneRigid(handle) + circle);
+        }
+        return world.rigid(handle);
+    }
+
     /** The id of a circle, where a caller may have meant a body that is pushed. */
     private int circle(long handle) {
+        return circle(
+                handle,
+                ", which a joint holds at a point: x and y of it, from the centroid, follow the handle of the body");
+    }
+
+    /** body: what to do with a body that is pushed. */
+    private int circle(long handle, String body) {
         if (world.rigids.ids.find(handle) >= 0) {
-            throw new IllegalArgumentException(
-                    WorldParts.goneCircle(handle)
-                            + ", which a joint holds at a point: x and y of it, from the centroid, follow the handle of the body");
+            throw new IllegalArgumentException("no circle has the handle " + handle + Handle.reason(handle, 0) + body);
         }
         return world.circle(handle);
     }
@@ -384,8 +397,9 @@ public final class JointCalls implements Calls.Effects {
     /** Finds the circles of joint k; others is null if the joints hold circles to no place. */
     private void find(int k, long circle, long[] others, JointForm form) {
         try {
-            found[k] = world.circle(circle);
-            foundOthers[k] = others == null ? JointRow.NONE : world.circle(others[k]);
+            String single = ", but this call takes circles alone: add joints of bodies one by one";
+            found[k] = circle(circle, single);
+            foundOthers[k] = others == null ? JointRow.NONE : circle(others[k], single);
             check(form, found[k], foundOthers[k]);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("joint " + k + ": " + e.getMessage(), e);

@@ -43,6 +43,9 @@ public final class Handle {
 
     /** Why a handle names none of what a caller asks for: it is of something else, or of nothing. Ends a sentence. */
     public static String reason(long handle, int mark) {
+        if (handle == 0) {
+            return ": 0 is the handle of nothing";
+        }
         int found = (int) handle & MARKS;
         return switch (found == mark ? -1 : found) {
             case 0 -> ": it is of a circle, or of nothing";

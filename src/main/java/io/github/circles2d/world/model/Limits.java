@@ -143,16 +143,32 @@ public final class Limits {
     }
 
     public static float radius(float radius, Bounds bounds) {
-        return within("radius", radius, bounds.leastRadius(), bounds.greatestRadius());
+        return radius("radius", radius, bounds);
+    }
+
+    /** Of whatever is as large as a circle may be. */
+    public static float radius(String what, float radius, Bounds bounds) {
+        if (!hasRoom(radius, bounds)) {
+            throw new IllegalArgumentException(noRoom(what, radius, bounds)
+                    + ": larger bounds (bounds of World.Builder, World.setBounds) take larger things");
+        }
+        return radius;
+    }
+
+    private static boolean hasRoom(float radius, Bounds bounds) {
+        return radius >= bounds.leastRadius() && radius <= bounds.greatestRadius();
+    }
+
+    private static String noRoom(String what, float radius, Bounds bounds) {
+        return what + " is " + radius + ", but must be from " + bounds.leastRadius() + " to " + bounds.greatestRadius()
+                + " in bounds from " + bounds.minX() + ", " + bounds.minY() + " to " + bounds.maxX() + ", "
+                + bounds.maxY();
     }
 
     /** Refuses bounds in which a circle that is there has no room. */
     public static void room(String what, float radius, Bounds next) {
-        if (!(radius >= next.leastRadius() && radius <= next.greatestRadius())) {
-            throw new IllegalArgumentException(
-                    what + " is " + radius + ", but must be from " + next.leastRadius() + " to "
-                            + next.greatestRadius() + " in bounds from " + next.minX() + ", " + next.minY() + " to "
-                            + next.maxX() + ", " + next.maxY());
+        if (!hasRoom(radius, next)) {
+            throw new IllegalArgumentException(noRoom(what, radius, next));
         }
     }
 

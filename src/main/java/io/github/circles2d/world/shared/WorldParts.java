@@ -75,7 +75,11 @@ public final class WorldParts {
 
     /** Why a handle of no circle is refused. */
     public static String goneCircle(long handle) {
-        return "no circle has the handle " + handle + Handle.reason(handle, 0);
+        String instead = Handle.has(handle, Handle.RIGID)
+                ? ". Bodies has its calls (touching in place of contactsOf), and a kind its gravity scale, damping, greatest speed "
+                        + "and surface"
+                : "";
+        return "no circle has the handle " + handle + Handle.reason(handle, 0) + instead;
     }
 
     /** The id of the piece of terrain that has a handle. */

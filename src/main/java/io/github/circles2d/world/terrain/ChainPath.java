@@ -103,11 +103,16 @@ public final class ChainPath {
         checkOpen();
         int point = pieces + 1;
         check(point, x, y);
-        if (TerrainLimits.isTooShort(x(pieces), y(pieces), x, y)) {
+        if (!isFar(x, y)) {
             throw new IllegalArgumentException("point " + point + " of the chain is " + x + ", " + y
                     + ", which is the point before it, or too near to it");
         }
         append(x, y, 0f, 0f, 0);
+    }
+
+    /** Whether a line may go to a point: it is not the last one. */
+    public boolean isFar(float x, float y) {
+        return !TerrainLimits.isTooShort(x(pieces), y(pieces), x, y);
     }
 
     public void arcTo(float centreX, float centreY, float angle) {
