@@ -532,6 +532,48 @@ class RollbackTest {
     }
 
     @Test
+    void whetherBodiesReportComesBackWithAFrameAndTouchesFromBeforeAreDropped() {
+        class Reports extends Sum {
+            final long body = world.bodies().add(Outline.box(0.1f, 0.1f), 0.04f, 0.5f, 0, 1);
+            final List<Integer> begins = new ArrayList<>();
+
+            @Override
+            public void beforeStep(int frame, long[] inputs) {
+                if (frame == 1 && inputs[0] != 0) {
+                    world.bodies().report(false);
+                }
+                if (frame == 2) {
+                    world.bodies().teleport(body, 0.5f, 0.04f, 0);
+                }
+            }
+
+            @Override
+            public void afterStep(int frame, BodyEvents touches) {
+                for (int i = 0; i < touches.size(); i++) {
+                    if (touches.isBegin(i)) {
+                        begins.add(frame);
+                    }
+                }
+            }
+        }
+        Reports game = new Reports();
+        try (game.world) {
+            game.world.bodies().report(true);
+            game.world.step(1 / 60f); // in the left wall: a begin that nobody takes
+            game.world.bodies().teleport(game.body, 0.5f, 0.5f, 0);
+            Rollback rollback = game.rollback(8);
+            rollback.setInput(0, 0, 1);
+            for (int frame = 0; frame < 4; frame++) {
+                rollback.advance();
+            }
+            assertThat(game.begins).as("they are not reported").isEmpty();
+            rollback.setInput(0, 1, 0); // the prediction was wrong
+            rollback.reconcile();
+            assertThat(game.begins).containsExactly(2);
+        }
+    }
+
+    @Test
     void randomNumbersAreThoseOfTheSeedAndComeBack() {
         class Dice extends Sum {
             Rollback rollback;
