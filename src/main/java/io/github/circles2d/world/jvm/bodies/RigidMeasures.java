@@ -14,6 +14,9 @@ final class RigidMeasures {
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
+    /** The cosine of the angle by which a normal turns at most from one measure to the next if impulses are to stay. */
+    private static final float SAME_WAY = 0.98f;
+
     private final RigidContacts contacts;
     private final RigidThings things;
     private float h;
@@ -28,12 +31,17 @@ final class RigidMeasures {
         h = subStep;
     }
 
-    /** Finds normal, gap and arms of a contact. */
+    /**
+     * Finds normal, gap and arms of a contact. Impulses have acted along the normal before: if a corner leaves the end of a line, they would be taken
+     * back along another one, and stop what slides.
+     */
     void measure(int c) {
         int t = contacts.a[c];
         int other = contacts.b[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
+        float nx = rows[row + RigidRow.NX];
+        float ny = rows[row + RigidRow.NY];
         int at = RigidThings.corner(contacts.corner[c]);
         float px = things.turnedCorner[at];
         float py = things.turnedCorner[at + 1];
@@ -52,6 +60,10 @@ final class RigidMeasures {
             inHollow(c, x + px, y + py, r);
         } else {
             onLine(c, x, y, px, py, r);
+        }
+        if (nx * rows[row + RigidRow.NX] + ny * rows[row + RigidRow.NY] < SAME_WAY) {
+            rows[row + RigidRow.IMPULSE] = 0f;
+            rows[row + RigidRow.GRIP] = 0f;
         }
         float armX = px - rows[row + RigidRow.NX] * r;
         float armY = py - rows[row + RigidRow.NY] * r;
