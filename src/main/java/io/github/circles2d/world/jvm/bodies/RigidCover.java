@@ -97,7 +97,7 @@ final class RigidCover {
             if (!ofA && !ofB) {
                 continue;
             }
-            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine(c)) {
                 if (ofA) {
                     add(2 * c, a, b);
                 }
@@ -149,8 +149,8 @@ final class RigidCover {
     /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
     private boolean isCovered(int c, int t) {
         boolean ownCorner = contacts.a[c] == t;
-        boolean meetsLine = ownCorner && contacts.isLine[c];
-        int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
+        boolean meetsLine = ownCorner && contacts.isLine(c);
+        int its = ownCorner ? contacts.feature(c) : contacts.corner(c);
         if (head[t] < 0 || meetsLine && (things.isHollow(its) || things.type[contacts.b[c]] == RigidStep.BODY_WALL)) {
             return false;
         }
@@ -160,8 +160,8 @@ final class RigidCover {
         float ny = ownCorner ? contacts.rows[row + RigidRow.NY] : -contacts.rows[row + RigidRow.NY];
         // the place of the other thing, against that of this one
         float sign = ownCorner ? -1f : 1f;
-        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
-        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
+        float x = sign * (contacts.rows[row + RigidRow.OX] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
+        float y = sign * (contacts.rows[row + RigidRow.OY] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
         for (int side = head[t]; side >= 0; side = next[side]) {
             int at = PLANE_STRIDE * side;
             if (nx * plane[at] + ny * plane[at + 1] <= SAME

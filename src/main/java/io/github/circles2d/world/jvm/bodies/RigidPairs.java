@@ -293,37 +293,20 @@ final class RigidPairs {
     /** Whether a piece that moves is near to a body, which meets it. */
     boolean piecesMoveNear(int t) {
         float m = 2f * Tuning.MARGIN * things.thin[t];
-        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        boolean near = false;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                near |= piecesMoveIn(
-                        t,
-                        candidates.box[4 * t] - m + ax,
-                        candidates.box[4 * t + 1] - m + ay,
-                        candidates.box[4 * t + 2] + m + ax,
-                        candidates.box[4 * t + 3] + m + ay);
-            }
-        }
-        return near;
-    }
-
-    private boolean piecesMoveIn(int t, float minX, float minY, float maxX, float maxY) {
-        float[] boxes = terrain.boxes;
-        for (int node = terrain.groundNodes; node < terrain.nodes; node++) {
-            int piece = terrain.links[2 * node + 1];
-            int n = 4 * node;
-            if (piece >= 0
-                    && terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0
-                    && boxes[n] <= maxX
-                    && boxes[n + 1] <= maxY
-                    && boxes[n + 2] >= minX
-                    && boxes[n + 3] >= minY
-                    && searches[0].meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                return true;
+        float[] box = candidates.box;
+        for (int n = 0; n < state.images.count; n++) {
+            float minX = box[4 * t] - m + state.images.x[n];
+            float minY = box[4 * t + 1] - m + state.images.y[n];
+            float maxX = box[4 * t + 2] + m + state.images.x[n];
+            float maxY = box[4 * t + 3] + m + state.images.y[n];
+            int node = terrain.find(terrain.groundNodes, minX, minY, maxX, maxY);
+            while (node >= 0) {
+                int traits = PieceRow.traits(terrain.piece(node));
+                if (terrain.traits[traits + PieceRow.MOTION] != 0
+                        && searches[0].meets(things.kind[t], terrain.traits[traits + PieceRow.KIND])) {
+                    return true;
+                }
+                node = terrain.find(node + 1, minX, minY, maxX, maxY);
             }
         }
         return false;

@@ -43,6 +43,7 @@ public final class RigidSensing {
     private final State state;
     private final RigidTree tree = new RigidTree();
     private final RigidTree.Found found = new RigidTree.Found();
+    private final float[] circleBox = new float[4];
     private final SensedShape a = new SensedShape();
     private final SensedShape b = new SensedShape();
     private final SensedGap gap = new SensedGap();
@@ -265,17 +266,17 @@ public final class RigidSensing {
         for (int n = 0; n < bodyCount; n++) {
             OutlineShape outline = step.outline[bodies[n]];
             float r = outline.reach() + MARGIN * outline.halfThickness();
-            setBox(4 * n, bodyX[n], bodyY[n], wayX(n), wayY(n), r);
+            setBox(tree.box, 4 * n, bodyX[n], bodyY[n], wayX(n), wayY(n), r);
         }
         tree.build(bodyCount);
     }
 
-    private void setBox(int at, float x, float y, float wayX, float wayY, float r) {
+    private static void setBox(float[] to, int at, float x, float y, float wayX, float wayY, float r) {
         float m = r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY) + r);
-        tree.box[at] = x + Math.min(wayX, 0f) - m;
-        tree.box[at + 1] = y + Math.min(wayY, 0f) - m;
-        tree.box[at + 2] = x + Math.max(wayX, 0f) + m;
-        tree.box[at + 3] = y + Math.max(wayY, 0f) + m;
+        to[at] = x + Math.min(wayX, 0f) - m;
+        to[at + 1] = y + Math.min(wayY, 0f) - m;
+        to[at + 2] = x + Math.max(wayX, 0f) + m;
+        to[at + 3] = y + Math.max(wayY, 0f) + m;
     }
 
     private float wayX(int n) {
@@ -286,28 +287,18 @@ public final class RigidSensing {
         return way(bodyY[n], step.y[bodies[n]], state.periodY);
     }
 
-    /** Looks for a body at an image of it. */
-    private interface Look {
-        void at(int n, float byX, float byY);
-    }
-
-    private final Look lookAtBodies = this::findBodiesAt;
-    private final Look lookAtPieces = this::findPiecesAt;
-    private final Look lookFromCircle = this::findBodiesNearAt;
-
-    private void atImages(int n, Look look) {
-        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                look.at(n, u == 0 ? 0f : u * state.periodX, v == 0 ? 0f : v * state.periodY);
-            }
+    /** Finds those that meet a box or one of its images. */
+    private void look(float[] of, int at) {
+        found.count = 0;
+        for (int n = 0; n < state.images.count; n++) {
+            float byX = state.images.x[n];
+            float byY = state.images.y[n];
+            tree.find(tree.box, of[at] + byX, of[at + 1] + byY, of[at + 2] + byX, of[at + 3] + byY, found);
         }
     }
 
     private void findBodies(int n) {
-        found.count = 0;
-        atImages(n, lookAtBodies);
+        look(tree.box, 4 * n);
         int kind = step.kind[bodies[n]];
         for (int f = 0; f < found.count; f++) {
             int id = bodies[n];
@@ -322,41 +313,29 @@ public final class RigidSensing {
         }
     }
 
-    private void findBodiesAt(int n, float byX, float byY) {
-        float[] box = tree.box;
-        tree.find(box, box[4 * n] + byX, box[4 * n + 1] + byY, box[4 * n + 2] + byX, box[4 * n + 3] + byY, found);
-    }
-
     private void findPieces(int n) {
-        atImages(n, lookAtPieces);
-    }
-
-    private void findPiecesAt(int n, float byX, float byY) {
-        float[] boxes = terrain.boxes;
-        float minX = tree.box[4 * n] + byX;
-        float minY = tree.box[4 * n + 1] + byY;
-        float maxX = tree.box[4 * n + 2] + byX;
-        float maxY = tree.box[4 * n + 3] + byY;
         int kind = step.kind[bodies[n]];
-        int node = 0;
-        while (node < terrain.nodes) {
-            int at = 4 * node;
-            if (boxes[at] <= maxX && boxes[at + 1] <= maxY && boxes[at + 2] >= minX && boxes[at + 3] >= minY) {
-                int piece = terrain.links[2 * node + 1];
-                if (piece >= 0 && senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+        for (int image = 0; image < state.images.count; image++) {
+            float minX = tree.box[4 * n] + state.images.x[image];
+            float minY = tree.box[4 * n + 1] + state.images.y[image];
+            float maxX = tree.box[4 * n + 2] + state.images.x[image];
+            float maxY = tree.box[4 * n + 3] + state.images.y[image];
+            int node = terrain.find(0, minX, minY, maxX, maxY);
+            while (node >= 0) {
+                int piece = terrain.piece(node);
+                if (senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
                     near[BODY_PIECE].add(bodies[n], piece);
                 }
-                node++;
-            } else {
-                node = terrain.links[2 * node];
+                node = terrain.find(node + 1, minX, minY, maxX, maxY);
             }
         }
     }
 
     private void findBodiesNear(int n) {
         int id = circles[n];
-        found.count = 0;
-        atImages(n, lookFromCircle);
+        float r = state.circle[CircleRow.of(state.slotOf[id]) + CircleRow.RADIUS];
+        setBox(circleBox, 0, circleX[n], circleY[n], circleWayX(n), circleWayY(n), (1f + MARGIN) * r);
+        look(circleBox, 0);
         int kind = state.fields.getInt(CircleField.KIND, id);
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, id) : 0;
         for (int f = 0; f < found.count; f++) {
@@ -365,22 +344,6 @@ public final class RigidSensing {
                 near[BODY_CIRCLE].add(body, id);
             }
         }
-    }
-
-    private void findBodiesNearAt(int n, float byX, float byY) {
-        float wayX = circleWayX(n);
-        float wayY = circleWayY(n);
-        float r = state.circle[CircleRow.of(state.slotOf[circles[n]]) + CircleRow.RADIUS];
-        float x = circleX[n];
-        float y = circleY[n];
-        float m = (1f + MARGIN) * r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY));
-        tree.find(
-                tree.box,
-                x + Math.min(wayX, 0f) - m + byX,
-                y + Math.min(wayY, 0f) - m + byY,
-                x + Math.max(wayX, 0f) + m + byX,
-                y + Math.max(wayY, 0f) + m + byY,
-                found);
     }
 
     private float circleWayX(int n) {
