@@ -240,6 +240,11 @@ final class RigidContacts {
         rows[row + RigidRow.OY] = swapped ? -pairs.oy[p] : pairs.oy[p];
     }
 
+    /** A number of a contact, by {@link RigidRow}. */
+    float value(int c, int which) {
+        return rows[RigidRow.of(c) + which];
+    }
+
     /** The corner of A. */
     int corner(int c) {
         return features[RigidFeatures.STRIDE * c + RigidFeatures.CORNER];

@@ -28,7 +28,6 @@ final class RigidJoints {
 
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidPartners partners;
     private final RigidJointEnds ends;
     private final RigidJointVisits visits;
 
@@ -47,7 +46,6 @@ final class RigidJoints {
     RigidJoints(State state, RigidPairs pairs) {
         this.pairs = pairs;
         things = pairs.things;
-        partners = pairs.partners;
         ends = new RigidJointEnds(state, pairs);
         visits = new RigidJointVisits(ends);
     }
@@ -58,7 +56,10 @@ final class RigidJoints {
         joints = step;
         states = itsStates;
         count = 0;
-        partners.clear();
+        RigidKeys ofBodies = pairs.partners[RigidStep.BODY_BODY];
+        RigidKeys ofCircles = pairs.partners[RigidStep.BODY_CIRCLE];
+        ofBodies.count = 0;
+        ofCircles.count = 0;
         if (step == null) {
             return;
         }
@@ -76,7 +77,8 @@ final class RigidJoints {
                 }
             }
         }
-        partners.sort();
+        ofBodies.sort();
+        ofCircles.sort();
     }
 
     private void part(int joint) {
@@ -85,11 +87,11 @@ final class RigidJoints {
         int circleA = joints.traits[JointRow.traits(joint) + JointRow.A];
         int circleB = joints.traits[JointRow.traits(joint) + JointRow.B];
         if (bodyA != JointRow.NONE && bodyB != JointRow.NONE) {
-            partners.addBodies(bodyA, bodyB);
+            pairs.partners[RigidStep.BODY_BODY].add(Math.min(bodyA, bodyB), Math.max(bodyA, bodyB));
         } else if (bodyA != JointRow.NONE && circleB != JointRow.NONE) {
-            partners.addCircle(bodyA, circleB);
+            pairs.partners[RigidStep.BODY_CIRCLE].add(bodyA, circleB);
         } else if (bodyB != JointRow.NONE) {
-            partners.addCircle(bodyB, circleA);
+            pairs.partners[RigidStep.BODY_CIRCLE].add(bodyB, circleA);
         }
     }
 

@@ -8,7 +8,6 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.jvm.state.HeapSort;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
@@ -31,8 +30,8 @@ final class RigidPairs {
     final RigidPieces pieces = new RigidPieces(things);
     private final RigidCandidates candidates;
 
-    /** Pairs that do not collide, since a joint holds both. */
-    final RigidPartners partners = new RigidPartners();
+    /** By type: pairs that do not collide, since a joint holds both; of two bodies that of the lower id first. Null of what joints do not hold. */
+    final RigidKeys[] partners = {new RigidKeys(), null, null, new RigidKeys()};
 
     private final Team team;
 
@@ -42,8 +41,8 @@ final class RigidPairs {
     /** By type, piece of the work as {@link Team#pieces} has them, and end: where its keys begin and end among those of its worker. */
     private final int[][] found = new int[BODY_CIRCLE + 1][];
 
-    /** Those of circles, sorted. */
-    private long[] keysOfCircles = new long[0];
+    /** Those of circles, which have been looked at as they lie in memory, in order. */
+    private final RigidKeys ofCircles = new RigidKeys();
 
     int count;
     private int awakeBodies;
@@ -378,27 +377,12 @@ final class RigidPairs {
                 makePairs(type, from.keys, found[type][2 * piece], found[type][2 * piece + 1]);
             }
         }
-        int ofCircles = sortCircles();
-        makePairs(BODY_CIRCLE, keysOfCircles, 0, ofCircles);
-    }
-
-    /** Circles have been looked at as they lie in memory; returns the number of their keys. */
-    private int sortCircles() {
-        int many = 0;
+        ofCircles.count = 0;
         for (int worker = 0; worker < team.size(); worker++) {
-            many += searches[worker].keys[BODY_CIRCLE].count;
+            ofCircles.addAll(searches[worker].keys[BODY_CIRCLE]);
         }
-        if (keysOfCircles.length < many) {
-            keysOfCircles = new long[many + (many >> 1)];
-        }
-        int to = 0;
-        for (int worker = 0; worker < team.size(); worker++) {
-            RigidKeys from = searches[worker].keys[BODY_CIRCLE];
-            System.arraycopy(from.keys, 0, keysOfCircles, to, from.count);
-            to += from.count;
-        }
-        HeapSort.ascending(keysOfCircles, many);
-        return many;
+        ofCircles.sort();
+        makePairs(BODY_CIRCLE, ofCircles.keys, 0, ofCircles.count);
     }
 
     private void makePairs(int type, long[] keys, int from, int end) {
@@ -570,7 +554,7 @@ final class RigidPairs {
     }
 
     long bytes() {
-        long sum = things.bytes() + candidates.bytes() + partners.bytes();
+        long sum = things.bytes() + candidates.bytes() + partners[BODY_BODY].bytes() + partners[BODY_CIRCLE].bytes();
         for (RigidSearch each : searches) {
             sum += each.bytes();
         }
@@ -578,7 +562,7 @@ final class RigidPairs {
             sum += each == null ? 0 : 4L * each.length;
         }
         return sum
-                + 8L * keysOfCircles.length
+                + ofCircles.bytes()
                 + 20L * a.length
                 + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
     }

@@ -22,7 +22,7 @@ final class RigidSearch {
     private final State state;
     private final RigidThings things;
     private final RigidCandidates candidates;
-    private final RigidPartners partners;
+    private final RigidKeys[] partners;
     private final RigidTree.Found found = new RigidTree.Found();
 
     /** By type: the keys of pairs. Those of a body are in order. */
@@ -33,7 +33,7 @@ final class RigidSearch {
     private StepConstants k;
     private TerrainStep terrain;
 
-    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidPartners partners) {
+    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidKeys[] partners) {
         this.state = state;
         this.things = things;
         this.candidates = candidates;
@@ -54,7 +54,7 @@ final class RigidSearch {
     }
 
     private void add(int type, int body, int other) {
-        if (!partners.has(type, body, other)) {
+        if (partners[type] == null || !partners[type].has(body, other)) {
             keys[type].add(body, other);
         }
     }

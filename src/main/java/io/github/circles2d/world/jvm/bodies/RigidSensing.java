@@ -10,7 +10,6 @@ import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.jvm.pieces.PieceMeasure;
-import io.github.circles2d.world.jvm.state.HeapSort;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CircleMath;
@@ -362,7 +361,7 @@ public final class RigidSensing {
     /** Tells of the pairs of a type that touch, in order. */
     private void tell(int type) {
         RigidKeys pairs = near[type];
-        HeapSort.ascending(pairs.keys, pairs.count);
+        pairs.sort();
         long before = -1;
         for (int p = 0; p < pairs.count; p++) {
             long key = pairs.keys[p];
