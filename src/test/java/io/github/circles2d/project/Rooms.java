@@ -180,6 +180,7 @@ final class Rooms {
                     "world.snapshots"),
             entry(
                     "world.jvm.bodies",
+                    "world.jvm.joints",
                     "world.jvm.pieces",
                     "world.jvm.state",
                     "world.jvm.threads",
