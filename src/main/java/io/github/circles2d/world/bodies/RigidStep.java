@@ -263,40 +263,31 @@ public final class RigidStep {
         return group != 0 && extras.get(body, RigidExtras.GROUP) == group;
     }
 
-    /** Makes room for ids. If there is none, nothing has changed. */
+    /** Makes room for ids. If there is none, nothing has changed: the array that tells the room comes last, here and below. */
     public void setRoom(int ids) {
-        OutlineShape[] newOutline = Arrays.copyOf(outline, ids);
-        float[] newX = Arrays.copyOf(x, ids);
-        float[] newY = Arrays.copyOf(y, ids);
-        float[] newRestX = Arrays.copyOf(restX, ids);
-        float[] newRestY = Arrays.copyOf(restY, ids);
-        int[] newAngle = Arrays.copyOf(angle, ids);
-        float[] newVx = Arrays.copyOf(vx, ids);
-        float[] newVy = Arrays.copyOf(vy, ids);
-        float[] newOmega = Arrays.copyOf(omega, ids);
-        float[] newInverseMass = Arrays.copyOf(inverseMass, ids);
-        float[] newInverseInertia = Arrays.copyOf(inverseInertia, ids);
-        float[] newRestitution = Arrays.copyOf(restitution, ids);
-        int[] newKind = Arrays.copyOf(kind, ids);
-        float[] newForceX = Arrays.copyOf(forceX, ids);
-        float[] newForceY = Arrays.copyOf(forceY, ids);
-        float[] newTorque = Arrays.copyOf(torque, ids);
-        outline = newOutline;
-        x = newX;
-        y = newY;
-        restX = newRestX;
-        restY = newRestY;
-        angle = newAngle;
-        vx = newVx;
-        vy = newVy;
-        omega = newOmega;
-        inverseMass = newInverseMass;
-        inverseInertia = newInverseInertia;
-        restitution = newRestitution;
-        kind = newKind;
-        forceX = newForceX;
-        forceY = newForceY;
-        torque = newTorque;
+        outline = Arrays.copyOf(outline, ids);
+        x = Arrays.copyOf(x, ids);
+        y = Arrays.copyOf(y, ids);
+        restX = Arrays.copyOf(restX, ids);
+        restY = Arrays.copyOf(restY, ids);
+        angle = Arrays.copyOf(angle, ids);
+        vx = Arrays.copyOf(vx, ids);
+        vy = Arrays.copyOf(vy, ids);
+        omega = Arrays.copyOf(omega, ids);
+        inverseMass = Arrays.copyOf(inverseMass, ids);
+        inverseInertia = Arrays.copyOf(inverseInertia, ids);
+        restitution = Arrays.copyOf(restitution, ids);
+        forceX = Arrays.copyOf(forceX, ids);
+        forceY = Arrays.copyOf(forceY, ids);
+        torque = Arrays.copyOf(torque, ids);
+        kind = Arrays.copyOf(kind, ids);
+    }
+
+    /** Compares a key, of a contact or a touch, with that of a pair. */
+    public static int compare(int[] keys, int at, int type, int a, int b) {
+        int order = Integer.compare(keys[at + TYPE], type);
+        order = order == 0 ? Integer.compare(keys[at + A], a) : order;
+        return order == 0 ? Integer.compare(keys[at + B], b) : order;
     }
 
     /** Pairs that have contacts: those of one are next to each other. */
@@ -316,10 +307,8 @@ public final class RigidStep {
     public void ensureContacts(int needed) {
         if (contactKeys.length < KEYS * needed) {
             int c = Math.max(Math.max(needed, 64), contactKeys.length / KEYS * 3 / 2);
-            int[] newKeys = Arrays.copyOf(contactKeys, KEYS * c);
-            float[] newImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
-            contactKeys = newKeys;
-            contactImpulses = newImpulses;
+            contactImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
+            contactKeys = Arrays.copyOf(contactKeys, KEYS * c);
         }
     }
 
@@ -327,10 +316,8 @@ public final class RigidStep {
     public void ensureTouches(int needed) {
         if (touchKeys.length < TOUCH_KEYS * needed) {
             int c = Math.max(Math.max(needed, 64), touchKeys.length / TOUCH_KEYS * 3 / 2);
-            int[] newKeys = Arrays.copyOf(touchKeys, TOUCH_KEYS * c);
-            float[] newValues = Arrays.copyOf(touchValues, TOUCH_VALUES * c);
-            touchKeys = newKeys;
-            touchValues = newValues;
+            touchValues = Arrays.copyOf(touchValues, TOUCH_VALUES * c);
+            touchKeys = Arrays.copyOf(touchKeys, TOUCH_KEYS * c);
         }
     }
 

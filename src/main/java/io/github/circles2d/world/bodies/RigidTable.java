@@ -76,16 +76,12 @@ public final class RigidTable {
     }
 
     private void setRoom(int bodies) {
-        float[] newMass = Arrays.copyOf(mass, bodies);
-        float[] newInertia = Arrays.copyOf(inertia, bodies);
-        long[] newTag = Arrays.copyOf(tag, bodies);
-        int[] newOutline = Arrays.copyOf(outline, bodies);
+        mass = Arrays.copyOf(mass, bodies);
+        inertia = Arrays.copyOf(inertia, bodies);
+        tag = Arrays.copyOf(tag, bodies);
+        outline = Arrays.copyOf(outline, bodies);
         step.setRoom(bodies);
         ids.setRoom(bodies);
-        mass = newMass;
-        inertia = newInertia;
-        tag = newTag;
-        outline = newOutline;
     }
 
     // ---- what there is
@@ -352,11 +348,9 @@ public final class RigidTable {
             if (sleeps) {
                 ensureExtras();
             }
-            long[] newCircles = goneCircles.length * 64 < circles ? new long[circles / 32 + 1] : goneCircles;
-            long[] newPieces = gonePieces.length * 64 < pieces ? new long[pieces / 32 + 1] : gonePieces;
+            goneCircles = withRoom(goneCircles, circles);
+            gonePieces = withRoom(gonePieces, pieces);
             settle();
-            goneCircles = newCircles;
-            gonePieces = newPieces;
         }
     }
 
@@ -385,6 +379,10 @@ public final class RigidTable {
         if (step.contacts > 0) {
             note(gonePieces, piece);
         }
+    }
+
+    private static long[] withRoom(long[] set, int ids) {
+        return set.length * 64 < ids ? Arrays.copyOf(set, ids / 32 + 1) : set;
     }
 
     private void note(long[] set, int id) {
@@ -494,9 +492,8 @@ public final class RigidTable {
         to.set(body, SavedRigids.TORQUE, step.torque[body]);
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] = (int) tag[body];
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] = (int) (tag[body] >> Integer.SIZE);
-        for (int k = 0; k < RigidExtras.COUNT; k++) {
-            to.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k] = step.extras.get(body, k);
-        }
+        int at = SavedRigids.VALUES * body + SavedRigids.EXTRAS;
+        step.extras.save(body, 0, RigidExtras.COUNT, to.values, at);
     }
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
@@ -514,10 +511,6 @@ public final class RigidTable {
         goneCircles = withRoom(goneCircles, from.idsTouched(RigidStep.BODY_CIRCLE));
         gonePieces = withRoom(gonePieces, from.idsTouched(RigidStep.BODY_PIECE));
         events.makeRoom(from);
-    }
-
-    private static long[] withRoom(long[] set, int ids) {
-        return set.length * 64 < ids ? Arrays.copyOf(set, ids / 32 + 1) : set;
     }
 
     /** Takes over saved bodies, which have been checked. There is room. */
@@ -562,9 +555,8 @@ public final class RigidTable {
         pushed |= acts(body);
         tag[body] = from.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] & 0xFFFFFFFFL
                 | (long) from.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] << Integer.SIZE;
-        for (int k = 0; k < RigidExtras.COUNT; k++) {
-            step.extras.set(body, k, from.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k]);
-        }
+        int at = SavedRigids.VALUES * body + SavedRigids.EXTRAS;
+        step.extras.load(body, 0, RigidExtras.COUNT, from.values, at);
     }
 
     /** Bytes of the table. */

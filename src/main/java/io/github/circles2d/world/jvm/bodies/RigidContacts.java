@@ -64,7 +64,7 @@ final class RigidContacts {
 
     private final Team.Work findFeatures = this::findFeatures;
     private final Team.Work fill = this::fill;
-    private final Team.Work keep = this::keep;
+    private final Team.Share keep = this::keep;
 
     RigidContacts(RigidPairs pairs, Team team) {
         this.pairs = pairs;
@@ -182,12 +182,8 @@ final class RigidContacts {
 
     /** An old contact and a pair, by their keys. */
     private int compare(int old, int t, int other) {
-        int at = RigidStep.KEYS * old;
-        int order = Integer.compare(step.contactKeys[at + RigidStep.TYPE], things.type[other]);
-        if (order == 0) {
-            order = Integer.compare(step.contactKeys[at + RigidStep.A], things.id[t]);
-        }
-        return order == 0 ? Integer.compare(step.contactKeys[at + RigidStep.B], things.id[other]) : order;
+        return RigidStep.compare(
+                step.contactKeys, RigidStep.KEYS * old, things.type[other], things.id[t], things.id[other]);
     }
 
     /** Makes room for contacts, and keeps those that are there. */
@@ -316,7 +312,7 @@ final class RigidContacts {
         step.ensureContacts(count + rests.count);
         if (rests.count == 0) {
             step.contacts = count;
-            team.together(keep);
+            team.share(pairCount, 0, keep);
         } else {
             keepAmong(rests);
         }
@@ -336,9 +332,8 @@ final class RigidContacts {
         rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
     }
 
-    private void keep(int worker) {
-        int end = team.part(pairCount, worker + 1);
-        for (int p = team.part(pairCount, worker); p < end; p++) {
+    private void keep(int worker, int from, int end) {
+        for (int p = from; p < end; p++) {
             int t = pairs.a[pair[p]];
             int other = pairs.b[pair[p]];
             for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {

@@ -44,8 +44,8 @@ final class RigidCover {
     /** By worker: whether it has found some contacts without impulse, or marked some. */
     private final boolean[] some;
 
-    private final Team.Work list = this::list;
-    private final Team.Work mark = this::mark;
+    private final Team.Share list = this::list;
+    private final Team.Share mark = this::mark;
 
     RigidCover(RigidContacts contacts, RigidThings things, Team team) {
         this.contacts = contacts;
@@ -66,7 +66,7 @@ final class RigidCover {
             lies = new byte[4 * n];
             plane = new float[PLANE_STRIDE * 4 * n];
         }
-        team.together(list);
+        team.share(things.count, 0, list);
         boolean idle = false;
         for (int worker = 0; worker < team.size(); worker++) {
             idle |= some[worker];
@@ -74,7 +74,7 @@ final class RigidCover {
         if (!idle) {
             return;
         }
-        team.together(mark);
+        team.share(contacts.count, 0, mark);
         for (int worker = 0; worker < team.size(); worker++) {
             if (some[worker]) {
                 contacts.removeMarked(gone);
@@ -84,9 +84,7 @@ final class RigidCover {
     }
 
     /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
-    private void list(int worker) {
-        int from = team.part(things.count, worker);
-        int end = team.part(things.count, worker + 1);
+    private void list(int worker, int from, int end) {
         Arrays.fill(head, from, end, -1);
         boolean idle = false;
         for (int c = 0; c < contacts.count; c++) {
@@ -135,10 +133,9 @@ final class RigidCover {
         return Tuning.COVER * things.thin[t];
     }
 
-    private void mark(int worker) {
+    private void mark(int worker, int from, int end) {
         boolean found = false;
-        int end = team.part(contacts.count, worker + 1);
-        for (int c = team.part(contacts.count, worker); c < end; c++) {
+        for (int c = from; c < end; c++) {
             gone[c] = contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f
                     && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
             found |= gone[c];

@@ -217,7 +217,7 @@ final class RigidJointEnds {
     float begunX(int e, int boundary) {
         int t = thing[e];
         if (t != NONE) {
-            return (things.beforeX[t] - things.gainX[t]) - (things.beforeOmega[t] - things.gainOmega[t]) * arm[1][e];
+            return (things.beforeX[t] - things.gainX(t)) - (things.beforeOmega[t] - things.gainOmega(t)) * arm[1][e];
         }
         int c = circle[e];
         return c != NONE
@@ -228,7 +228,7 @@ final class RigidJointEnds {
     float begunY(int e, int boundary) {
         int t = thing[e];
         if (t != NONE) {
-            return (things.beforeY[t] - things.gainY[t]) + (things.beforeOmega[t] - things.gainOmega[t]) * arm[0][e];
+            return (things.beforeY[t] - things.gainY(t)) + (things.beforeOmega[t] - things.gainOmega(t)) * arm[0][e];
         }
         int c = circle[e];
         return c != NONE

@@ -73,9 +73,9 @@ final class RigidPairs {
     private StepConstants k;
     private TerrainStep terrain;
 
-    private final Team.Work fill = this::fill;
+    private final Team.Share fill = this::fill;
     private final Team.Work findNear = this::findNear;
-    private final Team.Work measure = this::measure;
+    private final Team.Share measure = this::measure;
 
     RigidPairs(State state, Team team) {
         this.state = state;
@@ -109,7 +109,7 @@ final class RigidPairs {
         }
         team.together(findNear);
         makePairs();
-        team.together(measure);
+        team.share(count, 0, measure);
     }
 
     // ---- bodies
@@ -138,12 +138,11 @@ final class RigidPairs {
         things.bodies = things.count;
         ensureNear();
         candidates.ensure(things.bodies);
-        team.together(fill);
+        team.share(things.bodies, 0, fill);
     }
 
-    private void fill(int worker) {
-        int end = team.part(things.bodies, worker + 1);
-        for (int t = team.part(things.bodies, worker); t < end; t++) {
+    private void fill(int worker, int from, int end) {
+        for (int t = from; t < end; t++) {
             fillBody(t);
             near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
             findBox(t);
@@ -168,8 +167,8 @@ final class RigidPairs {
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
-        things.ownGainX[t] = 0f;
-        things.ownGainY[t] = 0f;
+        things.gainX[t] = 0f;
+        things.gainY[t] = 0f;
         if (things.ownW[t] > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
@@ -178,18 +177,15 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.ownGainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
-            things.ownGainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
+            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
+            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
         }
-        things.ownGainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
+        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
         things.asleep[t] = step.isAsleep(id);
         if (things.asleep[t]) {
             things.w[t] = 0f;
             things.i[t] = 0f;
         }
-        things.gainX[t] = things.asleep[t] ? 0f : things.ownGainX[t];
-        things.gainY[t] = things.asleep[t] ? 0f : things.ownGainY[t];
-        things.gainOmega[t] = things.asleep[t] ? 0f : things.ownGainOmega[t];
         things.turn(t);
     }
 
@@ -227,8 +223,8 @@ final class RigidPairs {
     /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
     private float way(int t) {
         float speed = CircleMath.length(things.vx[t], things.vy[t]);
-        float gain = CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
-        float spin = (Math.abs(things.omega[t]) + Math.abs(things.ownGainOmega[t]) * k.subSteps) * things.reach[t];
+        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
+        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
         float way = k.dt * (speed + gain * k.subSteps + spin);
         return way > things.thin[t] ? 2f * way : way;
     }
@@ -419,9 +415,8 @@ final class RigidPairs {
         }
     }
 
-    private void measure(int worker) {
-        int end = team.part(count, worker + 1);
-        for (int p = team.part(count, worker); p < end; p++) {
+    private void measure(int worker, int from, int end) {
+        for (int p = from; p < end; p++) {
             measurePair(p);
         }
     }

@@ -63,8 +63,8 @@ public final class RigidPasses {
     private TerrainStep terrain;
     private int subStep;
 
-    private final Team.Work gain = this::gain;
-    private final Team.Work move = this::move;
+    private final Team.Share gain = this::gain;
+    private final Team.Share move = this::move;
 
     /** No worker gets less than a least share of what is by circle, but for what is left over. */
     public RigidPasses(State state, Team team, int leastShare) {
@@ -173,7 +173,7 @@ public final class RigidPasses {
 
     /** What drives bodies, and the impulses of the sub-step before. */
     public void integrateVelocities() {
-        team.together(gain);
+        team.share(things.bodies, 0, gain);
         for (int t = things.bodies; t < things.count; t++) {
             if (things.type[t] != BODY_CIRCLE) {
                 setBefore(t);
@@ -183,14 +183,13 @@ public final class RigidPasses {
         visits.warmStart();
     }
 
-    private void gain(int worker) {
+    private void gain(int worker, int from, int end) {
         float[] motion = state.kindMotion;
         float[] surfaces = k.turning ? state.turning.surfaces : null;
-        int end = team.part(things.bodies, worker + 1);
-        for (int t = team.part(things.bodies, worker); t < end; t++) {
-            things.vx[t] += things.gainX[t];
-            things.vy[t] += things.gainY[t];
-            things.omega[t] += things.gainOmega[t];
+        for (int t = from; t < end; t++) {
+            things.vx[t] += things.gainX(t);
+            things.vy[t] += things.gainY(t);
+            things.omega[t] += things.gainOmega(t);
             if (motion != null) {
                 int row = KindMotion.of(things.kind[t]);
                 float factor = motion[row + KindMotion.DAMPING_FACTOR];
@@ -230,13 +229,12 @@ public final class RigidPasses {
     /** Moves bodies, and what moves along with time; circles have moved. Measures contacts. */
     public void integratePositions(int sub) {
         subStep = sub;
-        team.together(move);
+        team.share(things.count, 0, move);
         visits.measure();
     }
 
-    private void move(int worker) {
-        int end = team.part(things.count, worker + 1);
-        for (int t = team.part(things.count, worker); t < end; t++) {
+    private void move(int worker, int from, int end) {
+        for (int t = from; t < end; t++) {
             switch (things.type[t]) {
                 case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
                 case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);

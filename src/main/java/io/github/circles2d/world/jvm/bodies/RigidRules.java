@@ -234,7 +234,7 @@ final class RigidRules {
         int a = contacts.a[c];
         int b = contacts.b[c];
         int falls = things.w[a] == 0f ? b : a;
-        float fall = things.gainX[falls] * rows[row + RigidRow.NX] + things.gainY[falls] * rows[row + RigidRow.NY];
+        float fall = things.gainX(falls) * rows[row + RigidRow.NX] + things.gainY(falls) * rows[row + RigidRow.NY];
         float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
         return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
     }

@@ -62,18 +62,12 @@ final class RigidThings {
     float[] rolling = new float[0];
     float[] belt = new float[0];
 
-    /** Speed by gravity and forces in a sub-step. */
+    /** Speed by gravity and forces in a sub-step, also of a body that sleeps, which does not take it. */
     float[] gainX = new float[0];
 
     float[] gainY = new float[0];
     float[] gainOmega = new float[0];
     int[] kind = new int[0];
-
-    /** The same of a body, also of one that sleeps. */
-    float[] ownGainX = new float[0];
-
-    float[] ownGainY = new float[0];
-    float[] ownGainOmega = new float[0];
 
     /** Of a body: whether it sleeps. */
     boolean[] asleep = new boolean[0];
@@ -155,9 +149,6 @@ final class RigidThings {
         gainX[t] = 0f;
         gainY[t] = 0f;
         gainOmega[t] = 0f;
-        ownGainX[t] = 0f;
-        ownGainY[t] = 0f;
-        ownGainOmega[t] = 0f;
         asleep[t] = false;
         kind[t] = 0;
         oneWay[t] = false;
@@ -199,9 +190,6 @@ final class RigidThings {
         gainX = Arrays.copyOf(gainX, n);
         gainY = Arrays.copyOf(gainY, n);
         gainOmega = Arrays.copyOf(gainOmega, n);
-        ownGainX = Arrays.copyOf(ownGainX, n);
-        ownGainY = Arrays.copyOf(ownGainY, n);
-        ownGainOmega = Arrays.copyOf(ownGainOmega, n);
         asleep = Arrays.copyOf(asleep, n);
         kind = Arrays.copyOf(kind, n);
         oneWay = Arrays.copyOf(oneWay, n);
@@ -228,6 +216,19 @@ final class RigidThings {
     /** Whether contacts move or turn a thing. */
     boolean gives(int t) {
         return w[t] > 0f || i[t] > 0f;
+    }
+
+    /** What a thing takes of {@link #gainX}. */
+    float gainX(int t) {
+        return asleep[t] ? 0f : gainX[t];
+    }
+
+    float gainY(int t) {
+        return asleep[t] ? 0f : gainY[t];
+    }
+
+    float gainOmega(int t) {
+        return asleep[t] ? 0f : gainOmega[t];
     }
 
     /** Gives the last thing the outline of a body. */
@@ -446,6 +447,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 141L * type.length + 8L * (corner.length + line.length);
+        return 129L * type.length + 8L * (corner.length + line.length);
     }
 }

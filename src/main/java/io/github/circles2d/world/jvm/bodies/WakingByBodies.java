@@ -326,7 +326,7 @@ public final class WakingByBodies {
     }
 
     private float gain(int t) {
-        return CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
+        return CircleMath.length(things.gainX[t], things.gainY[t]);
     }
 
     private float gainOfStep(int t) {
@@ -417,12 +417,12 @@ public final class WakingByBodies {
 
     private float outOfBalance(int id, int t) {
         RigidExtras of = bodies.extras;
-        float gainX = things.ownGainX[t];
-        float gainY = things.ownGainY[t];
+        float gainX = things.gainX[t];
+        float gainY = things.gainY[t];
         float gain = gain(t);
         float thin = things.thin[t];
         float reach = things.reach[t];
-        float spinGain = reach * things.ownGainOmega[t];
+        float spinGain = reach * things.gainOmega[t];
         float knownX = of.real(id, RigidExtras.DRIFT_X);
         float knownY = of.real(id, RigidExtras.DRIFT_Y);
         float knownSpin = reach * of.real(id, RigidExtras.KNOWN_SPIN);
@@ -446,7 +446,7 @@ public final class WakingByBodies {
         rest = balanced ? Sleep.ASLEEP : rest - 1;
         bodies.setRest(id, rest, offset, strict ? gainX * k.inverseH : knownX, strict ? gainY * k.inverseH : knownY);
         bodies.setSpinOfRest(
-                id, strict ? things.ownGainOmega[t] * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
+                id, strict ? things.gainOmega[t] * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
         return !balanced && Sleep.losesPatience(strict, gain, b, Sleep.ASLEEP - rest)
                 ? Sleep.imbalanceOfStep(b, k.subSteps, thin, k.dt)
                 : 0f;
