@@ -185,6 +185,7 @@ final class Rooms {
                     "world.jvm.state",
                     "world.jvm.threads",
                     "world.bodies",
+                    "world.terrain",
                     "world.circles",
                     "world.model"),
             entry("world.jvm.joints", "world.jvm.state", "world.jvm.threads", "world.model"),

@@ -312,6 +312,23 @@ public final class RigidStep {
         }
     }
 
+    /** Adds a touch, behind those that there are. */
+    public void addTouch(
+            int type, int a, int b, float px, float py, float nx, float ny, float impulse, float speed) {
+        ensureTouches(touches + 1);
+        int key = TOUCH_KEYS * touches;
+        touchKeys[key + TYPE] = type;
+        touchKeys[key + A] = a;
+        touchKeys[key + B] = b;
+        int to = TOUCH_VALUES * touches++;
+        touchValues[to + TOUCH_X] = px;
+        touchValues[to + TOUCH_Y] = py;
+        touchValues[to + TOUCH_NX] = nx;
+        touchValues[to + TOUCH_NY] = ny;
+        touchValues[to + TOUCH_IMPULSE] = impulse;
+        touchValues[to + TOUCH_SPEED] = speed;
+    }
+
     /** Makes room for touches, and keeps those that there are. If there is none, nothing has changed. */
     public void ensureTouches(int needed) {
         if (touchKeys.length < TOUCH_KEYS * needed) {

@@ -99,7 +99,7 @@ final class RigidCandidates {
         count = things.bodies;
         periodX = state.periodX;
         periodY = state.periodY;
-        tree.ensure(count);
+        tree.makeRoom(count);
         float[] wide = tree.box;
         for (int t = 0; t < count; t++) {
             int b = 4 * t;

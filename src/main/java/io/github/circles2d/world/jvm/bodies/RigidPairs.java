@@ -8,6 +8,7 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.jvm.pieces.PieceMeasure;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
@@ -425,7 +426,7 @@ final class RigidPairs {
         int t = a[p];
         int other = b[p];
         if (things.type[other] == BODY_PIECE) {
-            placePiece(p, t, other);
+            placePiece(p, t, things.id[other]);
         } else {
             boolean near = state.wraps && things.type[other] != BODY_WALL;
             float x = things.x[t] - things.x[other];
@@ -439,22 +440,12 @@ final class RigidPairs {
         }
     }
 
-    private void placePiece(int p, int t, int other) {
-        int row = PieceRow.of(things.id[other]);
+    private void placePiece(int p, int t, int piece) {
+        int row = PieceRow.of(piece);
         float[] rows = terrain.rows;
-        boolean moves = terrain.traits[PieceRow.traits(things.id[other]) + PieceRow.MOTION] != 0;
-        float addX = moves ? -rows[row + PieceRow.PIVOT_X] : 0f;
-        float addY = moves ? -rows[row + PieceRow.PIVOT_Y] : 0f;
-        float x = things.x[t] - things.x[other];
-        float y = things.y[t] - things.y[other];
-        if (state.wraps) {
-            float midX = rows[row + PieceRow.MID_X];
-            float midY = rows[row + PieceRow.MID_Y];
-            x = CircleMath.shortWay(things.x[t] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
-            y = CircleMath.shortWay(things.y[t] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
-        }
-        ox[p] = x + addX;
-        oy[p] = y + addY;
+        boolean moves = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0;
+        ox[p] = PieceMeasure.offsetX(state, things.x[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_X] : 0f);
+        oy[p] = PieceMeasure.offsetY(state, things.y[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_Y] : 0f);
     }
 
     /** The thing of a body. */

@@ -9,7 +9,6 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
-import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
@@ -370,8 +369,7 @@ public final class RigidPasses {
             step.restY[id] = CircleMath.lostByRounding(things.y[t], things.dy[t], y);
             step.x[id] = x;
             step.y[id] = y;
-            keepInsideX(id);
-            keepInsideY(id);
+            keepInside(id);
             step.angle[id] = Surface.turn(things.angle[t], things.turned[t], 1f, 1f);
             step.vx[id] = Velocity.limitSpeed(things.vx[t]);
             step.vy[id] = Velocity.limitSpeed(things.vy[t]);
@@ -419,24 +417,15 @@ public final class RigidPasses {
         }
     }
 
-    private void keepInsideX(int id) {
-        float at = step.x[id];
-        float kept = k.arena.edgeX() == AxisEdge.WRAP
-                ? k.arena.placeX(at)
-                : CircleMath.clamp(at, k.bounds.minX(), k.bounds.maxX());
-        if (kept != at) {
-            step.x[id] = kept;
+    private void keepInside(int id) {
+        float x = k.arena.placeX(CircleMath.clamp(step.x[id], k.bounds.minX(), k.bounds.maxX()));
+        float y = k.arena.placeY(CircleMath.clamp(step.y[id], k.bounds.minY(), k.bounds.maxY()));
+        if (x != step.x[id]) {
+            step.x[id] = x;
             step.restX[id] = 0f;
         }
-    }
-
-    private void keepInsideY(int id) {
-        float at = step.y[id];
-        float kept = k.arena.edgeY() == AxisEdge.WRAP
-                ? k.arena.placeY(at)
-                : CircleMath.clamp(at, k.bounds.minY(), k.bounds.maxY());
-        if (kept != at) {
-            step.y[id] = kept;
+        if (y != step.y[id]) {
+            step.y[id] = y;
             step.restY[id] = 0f;
         }
     }
@@ -465,23 +454,18 @@ public final class RigidPasses {
     }
 
     private void tell(int body, int other, int c) {
-        step.ensureTouches(step.touches + 1);
-        int at = RigidStep.TOUCH_KEYS * step.touches;
-        step.touchKeys[at + RigidStep.TYPE] = things.type[other];
-        step.touchKeys[at + RigidStep.A] = things.id[body];
-        step.touchKeys[at + RigidStep.B] = things.id[other];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
         boolean isA = contacts.a[c] == body;
         float side = isA ? -1f : 1f;
-        int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to] = things.x[body] + (things.dx[body] + rows[row + (isA ? RigidRow.AX : RigidRow.BX)]);
-        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + rows[row + (isA ? RigidRow.AY : RigidRow.BY)]);
-        step.touchValues[to + 2] = side * rows[row + RigidRow.NX];
-        step.touchValues[to + 3] = side * rows[row + RigidRow.NY];
-        step.touchValues[to + 4] = rows[row + RigidRow.MOST];
-        step.touchValues[to + 5] = rows[row + RigidRow.APPROACH] + 0f; // never -0
-        step.touches++;
+        step.addTouch(
+                things.type[other],
+                things.id[body],
+                things.id[other],
+                things.x[body] + (things.dx[body] + contacts.value(c, isA ? RigidRow.AX : RigidRow.BX)),
+                things.y[body] + (things.dy[body] + contacts.value(c, isA ? RigidRow.AY : RigidRow.BY)),
+                side * contacts.value(c, RigidRow.NX),
+                side * contacts.value(c, RigidRow.NY),
+                contacts.value(c, RigidRow.MOST),
+                contacts.value(c, RigidRow.APPROACH) + 0f); // never -0
     }
 
     public long bytes() {

@@ -261,7 +261,7 @@ public final class RigidSensing {
     }
 
     private void findBoxes() {
-        tree.ensure(bodyCount);
+        tree.makeRoom(bodyCount);
         for (int n = 0; n < bodyCount; n++) {
             OutlineShape outline = step.outline[bodies[n]];
             float r = outline.reach() + MARGIN * outline.halfThickness();
@@ -427,14 +427,8 @@ public final class RigidSensing {
         float[] rows = terrain.rows;
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-        float ox = bodyX[n] - rows[row + PieceRow.X];
-        float oy = bodyY[n] - rows[row + PieceRow.Y];
-        if (state.wraps) {
-            float midX = rows[row + PieceRow.MID_X];
-            float midY = rows[row + PieceRow.MID_Y];
-            ox = CircleMath.shortWay(bodyX[n] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
-            oy = CircleMath.shortWay(bodyY[n] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
-        }
+        float ox = PieceMeasure.offsetX(state, bodyX[n], rows, row);
+        float oy = PieceMeasure.offsetY(state, bodyY[n], rows, row);
         int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
         if (motion == 0) {
             b.takePiece(rows, row, shape, 0, 0);
@@ -481,11 +475,6 @@ public final class RigidSensing {
 
     /** Adds the touch that has been found: its point and normal, and how fast both approach there. */
     private void add(int type, int id, int n, int other, double length) {
-        step.ensureTouches(step.touches + 1);
-        int at = RigidStep.TOUCH_KEYS * step.touches;
-        step.touchKeys[at + RigidStep.TYPE] = type + SENSED;
-        step.touchKeys[at + RigidStep.A] = id;
-        step.touchKeys[at + RigidStep.B] = other;
         boolean apart = gap.isApart && gap.least > COINCIDENT * length;
         if (!apart) {
             gap.nearToPlace();
@@ -504,14 +493,16 @@ public final class RigidSensing {
         double ux = (a.goX - spin * (py - a.nowY)) - (b.goX - itsSpin * (py - b.nowY));
         double uy = (a.goY + spin * (px - a.nowX)) - (b.goY + itsSpin * (px - b.nowX));
         double speed = Math.max((ux * nx + uy * ny) / k.dt, 0);
-        int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to + RigidStep.TOUCH_X] = (float) (bodyX[n] + px);
-        step.touchValues[to + RigidStep.TOUCH_Y] = (float) (bodyY[n] + py);
-        step.touchValues[to + RigidStep.TOUCH_NX] = (float) nx + 0f;
-        step.touchValues[to + RigidStep.TOUCH_NY] = (float) ny + 0f;
-        step.touchValues[to + RigidStep.TOUCH_IMPULSE] = 0f;
-        step.touchValues[to + RigidStep.TOUCH_SPEED] = (float) speed + 0f;
-        step.touches++;
+        step.addTouch(
+                type + SENSED,
+                id,
+                other,
+                (float) (bodyX[n] + px),
+                (float) (bodyY[n] + py),
+                (float) nx + 0f,
+                (float) ny + 0f,
+                0f,
+                (float) speed + 0f);
     }
 
     public long bytes() {
