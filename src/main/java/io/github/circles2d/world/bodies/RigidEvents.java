@@ -81,7 +81,6 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     // ---- what goes
-    // ---------------------------------------------------------------------------------------------------
 
     /** A body goes. */
     void bodyGoes(int body) {
@@ -131,7 +130,6 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     // ---- steps
-    // -------------------------------------------------------------------------------------------------------
 
     @Override
     public boolean touched(int type, int a, int b) {
@@ -251,7 +249,6 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     void save(SavedRigids to) {
         to.setTouching(touching);

@@ -143,7 +143,6 @@ public final class RigidStep {
     public int[] restingKeys = new int[0];
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     public boolean isAsleep(int body) {
         return Sleep.isAsleep(extras.get(body, RigidExtras.REST));
@@ -246,16 +245,16 @@ public final class RigidStep {
 
     /** The force that acts on a body in the next step along x. */
     public float forceX(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_X), forceX[body]) : forceX[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.FORCE_X), forceX[body]) : forceX[body];
     }
 
     public float forceY(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_Y), forceY[body]) : forceY[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.FORCE_Y), forceY[body]) : forceY[body];
     }
 
     /** The torque that acts on a body in the next step. */
     public float torque(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
     }
 
     /** Whether a body is in a group, and that is another one's. */
@@ -313,8 +312,7 @@ public final class RigidStep {
     }
 
     /** Adds a touch, behind those that there are. */
-    public void addTouch(
-            int type, int a, int b, float px, float py, float nx, float ny, float impulse, float speed) {
+    public void addTouch(int type, int a, int b, float px, float py, float nx, float ny, float impulse, float speed) {
         ensureTouches(touches + 1);
         int key = TOUCH_KEYS * touches;
         touchKeys[key + TYPE] = type;

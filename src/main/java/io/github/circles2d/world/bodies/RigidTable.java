@@ -85,7 +85,6 @@ public final class RigidTable {
     }
 
     // ---- what there is
-    // -----------------------------------------------------------------------------------------------
 
     public float mass(int body) {
         return mass[body];
@@ -115,7 +114,6 @@ public final class RigidTable {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** A body at rest. */
     public int add(OutlineShape shape, float x, float y, int angle, float itsMass, int kind, float restitution) {
@@ -243,9 +241,9 @@ public final class RigidTable {
 
     /** A force and a torque are to act in the next step, too. */
     public void applyForce(int body, float forceX, float forceY, float torque) {
-        step.forceX[body] = RigidRules.sum(step.forceX[body], forceX);
-        step.forceY[body] = RigidRules.sum(step.forceY[body], forceY);
-        step.torque[body] = RigidRules.sum(step.torque[body], torque);
+        step.forceX[body] = RigidLimits.sum(step.forceX[body], forceX);
+        step.forceY[body] = RigidLimits.sum(step.forceY[body], forceY);
+        step.torque[body] = RigidLimits.sum(step.torque[body], torque);
         pushed |= acts(body);
     }
 
@@ -305,7 +303,7 @@ public final class RigidTable {
     public void requireRoom(Bounds bounds) {
         for (int k = 0; k < outlines.end(); k++) {
             if (outlines.isUsed(k)) {
-                RigidRules.reach(outlines.shape(k), bounds);
+                RigidLimits.reach(outlines.shape(k), bounds);
             }
         }
     }
@@ -340,7 +338,6 @@ public final class RigidTable {
     }
 
     // ---- contacts
-    // ----------------------------------------------------------------------------------------------------
 
     /** Makes room to note what goes after the next step: circles and pieces of ids below limits. If there is none, nothing has changed. */
     public void makeRoom(int circles, int pieces, boolean sleeps) {
@@ -444,7 +441,6 @@ public final class RigidTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     public void save(SavedRigids to) {
         settle();

@@ -61,8 +61,7 @@ public final class TerrainStep {
         int node = from;
         while (node < nodes) {
             int b = 4 * node;
-            boolean meets =
-                    boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY;
+            boolean meets = boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY;
             if (meets && piece(node) >= 0) {
                 return node;
             }

@@ -80,7 +80,6 @@ final class RigidContacts {
     }
 
     // ---- finding
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Finds the contacts of all pairs, measures them, and gives them what they had. */
     void find(RigidStep bodies, StepConstants constants) {
@@ -216,7 +215,11 @@ final class RigidContacts {
                 while (f < of[at + 1]) {
                     int[] found = finders[worker].found;
                     System.arraycopy(
-                            found, RigidFeatures.STRIDE * f++, features, RigidFeatures.STRIDE * c, RigidFeatures.STRIDE);
+                            found,
+                            RigidFeatures.STRIDE * f++,
+                            features,
+                            RigidFeatures.STRIDE * c,
+                            RigidFeatures.STRIDE);
                     place(c++, of[at]);
                 }
                 Arrays.fill(used, of[at + 2], of[at + 3], false);
@@ -273,7 +276,6 @@ final class RigidContacts {
     }
 
     // ---- impulses
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Measures the contacts of a pair, and gives them the impulses of the step before. */
     private void take(int from, int to, int old, int end) {

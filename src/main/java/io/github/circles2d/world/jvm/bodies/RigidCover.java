@@ -182,13 +182,9 @@ final class RigidCover {
     private boolean isCornerUnder(int of, int its, float atX, float atY, float slack) {
         float nx = plane[of];
         float ny = plane[of + 1];
-        float x = atX - plane[of + 2];
-        float y = atY - plane[of + 3];
+        float x = atX - plane[of + 2] + things.bentX(its, nx, ny);
+        float y = atY - plane[of + 3] + things.bentY(its, nx, ny);
         int at = RigidThings.corner(its);
-        if (things.isBent(its)) {
-            x += things.bentX(its, nx, ny);
-            y += things.bentY(its, nx, ny);
-        }
         return !isHigher(
                 x + things.turnedCorner[at],
                 y + things.turnedCorner[at + 1],
@@ -214,12 +210,8 @@ final class RigidCover {
     private boolean isAbove(int t, float nx, float ny, float px, float py, float slack) {
         for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
             int at = RigidThings.corner(k);
-            float x = things.turnedCorner[at] - px;
-            float y = things.turnedCorner[at + 1] - py;
-            if (things.isBent(k)) {
-                x += things.bentX(k, -nx, -ny);
-                y += things.bentY(k, -nx, -ny);
-            }
+            float x = things.turnedCorner[at] - px + things.bentX(k, -nx, -ny);
+            float y = things.turnedCorner[at + 1] - py + things.bentY(k, -nx, -ny);
             if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
                 return false;
             }

@@ -195,7 +195,6 @@ final class RigidJointEnds {
     }
 
     // ---- how they move
-    // ------------------------------------------------------------------------------------------------------
 
     float vx(int e, int boundary) {
         int t = thing[e];
@@ -272,7 +271,6 @@ final class RigidJointEnds {
     }
 
     // ---- what they get
-    // ------------------------------------------------------------------------------------------------------
 
     /** An impulse at the place, and an angular one. */
     void push(int e, float x, float y, float twist) {

@@ -60,7 +60,6 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     // ---- what it is
-    // ---------------------------------------------------------------------------------------------------------
 
     /** Takes a joint, whose ends are e and the one behind it. */
     void take(int joint, int e) {
@@ -89,7 +88,6 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     // ---- where its ends are, and how they move
-    // ------------------------------------------------------------------------------
 
     /** Measures at a boundary of sub-steps; work: the base, and the normal of the last time. */
     void measure(int boundary, float[] work, int o) {
@@ -158,7 +156,6 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     // ---- impulses
-    // -----------------------------------------------------------------------------------------------------------
 
     private void clear() {
         pushX = 0f;
@@ -201,7 +198,6 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     // ---- the biased pass
-    // ----------------------------------------------------------------------------------------------------
 
     /** With bias; the joint has been measured. */
     void solve(int sub, float[] work, int o) {
@@ -295,7 +291,6 @@ final class RigidJointVisits extends VisitedJoint {
     }
 
     // ---- the relaxing pass
-    // --------------------------------------------------------------------------------------------------
 
     /** Without bias; the joint has been measured. */
     void relax(int sub, float[] work, int o) {

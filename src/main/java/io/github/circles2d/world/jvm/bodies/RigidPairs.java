@@ -114,7 +114,6 @@ final class RigidPairs {
     }
 
     // ---- bodies
-    // ------------------------------------------------------------------------------------------------------------
 
     private void addBodies() {
         if (thingOfBody.length < step.end) {
@@ -231,7 +230,6 @@ final class RigidPairs {
     }
 
     // ---- what is near
-    // ------------------------------------------------------------------------------------------------------
 
     private void findNear(int worker) {
         RigidSearch search = searches[worker];
@@ -264,7 +262,6 @@ final class RigidPairs {
     }
 
     // ---- what moves near to bodies that sleep
-    // ----------------------------------------------------------------------------
 
     /** Whether a wall moves near to a body. */
     boolean wallsMoveNear(int t) {
@@ -338,20 +335,12 @@ final class RigidPairs {
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float r = things.turnedCorner[at + OutlineShape.RADIUS];
-            float left = 0f;
-            float low = 0f;
-            float right = 0f;
-            float high = 0f;
-            if (things.isBent(c)) {
-                left = things.bentX(c, -1f, 0f);
-                low = things.bentY(c, 0f, -1f);
-                right = things.bentX(c, 1f, 0f);
-                high = things.bentY(c, 0f, 1f);
-            }
-            minX = CircleMath.min(minX, (things.turnedCorner[at] + left) - r);
-            minY = CircleMath.min(minY, (things.turnedCorner[at + 1] + low) - r);
-            maxX = CircleMath.max(maxX, (things.turnedCorner[at] + right) + r);
-            maxY = CircleMath.max(maxY, (things.turnedCorner[at + 1] + high) + r);
+            float x = things.turnedCorner[at];
+            float y = things.turnedCorner[at + 1];
+            minX = CircleMath.min(minX, (x + things.bentX(c, -1f, 0f)) - r);
+            minY = CircleMath.min(minY, (y + things.bentY(c, 0f, -1f)) - r);
+            maxX = CircleMath.max(maxX, (x + things.bentX(c, 1f, 0f)) + r);
+            maxY = CircleMath.max(maxY, (y + things.bentY(c, 0f, 1f)) + r);
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
@@ -363,7 +352,6 @@ final class RigidPairs {
     }
 
     // ---- pairs
-    // -------------------------------------------------------------------------------------------------------------
 
     private void makePairs() {
         count = 0;

@@ -168,7 +168,6 @@ public final class RigidPasses {
     }
 
     // ---- passes
-    // ------------------------------------------------------------------------------------------------------------
 
     /** What drives bodies, and the impulses of the sub-step before. */
     public void integrateVelocities() {
@@ -277,7 +276,6 @@ public final class RigidPasses {
     }
 
     // ---- circles
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Takes the velocities of circles as they are; before: also those without impulses. */
     private void takeCircles(boolean before) {
@@ -352,7 +350,6 @@ public final class RigidPasses {
     }
 
     // ---- end
-    // ---------------------------------------------------------------------------------------------------------------
 
     /** Ends the step: bodies take what they have become. */
     public void end() {

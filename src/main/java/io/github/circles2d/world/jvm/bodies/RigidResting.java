@@ -60,7 +60,6 @@ final class RigidResting {
     }
 
     // ---- of a thing
-    // --------------------------------------------------------------------------------------------------------
 
     /** Lists the contacts by their things. */
     private void list(RigidStep step) {
@@ -114,7 +113,6 @@ final class RigidResting {
     }
 
     // ---- what stays
-    // --------------------------------------------------------------------------------------------------------
 
     /** Takes what is to stay, since the step writes over it; it gets another scale if the length of steps does. */
     void take(RigidStep step, float scale) {

@@ -39,6 +39,28 @@ public final class RigidSensing {
 
     private static final float ROUNDING = 0x1p-20f;
 
+    /** Ids of some, and where they are as the step begins. */
+    private static final class Begun {
+        private int[] id = new int[16];
+        private float[] x = new float[16];
+        private float[] y = new float[16];
+        private int[] angle = new int[16];
+        private int count;
+
+        private void add(int itsId, float atX, float atY, int itsAngle) {
+            if (count == id.length) {
+                id = Arrays.copyOf(id, 2 * count);
+                x = Arrays.copyOf(x, 2 * count);
+                y = Arrays.copyOf(y, 2 * count);
+                angle = Arrays.copyOf(angle, 2 * count);
+            }
+            id[count] = itsId;
+            x[count] = atX;
+            y[count] = atY;
+            angle[count++] = itsAngle;
+        }
+    }
+
     private final State state;
     private final RigidTree tree = new RigidTree();
     private final RigidTree.Found found = new RigidTree.Found();
@@ -66,21 +88,13 @@ public final class RigidSensing {
     private final boolean[] meetsBodies = new boolean[PairTable.KINDS];
     private boolean someLook;
 
-    /** Ids of the bodies and circles that take part, and where they are as the step begins. */
-    private int[] bodies = new int[0];
+    /** The bodies and circles that take part. */
+    private final Begun bodies = new Begun();
 
-    private float[] bodyX = new float[0];
-    private float[] bodyY = new float[0];
-    private int[] bodyAngle = new int[0];
-    private int bodyCount;
-    private int[] circles = new int[0];
+    private final Begun circles = new Begun();
 
     /** By id of a circle: which of these it is. */
     private int[] circleAt = new int[0];
-
-    private float[] circleX = new float[0];
-    private float[] circleY = new float[0];
-    private int circleCount;
 
     /** Whether circles may sense bodies in the step. */
     private boolean withCircles;
@@ -128,14 +142,14 @@ public final class RigidSensing {
     /** The same, but circles are noted as the step ends. */
     public void beginWithoutCircles(RigidStep of, StepInput input) {
         step = of;
-        bodyCount = 0;
-        circleCount = 0;
+        bodies.count = 0;
+        circles.count = 0;
         withCircles = false;
         if (step.listener == null || !state.filtering || !learn(input)) {
             return;
         }
         noteBodies();
-        if (bodyCount == 0) {
+        if (bodies.count == 0) {
             return;
         }
         someLook = false;
@@ -165,20 +179,10 @@ public final class RigidSensing {
 
     private void noteBodies() {
         Arrays.fill(many, 0);
-        if (bodies.length < step.end) {
-            int n = step.room();
-            bodies = new int[n];
-            bodyX = new float[n];
-            bodyY = new float[n];
-            bodyAngle = new int[n];
-        }
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null && senses[step.kind[id]]) {
                 many[step.kind[id]]++;
-                bodies[bodyCount] = id;
-                bodyX[bodyCount] = step.x[id];
-                bodyY[bodyCount] = step.y[id];
-                bodyAngle[bodyCount++] = step.angle[id];
+                bodies.add(id, step.x[id], step.y[id], step.angle[id]);
             }
         }
     }
@@ -198,16 +202,8 @@ public final class RigidSensing {
         if (circleAt.length < state.slotOf.length) {
             circleAt = Arrays.copyOf(circleAt, state.slotOf.length);
         }
-        if (circleCount == circles.length) {
-            int n = Math.max(16, 2 * circleCount);
-            circles = Arrays.copyOf(circles, n);
-            circleX = Arrays.copyOf(circleX, n);
-            circleY = Arrays.copyOf(circleY, n);
-        }
-        circles[circleCount] = id;
-        circleAt[id] = circleCount;
-        circleX[circleCount] = x;
-        circleY[circleCount++] = y;
+        circleAt[id] = circles.count;
+        circles.add(id, x, y, 0);
     }
 
     private boolean meetsBodies(int kind) {
@@ -221,13 +217,13 @@ public final class RigidSensing {
     }
 
     public int boxCount() {
-        return bodyCount;
+        return bodies.count;
     }
 
     /** The step ends: adds what is sensed to its touches. Terrain is null if there is none. */
     public void end(StepConstants constants, TerrainStep ground) {
-        boolean alone = !someLook && circleCount == 0 && ground == null;
-        if (bodyCount == 0 || alone) {
+        boolean alone = !someLook && circles.count == 0 && ground == null;
+        if (bodies.count == 0 || alone) {
             return;
         }
         k = constants;
@@ -236,15 +232,15 @@ public final class RigidSensing {
         near[BODY_PIECE].count = 0;
         near[BODY_CIRCLE].count = 0;
         findBoxes();
-        for (int n = 0; n < bodyCount; n++) {
-            if (looks[step.kind[bodies[n]]]) {
+        for (int n = 0; n < bodies.count; n++) {
+            if (looks[step.kind[bodies.id[n]]]) {
                 findBodies(n);
             }
             if (terrain != null) {
                 findPieces(n);
             }
         }
-        for (int n = 0; n < circleCount; n++) {
+        for (int n = 0; n < circles.count; n++) {
             findBodiesNear(n);
         }
         tell(BODY_BODY);
@@ -253,7 +249,6 @@ public final class RigidSensing {
     }
 
     // ---- what is near
-    // ------------------------------------------------------------------------------------------------------
 
     private float way(float from, float to, float period) {
         float way = to - from;
@@ -261,13 +256,13 @@ public final class RigidSensing {
     }
 
     private void findBoxes() {
-        tree.makeRoom(bodyCount);
-        for (int n = 0; n < bodyCount; n++) {
-            OutlineShape outline = step.outline[bodies[n]];
+        tree.makeRoom(bodies.count);
+        for (int n = 0; n < bodies.count; n++) {
+            OutlineShape outline = step.outline[bodies.id[n]];
             float r = outline.reach() + MARGIN * outline.halfThickness();
-            setBox(tree.box, 4 * n, bodyX[n], bodyY[n], wayX(n), wayY(n), r);
+            setBox(tree.box, 4 * n, bodies.x[n], bodies.y[n], wayX(n), wayY(n), r);
         }
-        tree.build(bodyCount);
+        tree.build(bodies.count);
     }
 
     private static void setBox(float[] to, int at, float x, float y, float wayX, float wayY, float r) {
@@ -279,11 +274,11 @@ public final class RigidSensing {
     }
 
     private float wayX(int n) {
-        return way(bodyX[n], step.x[bodies[n]], state.periodX);
+        return way(bodies.x[n], step.x[bodies.id[n]], state.periodX);
     }
 
     private float wayY(int n) {
-        return way(bodyY[n], step.y[bodies[n]], state.periodY);
+        return way(bodies.y[n], step.y[bodies.id[n]], state.periodY);
     }
 
     /** Finds those that meet a box or one of its images. */
@@ -298,10 +293,10 @@ public final class RigidSensing {
 
     private void findBodies(int n) {
         look(tree.box, 4 * n);
-        int kind = step.kind[bodies[n]];
+        int kind = step.kind[bodies.id[n]];
         for (int f = 0; f < found.count; f++) {
-            int id = bodies[n];
-            int other = bodies[found.box[f]];
+            int id = bodies.id[n];
+            int other = bodies.id[found.box[f]];
             int itsKind = step.kind[other];
             if (id != other
                     && senses(kind, itsKind)
@@ -313,7 +308,7 @@ public final class RigidSensing {
     }
 
     private void findPieces(int n) {
-        int kind = step.kind[bodies[n]];
+        int kind = step.kind[bodies.id[n]];
         for (int image = 0; image < state.images.count; image++) {
             float minX = tree.box[4 * n] + state.images.x[image];
             float minY = tree.box[4 * n + 1] + state.images.y[image];
@@ -323,7 +318,7 @@ public final class RigidSensing {
             while (node >= 0) {
                 int piece = terrain.piece(node);
                 if (senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                    near[BODY_PIECE].add(bodies[n], piece);
+                    near[BODY_PIECE].add(bodies.id[n], piece);
                 }
                 node = terrain.find(node + 1, minX, minY, maxX, maxY);
             }
@@ -331,14 +326,14 @@ public final class RigidSensing {
     }
 
     private void findBodiesNear(int n) {
-        int id = circles[n];
+        int id = circles.id[n];
         float r = state.circle[CircleRow.of(state.slotOf[id]) + CircleRow.RADIUS];
-        setBox(circleBox, 0, circleX[n], circleY[n], circleWayX(n), circleWayY(n), (1f + MARGIN) * r);
+        setBox(circleBox, 0, circles.x[n], circles.y[n], circleWayX(n), circleWayY(n), (1f + MARGIN) * r);
         look(circleBox, 0);
         int kind = state.fields.getInt(CircleField.KIND, id);
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, id) : 0;
         for (int f = 0; f < found.count; f++) {
-            int body = bodies[found.box[f]];
+            int body = bodies.id[found.box[f]];
             if (senses(kind, step.kind[body]) && !step.isOfGroup(body, group)) {
                 near[BODY_CIRCLE].add(body, id);
             }
@@ -346,17 +341,16 @@ public final class RigidSensing {
     }
 
     private float circleWayX(int n) {
-        int s = CircleRow.of(state.slotOf[circles[n]]);
-        return way(circleX[n], state.circle[s + CircleRow.X], state.periodX);
+        int s = CircleRow.of(state.slotOf[circles.id[n]]);
+        return way(circles.x[n], state.circle[s + CircleRow.X], state.periodX);
     }
 
     private float circleWayY(int n) {
-        int s = CircleRow.of(state.slotOf[circles[n]]);
-        return way(circleY[n], state.circle[s + CircleRow.Y], state.periodY);
+        int s = CircleRow.of(state.slotOf[circles.id[n]]);
+        return way(circles.y[n], state.circle[s + CircleRow.Y], state.periodY);
     }
 
     // ---- touches
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Tells of the pairs of a type that touch, in order. */
     private void tell(int type) {
@@ -373,10 +367,10 @@ public final class RigidSensing {
     }
 
     private void tell(int type, int id, int other) {
-        int n = Arrays.binarySearch(bodies, 0, bodyCount, id);
+        int n = Arrays.binarySearch(bodies.id, 0, bodies.count, id);
         OutlineShape outline = step.outline[id];
         a.takeBody(outline);
-        a.put(0, 0, wayX(n), wayY(n), bodyAngle[n], step.angle[id] - bodyAngle[n]);
+        a.put(0, 0, wayX(n), wayY(n), bodies.angle[n], step.angle[id] - bodies.angle[n]);
         double length = outline.halfThickness();
         boolean touched = step.listener.touched(type + SENSED, id, other);
         if (type == BODY_PIECE) {
@@ -386,24 +380,24 @@ public final class RigidSensing {
                 return;
             }
         } else if (type == BODY_BODY) {
-            int m = Arrays.binarySearch(bodies, 0, bodyCount, other);
+            int m = Arrays.binarySearch(bodies.id, 0, bodies.count, other);
             length += step.outline[other].halfThickness();
             b.takeBody(step.outline[other]);
             b.put(
-                    way(bodyX[n], bodyX[m], state.periodX),
-                    way(bodyY[n], bodyY[m], state.periodY),
+                    way(bodies.x[n], bodies.x[m], state.periodX),
+                    way(bodies.y[n], bodies.y[m], state.periodY),
                     wayX(m),
                     wayY(m),
-                    bodyAngle[m],
-                    step.angle[other] - bodyAngle[m]);
+                    bodies.angle[m],
+                    step.angle[other] - bodies.angle[m]);
         } else {
             float r = state.circle[CircleRow.of(state.slotOf[other]) + CircleRow.RADIUS];
             int m = circleAt[other];
             length += r;
             b.takeDisc(r);
             b.put(
-                    way(bodyX[n], circleX[m], state.periodX),
-                    way(bodyY[n], circleY[m], state.periodY),
+                    way(bodies.x[n], circles.x[m], state.periodX),
+                    way(bodies.y[n], circles.y[m], state.periodY),
                     circleWayX(m),
                     circleWayY(m),
                     0,
@@ -427,8 +421,8 @@ public final class RigidSensing {
         float[] rows = terrain.rows;
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-        float ox = PieceMeasure.offsetX(state, bodyX[n], rows, row);
-        float oy = PieceMeasure.offsetY(state, bodyY[n], rows, row);
+        float ox = PieceMeasure.offsetX(state, bodies.x[n], rows, row);
+        float oy = PieceMeasure.offsetY(state, bodies.y[n], rows, row);
         int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
         if (motion == 0) {
             b.takePiece(rows, row, shape, 0, 0);
@@ -471,7 +465,6 @@ public final class RigidSensing {
     }
 
     // ---- of a touch
-    // --------------------------------------------------------------------------------------------------------
 
     /** Adds the touch that has been found: its point and normal, and how fast both approach there. */
     private void add(int type, int id, int n, int other, double length) {
@@ -497,8 +490,8 @@ public final class RigidSensing {
                 type + SENSED,
                 id,
                 other,
-                (float) (bodyX[n] + px),
-                (float) (bodyY[n] + py),
+                (float) (bodies.x[n] + px),
+                (float) (bodies.y[n] + py),
                 (float) nx + 0f,
                 (float) ny + 0f,
                 0f,
@@ -513,8 +506,7 @@ public final class RigidSensing {
                 + near[BODY_BODY].bytes()
                 + near[BODY_PIECE].bytes()
                 + near[BODY_CIRCLE].bytes()
-                + 16L * bodies.length
-                + 12L * circles.length
+                + 16L * (bodies.id.length + circles.id.length)
                 + 4L * circleAt.length;
     }
 }

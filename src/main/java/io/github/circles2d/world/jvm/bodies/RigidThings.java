@@ -285,15 +285,18 @@ final class RigidThings {
         return corner[corner(c) + OutlineShape.BEND] > 0f;
     }
 
-    /** The point of a bent core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
+    /** The point of a core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
     float bentX(int c, float nx, float ny) {
-        int end = endOf(c, nx, ny);
-        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? nx : turnedCorner[corner(c) + end]);
+        return isBent(c) ? bent(c, endOf(c, nx, ny), nx) : 0f;
     }
 
     float bentY(int c, float nx, float ny) {
-        int end = endOf(c, nx, ny);
-        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? ny : turnedCorner[corner(c) + end + 1]);
+        return isBent(c) ? bent(c, endOf(c, nx, ny) + 1, ny) : 0f;
+    }
+
+    private float bent(int c, int end, float along) {
+        int at = corner(c);
+        return turnedCorner[at + OutlineShape.BEND] * (end < OutlineShape.FROM_X ? along : turnedCorner[at + end]);
     }
 
     /** The end of a cone that is nearer to a direction beyond it, as the number of an element; 0 if the cone has the direction. */

@@ -205,7 +205,6 @@ final class RigidVisits {
     }
 
     // ---- pairs that see each other as they are
-    // -----------------------------------------------------------------------------
 
     void solve() {
         relaxes = false;
@@ -428,7 +427,6 @@ final class RigidVisits {
     }
 
     // ---- circles, which see bodies as they were
-    // ----------------------------------------------------------------------------
 
     /** A pass over the contacts of circles. */
     void passOverCircles(boolean withoutBias) {

@@ -91,7 +91,6 @@ public final class WakingByBodies {
     }
 
     // ---- contacts of the step with circles
-    // ----------------------------------------------------------------------------------
 
     /** The number of contacts; those with circles come last. */
     public int count() {
@@ -179,7 +178,6 @@ public final class WakingByBodies {
     }
 
     // ---- contacts that stay
-    // ------------------------------------------------------------------------------------------------
 
     /** The first contact at rest of a circle, as an entry; -1 behind the last one. */
     public int firstOf(int circle) {
@@ -196,7 +194,6 @@ public final class WakingByBodies {
     }
 
     // ---- who wakes
-    // ---------------------------------------------------------------------------------------------------------
 
     /** Before circles are looked at; contacts have been found. */
     public void begin(RigidStep ofStep, StepConstants constants) {
@@ -453,7 +450,6 @@ public final class WakingByBodies {
     }
 
     // ---- by joints
-    // ---------------------------------------------------------------------------------------------------------
 
     boolean isLookedAt(int t) {
         return looked[things.id[t]] == step;
@@ -478,7 +474,6 @@ public final class WakingByBodies {
     }
 
     // ---- rings
-    // -------------------------------------------------------------------------------------------------------------
 
     private void addWoken(int id) {
         woken = withRoom(woken, wokenCount);

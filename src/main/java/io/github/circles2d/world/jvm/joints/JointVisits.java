@@ -102,8 +102,7 @@ final class JointVisits {
         float v = view.speedAcross();
         float[] w = view.work;
         float next = biased
-                ? JointMath.heldImpulse(
-                        before, m, v, w[view.o + DIRECTION], view.k.jointSoftness, w[view.o + PUSH])
+                ? JointMath.heldImpulse(before, m, v, w[view.o + DIRECTION], view.k.jointSoftness, w[view.o + PUSH])
                 : JointMath.relaxedImpulse(before, m, v);
         states.rows[view.kept + ACROSS] = next;
         float change = next - before;

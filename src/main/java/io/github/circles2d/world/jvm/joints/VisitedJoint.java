@@ -108,7 +108,6 @@ public class VisitedJoint {
     }
 
     // ---- along axes
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Visits the axis from A to B, with or without bias, and its limits; returns the impulse. exactly: of an exact spring, whose effective mass may be
@@ -194,7 +193,6 @@ public class VisitedJoint {
     }
 
     // ---- turning
-    // ---------------------------------------------------------------------------------------------------------
 
     /** How far A has turned against B, in radians, from angles in units as the step began, and what they have turned since. */
     protected final float turnedAway(int angleA, float turnedA, int angleB, float turnedB) {
@@ -249,7 +247,6 @@ public class VisitedJoint {
     }
 
     // ---- sums
-    // ------------------------------------------------------------------------------------------------------------
 
     /** Adds what the joint gives to what it has given in the step. */
     protected final void addToSums(float x, float y, float twist) {
