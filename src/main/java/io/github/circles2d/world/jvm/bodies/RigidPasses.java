@@ -433,16 +433,12 @@ public final class RigidPasses {
             return;
         }
         step.touchesStay = false;
-        float[] rows = contacts.rows;
         for (int p = 0; p < contacts.pairCount; p++) {
             int hardest = -1;
             float most = 0f;
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                float its = rows[RigidRow.of(c) + RigidRow.MOST];
-                if (its > most) {
-                    most = its;
-                    hardest = c;
-                }
+                hardest = contacts.value(c, RigidRow.MOST) > most ? c : hardest;
+                most = Math.max(most, contacts.value(c, RigidRow.MOST));
             }
             if (hardest >= 0) {
                 tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);

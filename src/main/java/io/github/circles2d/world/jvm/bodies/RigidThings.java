@@ -75,6 +75,9 @@ final class RigidThings {
     /** Of a piece that lets pass what comes from behind. */
     boolean[] oneWay = new boolean[0];
 
+    /** Those that {@link #add} sets to 0. */
+    private float[][] zeroAtFirst = {};
+
     int[] firstCorner = new int[0];
     int[] corners = new int[0];
     int[] firstLine = new int[0];
@@ -124,33 +127,14 @@ final class RigidThings {
         id[t] = itsId;
         x[t] = atX;
         y[t] = atY;
-        dx[t] = 0f;
-        dy[t] = 0f;
         angle[t] = 0;
-        turned[t] = 0f;
+        for (float[] each : zeroAtFirst) {
+            each[t] = 0f;
+        }
         cos[t] = 1f;
-        sin[t] = 0f;
-        vx[t] = 0f;
-        vy[t] = 0f;
-        omega[t] = 0f;
-        beforeX[t] = 0f;
-        beforeY[t] = 0f;
-        beforeOmega[t] = 0f;
-        w[t] = 0f;
-        i[t] = 0f;
-        ownW[t] = 0f;
-        ownI[t] = 0f;
-        thin[t] = 0f;
         reach[t] = Float.POSITIVE_INFINITY;
-        restitution[t] = 0f;
-        friction[t] = 0f;
-        rolling[t] = 0f;
-        belt[t] = 0f;
-        gainX[t] = 0f;
-        gainY[t] = 0f;
-        gainOmega[t] = 0f;
-        asleep[t] = false;
         kind[t] = 0;
+        asleep[t] = false;
         oneWay[t] = false;
         shape[t] = null;
         firstCorner[t] = cornerCount;
@@ -198,6 +182,30 @@ final class RigidThings {
         corners = Arrays.copyOf(corners, n);
         firstLine = Arrays.copyOf(firstLine, n);
         lines = Arrays.copyOf(lines, n);
+        zeroAtFirst = new float[][] {
+            dx,
+            dy,
+            turned,
+            sin,
+            vx,
+            vy,
+            omega,
+            beforeX,
+            beforeY,
+            beforeOmega,
+            w,
+            i,
+            ownW,
+            ownI,
+            thin,
+            restitution,
+            friction,
+            rolling,
+            belt,
+            gainX,
+            gainY,
+            gainOmega
+        };
     }
 
     private void ensure(int moreCorners, int moreLines) {
