@@ -4,7 +4,7 @@ import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Surface;
@@ -81,8 +81,8 @@ public final class RigidCalls implements Calls.Effects {
 
     /** The first word has no meaning. */
     private long add(OutlineShape outline, int[] w) {
-        RigidRules.room(table.ids.size(), 1);
-        RigidRules.reach(outline, world.settings.bounds());
+        RigidLimits.room(table.ids.size(), 1);
+        RigidLimits.reach(outline, world.settings.bounds());
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }
@@ -256,7 +256,7 @@ public final class RigidCalls implements Calls.Effects {
                 System.arraycopy(w, 0, words, 0, Call.RIGID.words);
                 return add(told.get(w[0]), words);
             }
-            case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
+            case RIGID_INERTIA -> RigidLimits.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
             default -> makeRoom(call, 1);
         }
         world.calls.begin(call, w);

@@ -37,6 +37,31 @@ import io.github.circles2d.world.model.Tuning;
  * <p>A is the circle of the lower id, B the other; the normal points from A to B. a and b are where their rows begin.
  */
 final class PairVisits {
+    /** Contacts that the relaxing pass works on at a time, by what is still to do with them. */
+    private static final class Block {
+        private static final int SIZE = 256;
+
+        /** Those to visit; once they are, those of them that carry, unless the visits have done all. */
+        private final int[] listed = new int[SIZE];
+
+        /** Number of those that carry. */
+        private int carrying;
+
+        /** Those that got an impulse and do not keep it: {@link Touches} takes it. */
+        private final int[] unkept = new int[SIZE];
+
+        private int unkeptCount;
+
+        private void begin() {
+            carrying = 0;
+            unkeptCount = 0;
+        }
+
+        private void addUnkept(int c) {
+            unkept[unkeptCount++] = c;
+        }
+    }
+
     private final State state;
     private final Contacts contacts;
 
@@ -46,7 +71,7 @@ final class PairVisits {
     /** The rows behind the normal one; null if circles cannot rotate. */
     private PairRows rows;
 
-    private final RelaxedBlock block = new RelaxedBlock();
+    private final Block block = new Block();
 
     private final LikeBodies like;
 
@@ -271,8 +296,8 @@ final class PairVisits {
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
         boolean sums = cross == null && touches == null && !last;
-        for (int begin = from; begin < to; begin += RelaxedBlock.SIZE) {
-            int end = Math.min(to, begin + RelaxedBlock.SIZE);
+        for (int begin = from; begin < to; begin += Block.SIZE) {
+            int end = Math.min(to, begin + Block.SIZE);
             int open = measureAll(begin, end);
             block.begin();
             if (cross == null) {
