@@ -104,13 +104,13 @@ void visitCrossRows(const World *w, int c, const Cross *x, const Visit *visit_, 
 
 void fillCrossContact(const World *w, int c, int light) {
     Cross x = crossOf(w, c, light);
-    bool carrying;
-    float4 n = fillContact(w, c, &carrying);
-    if (w->k.tiled) w->ordered[c] = w->pair[c];
 #ifdef TURNING
     fillRows(w, c, w->pair[c], (int) w->key[c], x.light, x.heavy, crossShare(w->crossLoad[x.heavy]));
     gatherCrossSpin(w, c, &x);
 #endif
+    bool carrying;
+    float4 n = fillContact(w, c, &carrying);
+    if (w->k.tiled) w->ordered[c] = w->pair[c];
     gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
 }
 
@@ -189,7 +189,7 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
 #endif
     if (last) {
         storeVisited(w, c, pr, &visited);
-    } else if (carriesOn(&visit_, vn, &visited)) {
+    } else if (carriesOn(&visit_, vn, &visited, rowsAt(w, c))) {
         gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherCrossSpin(w, c, &x);

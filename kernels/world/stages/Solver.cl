@@ -4,7 +4,7 @@
 // Without impulses of walls; false if that is not all. m: motion; l: load.
 bool startOffWallsAt(const World *w, int slot, float4 c, float4 m, float4 t, float4 l) {
     float2 before, next;
-    if (wallsPress(t.WALLS)) return false;
+    if (wallsAct(w, slot, t.WALLS)) return false;
 #ifdef TERRAIN
     if (hasPieces(w, slot)) return false;
 #endif
@@ -187,7 +187,7 @@ void storeVisited(const World *w, int c, uint2 pr, const Visited *visited) {
 #ifdef TURNING
     storeRows(w, c);
 #endif
-    if (visited->solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+    if (visited->solved && actingImpulse(next, rowsAt(w, c)) > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
 }
 
 void solveContact(const World *w, int c) {
@@ -219,7 +219,7 @@ void relaxContact(const World *w, int c, bool last) {
 #endif
     if (last) {
         storeVisited(w, c, pr, &visited);
-    } else if (carriesOn(&v, vn, &visited)) {
+    } else if (carriesOn(&v, vn, &visited, rowsAt(w, c))) {
         gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherSpin(w, c, pr);

@@ -88,6 +88,11 @@ final class PairRows {
         return hold;
     }
 
+    /** {@link ContactRows#actingImpulse} */
+    float acting(int c, float normalImpulse) {
+        return ContactRows.actingImpulse(normalImpulse, values, of(c) + IMPULSES, 1);
+    }
+
     /** Whether some row does something. */
     boolean act(int c) {
         float[] v = values;
