@@ -76,11 +76,8 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
 #endif
 }
 
-// Returns the normal speed before the visit.
-INLINE float visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
-    float vn = dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y);
-    visit(&v->ready, vn, relaxing, visited);
-    return vn;
+INLINE void visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
+    visit(&v->ready, dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y), relaxing, visited);
 }
 
 // For B to add; for A, with its mass, to subtract.
@@ -91,9 +88,9 @@ float2 changeOfVelocity(const Visit *v, float invMass, float impulse) {
 // For B's sum of impulses to add, for A's to subtract.
 float2 loadAlong(float nx, float ny, float normalImpulse) { return (float2)(nx * normalImpulse, ny * normalImpulse); }
 
-// Into the sub-step to come. vn: before the visit; rows: as visited.
-INLINE bool carriesOn(const Visit *v, float vn, const Visited *visited, RowImpulses rows) {
-    float after = vn + visited->impulse * (v->invMassA + v->invMassB);
+// Into the sub-step to come. rows: as visited.
+INLINE bool carriesOn(const Visit *v, const Visited *visited, RowImpulses rows) {
+    float after = visited->vn + visited->impulse * (v->invMassA + v->invMassB);
     return visited->solved && carries(actingImpulse(visited->normalImpulse, rows), after, v->ready.restingLimit);
 }
 

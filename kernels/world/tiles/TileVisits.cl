@@ -237,7 +237,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
     float2 loadA = relaxing && !last ? t->load[i] : (float2)(0.0f);
     float2 loadB = relaxing && !last ? t->load[j] : (float2)(0.0f);
     Visited visited;
-    float vn = visitPair(&v->visit, va, vb, relaxing, &visited);
+    visitPair(&v->visit, va, vb, relaxing, &visited);
     float next = visited.normalImpulse;
     bool there = isContact(v->contact);
 #ifdef TURNING
@@ -263,7 +263,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
         t->velocity[j] = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
     }
 #endif
-    if (relaxing && !last && there && carriesOn(&v->visit, vn, &visited, rowsInTile(v))) {
+    if (relaxing && !last && there && carriesOn(&v->visit, &visited, rowsInTile(v))) {
         float2 g = loadAlong(v->visit.nx, v->visit.ny, next);
 #ifdef TURNING
         PairSurface s = surfaceInTile(w, v);
