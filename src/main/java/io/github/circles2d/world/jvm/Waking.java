@@ -533,8 +533,8 @@ final class Waking implements WakingByBodies.Circles {
             press(slot, isLower, takeKept(press));
         }
         float w = state.ownInverseMass(slot);
-        addWall(slot, w, 0);
-        addWall(slot, w, 1);
+        addWall(slot, w, 0, k.bounds.minX(), k.bounds.maxX());
+        addWall(slot, w, 1, k.bounds.minY(), k.bounds.maxY());
         for (int c = 0; c < all.pieces(id); c++) {
             if (all.pieceNumbers(id)[PieceContactRow.numbers(c) + PieceContactRow.FEATURE] != PieceGap.NONE) {
                 addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
@@ -571,12 +571,13 @@ final class Waking implements WakingByBodies.Circles {
         }
     }
 
-    private void addWall(int slot, float w, int axis) {
+    private void addWall(int slot, float w, int axis, float min, float max) {
         float impulse = state.traits[CircleRow.of(slot) + WALL_X + axis];
         boolean turns = state.turning != null;
         float[] ofWalls = turns ? state.turning.wallRows : NO_WALL_ROWS;
         int at = (turns ? ContactRows.ofWalls(slot) : 0) + ContactRows.ofWall(0, axis);
-        float side = impulse == 0f ? sideOfWall(slot, axis) : impulse > 0f ? 1f : -1f;
+        float nearer = Walls.wallSide(state.circle[CircleRow.of(slot) + X + axis], min, max);
+        float side = impulse == 0f ? nearer : Math.signum(impulse);
         float acting = ContactRows.actingImpulse(Math.abs(impulse), ofWalls, at, ContactRows.OF_WALL);
         float j = ContactRows.impulseAlongNormal(Math.abs(impulse), ofWalls, at, ContactRows.OF_WALL);
         float f = Walls.tangentAlong(axis, side) * ContactRows.tangentImpulse(ofWalls, at, ContactRows.OF_WALL);
@@ -584,13 +585,6 @@ final class Waking implements WakingByBodies.Circles {
         float across = acting > 0f ? f / w : 0f;
         float spin = ContactRows.spinOfOneBody(ofWalls, at, ContactRows.OF_WALL) / w;
         sums.add(slot, axis == 0 ? along : across, axis == 0 ? across : along, acting / w, spin);
-    }
-
-    private float sideOfWall(int slot, int axis) {
-        float place = state.circle[CircleRow.of(slot) + X + axis];
-        return axis == 0
-                ? Walls.wallSide(place, k.bounds.minX(), k.bounds.maxX())
-                : Walls.wallSide(place, k.bounds.minY(), k.bounds.maxY());
     }
 
     private void addPiece(int slot, float w, float[] rows, int row) {

@@ -58,9 +58,8 @@ public final class ContactRows {
     }
 
     /**
-     * How hard a contact acts along its normal, whatever its direction; greater than 0 if the contact acts. Then it loads its circles, starts
-     * each sub-step warm, and the next step goes on from its impulses. The rows of one that does not act are forgotten. The normal impulse of
-     * a wall is its magnitude.
+     * How hard a contact acts, whatever the direction. If this is greater than 0, it loads its circles, and the next sub-step and step go on from
+     * its impulses; else they are forgotten. Of a wall the normal impulse is a magnitude.
      */
     public static float actingImpulse(float normalImpulse, float[] impulses, int at, int stride) {
         return normalImpulse;

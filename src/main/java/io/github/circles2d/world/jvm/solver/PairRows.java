@@ -88,9 +88,11 @@ final class PairRows {
         return hold;
     }
 
-    /** {@link ContactRows#actingImpulse} */
-    float acting(int c, float normalImpulse) {
-        return ContactRows.actingImpulse(normalImpulse, values, of(c) + IMPULSES, 1);
+    /** {@link ContactRows#actingImpulse}; rows: null if there are none. */
+    static float acting(PairRows rows, int c, float normalImpulse) {
+        return rows == null
+                ? normalImpulse
+                : ContactRows.actingImpulse(normalImpulse, rows.values, of(c) + IMPULSES, 1);
     }
 
     /** Whether some row does something. */

@@ -27,7 +27,6 @@ import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
-import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 
@@ -98,11 +97,6 @@ final class PairVisits {
         }
     }
 
-    /** {@link ContactRows#actingImpulse} */
-    private static float acting(PairRows rows, int c, float normalImpulse) {
-        return rows == null ? normalImpulse : rows.acting(c, normalImpulse);
-    }
-
     /** Adds the impulses of a contact to the sums of its circles for the next sub-step. */
     private void addToSums(CrossBodies cross, PairRows rows, int c, int a, int b, float nx, float ny, float impulse) {
         float x = nx * impulse;
@@ -136,7 +130,7 @@ final class PairVisits {
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addToSums(cross, rows, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
-            float acting = acting(rows, c, impulse);
+            float acting = PairRows.acting(rows, c, impulse);
             if (Constraints.carries(acting, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
@@ -387,7 +381,8 @@ final class PairVisits {
                 next = 0f;
             }
             q[o + NORMAL_IMPULSE] = next;
-            int carries = Constraints.carries(acting(rows, c, next), separation, after, q[o + RESTITUTION_THRESHOLD]);
+            float acting = PairRows.acting(rows, c, next);
+            int carries = Constraints.carries(acting, separation, after, q[o + RESTITUTION_THRESHOLD]);
             if (!sums) {
                 listed[carrying] = c;
                 carrying -= carries;
@@ -442,7 +437,7 @@ final class PairVisits {
             }
             q[o + NORMAL_IMPULSE] = next;
             listed[carrying] = c;
-            carrying -= Constraints.carries(acting(rows, c, next), separation, after, threshold);
+            carrying -= Constraints.carries(PairRows.acting(rows, c, next), separation, after, threshold);
         }
         block.carrying = carrying;
     }
@@ -484,7 +479,7 @@ final class PairVisits {
         for (int n = 0; n < block.carrying; n++) {
             int c = block.listed[n];
             float impulse = contacts.contact[ContactRow.of(c) + NORMAL_IMPULSE];
-            if (acting(rows, c, impulse) > 0f) {
+            if (PairRows.acting(rows, c, impulse) > 0f) {
                 contacts.storeImpulse(c, impulse);
                 if (rows != null) {
                     rows.store(c);
