@@ -165,7 +165,7 @@ PairSurface fillRows(const World *w, int c, uint2 p, int higherId, uint first, u
 void storeRows(const World *w, int c) { w->rowCache[c] = w->rowImpulses[c]; }
 #endif
 
-// None act if circles cannot rotate.
+// Impulses; there are none if circles cannot rotate.
 INLINE RowImpulses rowsAt(const World *w, int c) {
 #ifdef TURNING
     return w->rowImpulses[c];

@@ -114,7 +114,7 @@ INLINE int cachedEntry(const World *w, uint lower, uint higher, int higherId) {
     return NONE;
 }
 
-// 0 of none.
+// Of an entry, or 0.
 INLINE float warmStartImpulse(const World *w, int entry) {
     return entry == NONE ? 0.0f : as_float(w->impulseCache[entry].CACHED_IMPULSE) * w->warmScale;
 }
@@ -141,7 +141,7 @@ float4 baseOfPair(const World *w, uint2 p) {
     return (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), a.RADIUS + b.RADIUS, restitution);
 }
 
-// As it starts the step. rows: as they do.
+// As it starts the step, with impulses of rows.
 float4 newContact(const World *w, uint2 p, ulong ids, float4 b, RowImpulses rows, bool *carrying) {
     float4 ma = w->motion[p.LOWER];
     float4 mb = w->motion[p.HIGHER];

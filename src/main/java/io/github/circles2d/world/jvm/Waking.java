@@ -42,6 +42,7 @@ import java.util.Arrays;
  */
 final class Waking implements WakingByBodies.Circles {
     private static final int NO_JOINTS = -1;
+    private static final float[] NO_WALL_ROWS = new float[ContactRows.OF_WALLS];
 
     private final State state;
     private final Grid grid;
@@ -96,8 +97,6 @@ final class Waking implements WakingByBodies.Circles {
 
     /** The impulses of the rows of the contact that is looked at. */
     private final float[] rows = new float[ContactRows.COUNT];
-
-    private static final float[] NO_WALL_ROWS = new float[ContactRows.OF_WALLS];
 
     /** Null without bodies. */
     private WakingByBodies bodies;
