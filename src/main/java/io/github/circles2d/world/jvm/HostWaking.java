@@ -66,7 +66,7 @@ final class HostWaking implements WakingByBodies.Circles {
             if (slot >= state.awake) {
                 int at = look(slot);
                 float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
                 float v = bodies.approach(c);
                 float hit = sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j);
                 speed[at] = CircleMath.max(speed[at], hit);
@@ -110,7 +110,7 @@ final class HostWaking implements WakingByBodies.Circles {
             if (c >= 0) {
                 float j = bodies.impulse(c) * k.warmScale;
                 float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
             }
         }
     }

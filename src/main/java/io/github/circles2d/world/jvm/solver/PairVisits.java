@@ -155,7 +155,8 @@ final class PairVisits {
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addToSums(cross, rows, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
-            if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
+            float acting = PairRows.acting(rows, c, impulse);
+            if (Constraints.carries(acting, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
         }
@@ -405,7 +406,8 @@ final class PairVisits {
                 next = 0f;
             }
             q[o + NORMAL_IMPULSE] = next;
-            int carries = Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
+            float acting = PairRows.acting(rows, c, next);
+            int carries = Constraints.carries(acting, separation, after, q[o + RESTITUTION_THRESHOLD]);
             if (!sums) {
                 listed[carrying] = c;
                 carrying -= carries;
@@ -460,7 +462,7 @@ final class PairVisits {
             }
             q[o + NORMAL_IMPULSE] = next;
             listed[carrying] = c;
-            carrying -= Constraints.carries(next, separation, after, threshold);
+            carrying -= Constraints.carries(PairRows.acting(rows, c, next), separation, after, threshold);
         }
         block.carrying = carrying;
     }
@@ -500,11 +502,12 @@ final class PairVisits {
     /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
     private void storeImpulses() {
         for (int n = 0; n < block.carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(block.listed[n]) + NORMAL_IMPULSE];
-            if (impulse > 0f) {
-                contacts.storeImpulse(block.listed[n], impulse);
+            int c = block.listed[n];
+            float impulse = contacts.contact[ContactRow.of(c) + NORMAL_IMPULSE];
+            if (PairRows.acting(rows, c, impulse) > 0f) {
+                contacts.storeImpulse(c, impulse);
                 if (rows != null) {
-                    rows.store(block.listed[n]);
+                    rows.store(c);
                 }
             }
         }
