@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.terrain.PieceRead;
 
 /**
@@ -286,12 +287,12 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or the handle is none
      */
     public void remove(long piece) {
-        simulation.pieces.remove(piece);
+        simulation.calls.change(Call.REMOVE_PIECE, piece);
     }
 
     /** Removes all pieces, and all bodies but the ground. */
     public void clear() {
-        simulation.pieces.clear();
+        simulation.calls.make(Call.CLEAR_TERRAIN);
     }
 
     /**
@@ -352,7 +353,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or there is no such kind
      */
     public void setKind(long piece, int kind) {
-        simulation.pieces.setKind(piece, kind);
+        simulation.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
     }
 
     /**

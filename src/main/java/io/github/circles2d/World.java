@@ -18,6 +18,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.reads.CircleContacts;
+import io.github.circles2d.world.shared.Call;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -273,7 +274,7 @@ public final class World implements AutoCloseable {
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
-        simulation.circles.clear();
+        simulation.calls.make(Call.CLEAR);
     }
 
     /**
@@ -451,7 +452,7 @@ public final class World implements AutoCloseable {
 
     /** Wakes all circles and bodies that sleep. */
     public void wakeAll() {
-        simulation.circles.wakeAll();
+        simulation.calls.make(Call.WAKE_ALL);
     }
 
     /**
@@ -870,7 +871,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setGravity(float x, float y) {
-        simulation.surroundings.setGravity(x, y);
+        simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
     }
 
     /**
@@ -905,7 +906,7 @@ public final class World implements AutoCloseable {
      *     or if the call would move the bounds of an axis that wraps
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        simulation.surroundings.setBounds(minX, minY, maxX, maxY);
+        simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
     }
 
     /**
@@ -1050,8 +1051,12 @@ public final class World implements AutoCloseable {
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
         int number = Limits.notNull("wall", wall).ordinal();
-        simulation.surroundings.setWallSurface(
-                number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
+        simulation.calls.make(
+                Call.WALL_SURFACE,
+                number,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(rollingResistance),
+                Float.floatToRawIntBits(BeltSpeed.ofWall(number, beltSpeed)));
     }
 
     /**

@@ -59,7 +59,6 @@ public final class Simulation implements AutoCloseable {
     public final Kinds kinds;
     public final Forces forces;
     public final Growth growth;
-    public final Surroundings surroundings;
     public final Pieces pieces;
     public final Bodies bodies;
     public final JointCalls joints;
@@ -103,7 +102,7 @@ public final class Simulation implements AutoCloseable {
         BodyView bodyView = new BodyView(world);
         bulk = new BulkChanges(world, changes, view, bodyView);
         fields = new FieldCalls(world, kinds);
-        surroundings = new Surroundings(world, nextStep);
+        new Surroundings(world, nextStep);
         pieces = new Pieces(world);
         bodies = new Bodies(world);
         joints = new JointCalls(world);

@@ -43,29 +43,6 @@ public final class Bodies implements Calls.Effects {
         return world.calls.makeOfFloats(Call.BODY, x, y, angle, 0);
     }
 
-    /** Removes a body with its pieces. */
-    public void remove(long body) {
-        world.calls.change(Call.REMOVE_BODY, body, 0, 0, 0);
-    }
-
-    public void setVelocity(long body, float vx, float vy) {
-        world.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0);
-    }
-
-    public void setAngularVelocity(long body, float velocity) {
-        world.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, velocity, 0, 0);
-    }
-
-    /** Lets a body travel to a place in the next step. */
-    public void move(long body, float x, float y, float angle) {
-        world.calls.changeByFloats(Call.MOVE_BODY, body, x, y, angle);
-    }
-
-    /** Puts a body at a place at once. */
-    public void teleport(long body, float x, float y, float angle) {
-        world.calls.changeByFloats(Call.TELEPORT_BODY, body, x, y, angle);
-    }
-
     @Override
     public long make(Call call, int[] w) {
         if (call == Call.BODY) {

@@ -85,16 +85,6 @@ public final class Circles implements Calls.Effects {
         }
     }
 
-    /** Wakes all circles that sleep. */
-    public void wakeAll() {
-        world.calls.make(Call.WAKE_ALL, 0, 0, 0, 0);
-    }
-
-    /** Removes all circles, and with them all joints. */
-    public void clear() {
-        world.calls.make(Call.CLEAR, 0, 0, 0, 0);
-    }
-
     /**
      * The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for each removes them as any
      * other call does, so that their ends are reported.

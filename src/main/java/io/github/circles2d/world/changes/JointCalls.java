@@ -420,21 +420,8 @@ public final class JointCalls implements Calls.Effects {
         }
     }
 
-    // ---- joints change
-    // -----------------------------------------------------------------------------------------------
-
-    /** Sets something of a joint, by one or two values. */
-    public void set(JointSetting setting, long joint, float a, float b) {
-        world.calls.change(Call.JOINT_SETTING, joint, setting.number, floatToRawIntBits(a), floatToRawIntBits(b));
-    }
-
     // ---- joints go
     // ---------------------------------------------------------------------------------------------------
-
-    /** Removes a joint. */
-    public void remove(long joint) {
-        world.calls.change(Call.REMOVE_JOINT, joint, 0, 0, 0);
-    }
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
@@ -474,11 +461,6 @@ public final class JointCalls implements Calls.Effects {
                     "handle " + k + ": the joint with the handle " + handle + " occurs twice");
         }
         found[k] = joint;
-    }
-
-    /** Removes all joints. */
-    public void clear() {
-        world.calls.make(Call.CLEAR_JOINTS, 0, 0, 0, 0);
     }
 
     // ---- calls by their words

@@ -214,20 +214,6 @@ public final class Pieces implements Calls.Effects {
         table.ensure(more);
     }
 
-    /** Removes a piece. */
-    public void remove(long piece) {
-        world.calls.change(Call.REMOVE_PIECE, piece, 0, 0, 0);
-    }
-
-    /** Removes all pieces and bodies. */
-    public void clear() {
-        world.calls.make(Call.CLEAR_TERRAIN, 0, 0, 0, 0);
-    }
-
-    public void setKind(long piece, int kind) {
-        world.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
-    }
-
     @Override
     public long make(Call call, int[] w) {
         switch (call) {

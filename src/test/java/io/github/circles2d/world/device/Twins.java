@@ -25,6 +25,7 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
@@ -140,7 +141,7 @@ final class Twins implements AutoCloseable {
 
     void setGravity(float x, float y) {
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setGravity(x, y);
+            simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
         }
     }
 
@@ -163,13 +164,22 @@ final class Twins implements AutoCloseable {
     /** Gives a wall a friction. */
     void setWall(int wall, float friction) {
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setWallSurface(wall, friction, 0, 0);
+            setWall(simulation, wall, friction, 0, 0);
         }
+    }
+
+    static void setWall(Simulation simulation, int wall, float friction, float rolling, float belt) {
+        simulation.calls.make(
+                Call.WALL_SURFACE,
+                wall,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(rolling),
+                Float.floatToRawIntBits(belt));
     }
 
     void wakeAll() {
         for (Simulation simulation : simulations) {
-            simulation.circles.wakeAll();
+            simulation.calls.make(Call.WAKE_ALL);
         }
     }
 
@@ -231,7 +241,7 @@ final class Twins implements AutoCloseable {
 
     void moveBody(long body, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            simulation.bodies.setVelocity(body, vx, vy);
+            simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0, 0);
         }
     }
 
@@ -326,7 +336,7 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             long body = simulation.bodies.add(x, y, 0.3f);
             simulation.pieces.addSegment(body, kind, -0.5f * length, 0, 0.5f * length, 0, 0);
-            simulation.bodies.setAngularVelocity(body, angularVelocity);
+            simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, angularVelocity, 0, 0, 0);
         }
     }
 
@@ -485,7 +495,7 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             Bounds now = simulation.settings().bounds();
             float less = 0.01f * (now.maxX() - now.minX());
-            simulation.surroundings.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
+            simulation.calls.makeOfFloats(Call.BOUNDS, now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
         }
     }
 
@@ -497,7 +507,7 @@ final class Twins implements AutoCloseable {
         float maxX = now.maxX() + between(random, -most, most);
         float maxY = now.maxY() + between(random, -most, most);
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setBounds(minX, minY, maxX, maxY);
+            simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
         }
     }
 
@@ -702,7 +712,7 @@ final class Twins implements AutoCloseable {
         float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 3);
         boolean ofKind = random.nextBoolean();
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setWallSurface(wall, resistance + friction, 0.5f * resistance, belt);
+            setWall(simulation, wall, resistance + friction, 0.5f * resistance, belt);
             simulation.kinds.set(KindField.FRICTION, kind, ofKind ? friction : Float.NaN);
             simulation.kinds.set(KindField.ROLLING_RESISTANCE, kind, resistance);
             simulation.kinds.set(KindField.BELT_SPEED, kind, belt);
@@ -810,12 +820,12 @@ final class Twins implements AutoCloseable {
             case 8 -> simulation.kinds.set(KindField.ONE_WAY, kind, bend > 1 ? 1 : 0);
             case 9 -> {
                 if (piece != 0) {
-                    pieces.setKind(piece, kind);
+                    simulation.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
                 }
             }
             default -> {
                 if (!ground) {
-                    moveBody(bodies, change, body, x, y, angle, length, bend, velocity);
+                    moveBody(simulation, change, body, x, y, angle, length, bend, velocity);
                 }
             }
         }
@@ -823,14 +833,14 @@ final class Twins implements AutoCloseable {
 
     private static void remove(Simulation simulation, long body, long piece, boolean withBody) {
         if (withBody && body != simulation.bodies.ground()) {
-            simulation.bodies.remove(body);
+            simulation.calls.change(Call.REMOVE_BODY, body);
         } else if (piece != 0) {
-            simulation.pieces.remove(piece);
+            simulation.calls.change(Call.REMOVE_PIECE, piece);
         }
     }
 
     private static void moveBody(
-            Bodies bodies,
+            Simulation simulation,
             int change,
             long body,
             float x,
@@ -839,11 +849,17 @@ final class Twins implements AutoCloseable {
             float length,
             float bend,
             float velocity) {
+        Bodies bodies = simulation.bodies;
         switch (change) {
-            case 10 -> bodies.setVelocity(body, velocity, bend * velocity);
-            case 11 -> bodies.setAngularVelocity(body, 5 * velocity);
-            case 12 -> bodies.move(body, bodies.x(body) + 0.3f * length, bodies.y(body), angle);
-            default -> bodies.teleport(body, x, y, angle);
+            case 10 ->
+                simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, velocity, bend * velocity, 0, 0);
+            case 11 ->
+                simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, 5 * velocity, 0, 0, 0);
+            case 12 -> {
+                float toX = bodies.x(body) + 0.3f * length;
+                simulation.calls.changeByFloats(Call.MOVE_BODY, body, toX, bodies.y(body), angle, 0);
+            }
+            default -> simulation.calls.changeByFloats(Call.TELEPORT_BODY, body, x, y, angle, 0);
         }
     }
 
@@ -934,7 +950,7 @@ final class Twins implements AutoCloseable {
             simulation.kinds.set(KindField.BELT_SPEED, kind, impulse);
             simulation.kinds.set(KindField.INERTIA, kind, inertia);
             simulation.kinds.set(KindField.ANGULAR_DAMPING, kind, resistance);
-            simulation.surroundings.setWallSurface(wall, resistance, resistance, impulse);
+            setWall(simulation, wall, resistance, resistance, impulse);
         }
     }
 
