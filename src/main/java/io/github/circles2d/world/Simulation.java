@@ -117,8 +117,8 @@ public final class Simulation implements AutoCloseable {
         snapshots = new Snapshots(world, nextStep);
         journal = new Journal(world);
         searches = Searches.forCircles(world);
-        terrainSearches = Searches.forTerrain(world, view);
-        bodySearches = Searches.forBodies(world, bodyView);
+        terrainSearches = Searches.forThings(world, view);
+        bodySearches = Searches.forThings(world, bodyView);
         try {
             world.needs.prepare();
         } catch (RuntimeException | Error e) {
