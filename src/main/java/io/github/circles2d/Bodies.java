@@ -157,7 +157,7 @@ public final class Bodies {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long body) {
-        return simulation.rigidReads.contains(body);
+        return simulation.rigidIds.contains(body);
     }
 
     /**
@@ -166,7 +166,7 @@ public final class Bodies {
      * @return at least 0
      */
     public int size() {
-        return simulation.rigidReads.size();
+        return simulation.rigidIds.size();
     }
 
     /**
@@ -186,7 +186,7 @@ public final class Bodies {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.rigidReads.idLimit();
+        return simulation.rigidIds.limit();
     }
 
     /**
@@ -197,7 +197,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.rigidReads.handle(id);
+        return simulation.rigidIds.handle(id);
     }
 
     // ---- what bodies are

@@ -263,7 +263,7 @@ public final class Joints {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long joint) {
-        return simulation.jointReads.contains(joint);
+        return simulation.jointIds.contains(joint);
     }
 
     /**
@@ -272,7 +272,7 @@ public final class Joints {
      * @return at least 0
      */
     public int size() {
-        return simulation.jointReads.size();
+        return simulation.jointIds.size();
     }
 
     /**
@@ -292,7 +292,7 @@ public final class Joints {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.joints.idLimit();
+        return simulation.jointIds.limit();
     }
 
     /**
@@ -303,7 +303,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.joints.handle(id);
+        return simulation.jointIds.handle(id);
     }
 
     /**

@@ -129,7 +129,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if a value is out of range, or there are 2^20 bodies
      */
     public TerrainBody addBody(float x, float y, float angle) {
-        makeRoom(simulation.bodies.idLimit());
+        makeRoom(simulation.bodyIds.limit());
         TerrainBody body = new TerrainBody(simulation);
         long handle = simulation.bodies.add(x, y, angle);
         bodies[Handle.id(handle)] = body.of(handle);
@@ -302,7 +302,7 @@ public final class Terrain {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long piece) {
-        return simulation.pieces.contains(piece);
+        return simulation.pieceIds.contains(piece);
     }
 
     /**
@@ -322,7 +322,7 @@ public final class Terrain {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.pieces.idLimit();
+        return simulation.pieceIds.limit();
     }
 
     /**
@@ -333,7 +333,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.pieces.handle(id);
+        return simulation.pieceIds.handle(id);
     }
 
     /**
@@ -342,7 +342,7 @@ public final class Terrain {
      * @return at least 0
      */
     public int size() {
-        return simulation.pieces.size();
+        return simulation.pieceIds.size();
     }
 
     /**

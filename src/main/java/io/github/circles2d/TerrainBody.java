@@ -54,7 +54,7 @@ public final class TerrainBody {
      * @return true at first
      */
     public boolean exists() {
-        return simulation.bodies.contains(handle);
+        return simulation.bodyIds.contains(handle);
     }
 
     // ---- pieces

@@ -3,7 +3,6 @@ package io.github.circles2d;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
-import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
@@ -413,7 +412,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void grow(long handle, float radius, int steps) {
-        simulation.growth.grow(handle, radius, steps);
+        simulation.calls.change(Call.GROW, handle, Float.floatToRawIntBits(radius), steps, 0);
     }
 
     /**
@@ -1783,7 +1782,7 @@ public final class World implements AutoCloseable {
      * @return the figures as of now
      */
     public WorldStats stats() {
-        Figures figures = simulation.figures();
+        Simulation.Figures figures = simulation.figures();
         return new WorldStats(
                 figures.circles(),
                 figures.candidatePairs(),

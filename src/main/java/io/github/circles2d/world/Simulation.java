@@ -24,6 +24,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.reads.CircleContacts;
+import io.github.circles2d.world.reads.IdReads;
 import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
@@ -41,6 +42,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Collections;
+import java.util.Map;
 
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
@@ -65,6 +67,10 @@ public final class Simulation implements AutoCloseable {
     public final RigidCalls rigids;
     public final RigidBulk rigidBulk;
     public final RigidReads rigidReads;
+    public final IdReads pieceIds;
+    public final IdReads bodyIds;
+    public final IdReads rigidIds;
+    public final IdReads jointIds;
     public final Readings readings;
     public final Loads loads;
     public final CircleContacts contacts;
@@ -109,6 +115,10 @@ public final class Simulation implements AutoCloseable {
         rigids = new RigidCalls(world, kinds);
         rigidBulk = new RigidBulk(world, rigids);
         rigidReads = new RigidReads(world);
+        pieceIds = new IdReads(world, world.terrain.pieces.ids);
+        bodyIds = new IdReads(world, world.terrain.bodies.ids);
+        rigidIds = new IdReads(world, world.rigids.ids);
+        jointIds = new IdReads(world, world.joints.table.ids);
         readings = new Readings(world);
         loads = new Loads(world);
         contacts = new CircleContacts(world);
@@ -336,4 +346,21 @@ public final class Simulation implements AutoCloseable {
             world.guard.leave();
         }
     }
+
+    /**
+     * Figures of a simulation, and of its last step: pairs whose distance the broad phase tested, contacts, the greatest number of contacts
+     * of one circle, circles that neither sleep nor are static; bodies that are pushed, those that do not sleep, their pairs with contacts. Memory is in bytes; times by stage since the start, in milliseconds, are empty unless profiling.
+     */
+    public record Figures(
+            int circles,
+            long candidatePairs,
+            int contacts,
+            int greatestContacts,
+            int awake,
+            int bodies,
+            int awakeBodies,
+            int bodyContacts,
+            long bytesHeld,
+            Map<String, Double> stageMillis,
+            String device) {}
 }

@@ -88,23 +88,6 @@ public final class Bodies implements Calls.Effects {
         to.keepOneBetween(before, after, alpha, table, world.terrain.bounds(), id);
     }
 
-    public boolean contains(long handle) {
-        world.guard.check();
-        return table.ids.find(handle) >= 0;
-    }
-
-    /** One more than the greatest id that a body has had; the ground has 0. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the body that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.check();
-        return table.ids.handleOrNone(id);
-    }
-
     /** The id of a body that is there. */
     public int require(long handle) {
         world.guard.check();
@@ -117,11 +100,11 @@ public final class Bodies implements Calls.Effects {
     }
 
     public float x(long handle) {
-        return table.x(require(handle));
+        return (float) table.x[require(handle)];
     }
 
     public float y(long handle) {
-        return table.y(require(handle));
+        return (float) table.y[require(handle)];
     }
 
     /** Where a place in a body's coordinates is in the world now. */
@@ -165,18 +148,18 @@ public final class Bodies implements Calls.Effects {
 
     /** In radians, at least -pi and less than pi. */
     public float angle(long handle) {
-        return (float) (table.angle(require(handle)) * Rotation.RADIANS_PER_UNIT);
+        return Surface.radians(table.angle[require(handle)]);
     }
 
     public float vx(long handle) {
-        return table.vx(require(handle));
+        return table.vx[require(handle)];
     }
 
     public float vy(long handle) {
-        return table.vy(require(handle));
+        return table.vy[require(handle)];
     }
 
     public float angularVelocity(long handle) {
-        return table.omega(require(handle));
+        return table.omega[require(handle)];
     }
 }

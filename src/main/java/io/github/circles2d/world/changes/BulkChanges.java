@@ -122,6 +122,22 @@ public final class BulkChanges {
         }
     }
 
+    /** Refuses kinds that are not one for each of so many; null are none. */
+    static void checkKinds(int[] kinds, int n) {
+        if (kinds != null && kinds.length != n) {
+            throw new IllegalArgumentException(
+                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
+        }
+    }
+
+    /** Refuses an array, which may be null, without room for the handles of so many. */
+    static void checkHandles(long[] to, int n, String what) {
+        if (to != null && to.length < n) {
+            throw new IllegalArgumentException(
+                    "handles has " + to.length + " elements, but there are " + n + " " + what);
+        }
+    }
+
     /** The id of handle i; -1 if it is stale and left out. Each element is read once: another thread may write to the array. */
     private int find(long[] circles, int i, boolean skipStale) {
         long handle = circles[i];

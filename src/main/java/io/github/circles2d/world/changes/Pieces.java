@@ -69,7 +69,7 @@ public final class Pieces implements Calls.Effects {
             int of = world.body(body);
             KindTable.check(kind);
             int n = copy(ends);
-            checkHandles(handles, n);
+            BulkChanges.checkHandles(handles, n, "pieces");
             for (int k = 0; k < n; k++) {
                 checkSegment(of, kind, k);
             }
@@ -125,13 +125,6 @@ public final class Pieces implements Calls.Effects {
         }
     }
 
-    private static void checkHandles(long[] handles, int n) {
-        if (handles != null && handles.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + handles.length + " elements, but there are " + n + " pieces");
-        }
-    }
-
     /** Adds an arc, anticlockwise between two angles in radians, and returns its handle. inside: circles are inside it. */
     public long addArc(long body, int kind, float x, float y, float radius, float from, float to, boolean inside) {
         return world.calls.change(
@@ -154,7 +147,7 @@ public final class Pieces implements Calls.Effects {
             KindTable.check(kind);
             boolean closed = chain.isClosed();
             int n = chain.pieces();
-            checkHandles(handles, n);
+            BulkChanges.checkHandles(handles, n, "pieces");
             checkChain(chain, n);
             makeRoom(n);
             world.copies.forgetSaved();
@@ -303,29 +296,6 @@ public final class Pieces implements Calls.Effects {
         }
     }
 
-    public boolean contains(long handle) {
-        world.guard.check();
-        return table.ids.find(handle) >= 0;
-    }
-
-    /** One more than the greatest id that a piece has had. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the piece that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.check();
-        return table.ids.handleOrNone(id);
-    }
-
-    /** The number of pieces. */
-    public int size() {
-        world.guard.check();
-        return table.ids.size();
-    }
-
     public int kindOf(long handle) {
         world.guard.check();
         return table.kindOf(world.piece(handle));
@@ -369,7 +339,7 @@ public final class Pieces implements Calls.Effects {
             throw new IllegalArgumentException("pieces has " + to.length + " elements, but there are " + n
                     + " pieces of " + PieceRead.STRIDE + " elements");
         }
-        checkHandles(handles, n);
+        BulkChanges.checkHandles(handles, n, "pieces");
         return n;
     }
 }

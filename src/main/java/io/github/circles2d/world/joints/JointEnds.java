@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
 
@@ -88,7 +89,7 @@ public final class JointEnds {
             to(rigids.places.x(), rigids.places.y());
         } else if (b != JointRow.NONE) {
             to(circleX(b), circleY(b));
-        } else if (JointForm.takesAnchor(table.form(joint))) {
+        } else if (JointRules.takesAnchor(table.form(joint))) {
             BodyPoses poses = drawn == null ? null : drawn.between;
             to(joints.anchors.x(joint, poses), joints.anchors.y(joint, poses));
         }

@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.terrain.TerrainTables;
@@ -53,10 +54,7 @@ public final class JointTables {
     /** Adds a joint of a circle with a place in the world, or on a body. */
     public int add(JointForm form, int circle, int body, float x, float y) {
         int joint = table.add(form, circle, JointRow.NONE);
-        if (body != AnchorPlaces.WORLD) {
-            table.places.enter(joint, body);
-        }
-        anchors.set(joint, x, y);
+        anchor(joint, body, x, y);
         return joint;
     }
 
@@ -72,7 +70,7 @@ public final class JointTables {
         return joint;
     }
 
-    /** Gives the last joint of a body an anchor in the world, or on a body of terrain. */
+    /** Gives a new joint an anchor in the world, or on a body of terrain. */
     public void anchor(int joint, int body, float x, float y) {
         if (body != AnchorPlaces.WORLD) {
             table.places.enter(joint, body);
@@ -190,7 +188,7 @@ public final class JointTables {
 
     /** Refuses a joint without an anchor. */
     public void requireAnchor(int joint) {
-        JointSetting.require(JointForm.takesAnchor(table.form(joint)), table.form(joint), "anchor");
+        JointSetting.require(JointRules.takesAnchor(table.form(joint)), table.form(joint), "anchor");
         if (table.b(joint) != JointRow.NONE || table.rigid.body(joint, RigidEnds.B) != JointRow.NONE) {
             throw new IllegalArgumentException("the " + JointForm.name(table.form(joint)) + " with the handle "
                     + table.ids.handle(joint) + " holds two "

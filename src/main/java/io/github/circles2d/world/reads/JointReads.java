@@ -3,7 +3,6 @@ package io.github.circles2d.world.reads;
 import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
-import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJointStates;
@@ -32,27 +31,6 @@ public final class JointReads {
     public JointReads(WorldParts world) {
         this.world = world;
         table = world.joints.table;
-    }
-
-    public boolean contains(long handle) {
-        world.guard.enter();
-        try {
-            world.pending.settleJoints();
-            return table.ids.find(handle) >= 0;
-        } finally {
-            world.guard.leave();
-        }
-    }
-
-    /** The number of joints. */
-    public int size() {
-        world.guard.enter();
-        try {
-            world.pending.settleJoints();
-            return table.ids.size();
-        } finally {
-            world.guard.leave();
-        }
     }
 
     /** The handle of the circle or body that is the first end of a joint, or the other one; 0 if there is none. */
@@ -275,16 +253,16 @@ public final class JointReads {
 
     private float load(SavedJointStates states, int joint, int which, float dt) {
         return switch (which) {
-            case FORCE_X -> JointLoads.forceX(states, joint, dt);
-            case FORCE_Y -> JointLoads.forceY(states, joint, dt);
-            case TORQUE -> JointLoads.torque(states, joint, dt);
+            case FORCE_X -> states.forceX(joint, dt);
+            case FORCE_Y -> states.forceY(joint, dt);
+            case TORQUE -> states.torque(joint, dt);
             default -> {
                 if (!JointForm.isAxial(table.form(joint)) || isWeldOfBody(joint)) {
-                    yield JointLoads.force(states, joint, dt);
+                    yield states.force(joint, dt);
                 }
                 JointEnds ends = world.joints.ends().look(world.last.circles());
                 ends.of(joint);
-                yield ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
+                yield ends.along(states.forceX(joint, dt), states.forceY(joint, dt));
             }
         };
     }

@@ -171,7 +171,7 @@ final class BodyChanges {
     }
 
     float[] poses() {
-        float[] poses = new float[3 * simulation.rigidReads.idLimit()];
+        float[] poses = new float[3 * simulation.rigidIds.limit()];
         simulation.rigidReads.readById(poses, null);
         return poses;
     }

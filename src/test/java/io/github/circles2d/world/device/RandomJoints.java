@@ -124,8 +124,8 @@ final class RandomJoints {
     }
 
     private long anyJoint() {
-        int ids = simulation.joints.idLimit();
-        return ids == 0 ? 0 : simulation.joints.handle(random.nextInt(ids));
+        int ids = simulation.jointIds.limit();
+        return ids == 0 ? 0 : simulation.jointIds.handle(random.nextInt(ids));
     }
 
     private float at(float from) {

@@ -139,7 +139,7 @@ final class SleepingBodies {
             case 22 -> Twins.setWall(simulation, random.nextInt(4), between(0.4f, 0.8f), 0.05f, 0);
             default -> {
                 simulation.fields.setOwn(CircleField.GRAVITY_SCALE, circle, between(0.5f, 1.5f));
-                if (simulation.jointReads.contains(rod)) {
+                if (simulation.jointIds.contains(rod)) {
                     simulation.calls.change(Call.REMOVE_JOINT, rod);
                 }
             }
@@ -154,7 +154,7 @@ final class SleepingBodies {
     String awake() {
         mostSleepers = Math.max(
                 mostSleepers, simulation.circles.size() - simulation.figures().awake());
-        mostSleepingBodies = Math.max(mostSleepingBodies, simulation.rigidReads.size() - simulation.rigidReads.awake());
+        mostSleepingBodies = Math.max(mostSleepingBodies, simulation.rigidIds.size() - simulation.rigidReads.awake());
         long[] ids = new long[simulation.circles.idLimit() / Long.SIZE + 1];
         simulation.readings.readAwakeById(ids);
         StringBuilder all = new StringBuilder(Arrays.toString(ids));
@@ -174,7 +174,7 @@ final class SleepingBodies {
     }
 
     float[] poses() {
-        float[] poses = new float[3 * simulation.rigidReads.idLimit()];
+        float[] poses = new float[3 * simulation.rigidIds.limit()];
         simulation.rigidReads.readById(poses, null);
         return poses;
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
-import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.changes.Bodies;
@@ -25,6 +24,7 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.reads.IdReads;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
@@ -368,11 +368,11 @@ final class Twins implements AutoCloseable {
      * to where circles are, so the pairs that they test are compared if radii are alike, no circle is static, and the grid is not fitted.
      */
     void assertSameFigures() {
-        Figures expected = simulations[0].figures();
+        Simulation.Figures expected = simulations[0].figures();
         boolean fits = Arrays.stream(pipelines).anyMatch(each -> each instanceof JvmPipeline jvm && jvm.fitsGrid());
         boolean lookAlike = !fits && lookForPairsAlike();
         for (Simulation simulation : simulations) {
-            Figures figures = simulation.figures();
+            Simulation.Figures figures = simulation.figures();
             assertThat(figures.contacts()).isEqualTo(expected.contacts());
             assertThat(figures.greatestContacts()).isEqualTo(expected.greatestContacts());
             if (lookAlike) {
@@ -551,7 +551,7 @@ final class Twins implements AutoCloseable {
 
     /** Number of pieces of terrain. */
     int pieces() {
-        return simulations[0].pieces.size();
+        return simulations[0].pieceIds.size();
     }
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
@@ -864,9 +864,9 @@ final class Twins implements AutoCloseable {
     }
 
     private long anyBody(SplittableRandom random) {
-        Bodies bodies = simulations[0].bodies;
-        long body = bodies.handle(random.nextInt(bodies.idLimit()));
-        return random.nextInt(3) == 0 || body == 0 ? bodies.ground() : body;
+        IdReads bodies = simulations[0].bodyIds;
+        long body = bodies.handle(random.nextInt(bodies.limit()));
+        return random.nextInt(3) == 0 || body == 0 ? simulations[0].bodies.ground() : body;
     }
 
     /** Adds a joint, changes or removes one; of a circle of a low id, so that it has many. Some calls are refused. */
@@ -886,13 +886,13 @@ final class Twins implements AutoCloseable {
 
     /** Number of joints. */
     int joints() {
-        return simulations[0].jointReads.size();
+        return simulations[0].jointIds.size();
     }
 
     /** 0 if there is none. */
     private long anyPiece(SplittableRandom random) {
-        Pieces pieces = simulations[0].pieces;
-        return pieces.idLimit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.idLimit()));
+        IdReads pieces = simulations[0].pieceIds;
+        return pieces.limit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.limit()));
     }
 
     private static float surface(SplittableRandom random) {
@@ -958,7 +958,7 @@ final class Twins implements AutoCloseable {
     private void grow(int id, float radius, int steps) {
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.growth.grow(handles[id], radius, steps);
+                simulation.calls.change(Call.GROW, handles[id], Float.floatToRawIntBits(radius), steps, 0);
             }
         }
     }

@@ -216,7 +216,7 @@ class TerrainTablesTest {
             begin();
             end();
         }
-        assertThat(tables.bodies.x(body)).isCloseTo(90_000.6f, within(0.01f));
+        assertThat((float) tables.bodies.x[body]).isCloseTo(90_000.6f, within(0.01f));
     }
 
     @Test
