@@ -53,7 +53,7 @@ public final class Bodies implements Calls.Effects {
             table.ensure(1);
         } else if (call == Call.REMOVE_BODY) {
             world.pending.settleJoints();
-            world.joints.departures().ensure(world.joints.table.places.count());
+            world.joints.departures.ensure(world.joints.table.places.count());
         }
         world.calls.begin(call, w);
         switch (call) {
@@ -61,7 +61,7 @@ public final class Bodies implements Calls.Effects {
                 return table.ids.handle(world.terrain.addBody(real(w[0]), real(w[1]), Surface.units(real(w[2]))));
             }
             case REMOVE_BODY -> {
-                world.joints.departures().removeOfBody(w[0]);
+                world.joints.departures.removeOfBody(w[0]);
                 world.terrain.removeBody(w[0]);
             }
             case BODY_VELOCITY -> table.setVelocity(w[0], real(w[1]), real(w[2]));

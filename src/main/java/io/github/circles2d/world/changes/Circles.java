@@ -91,7 +91,7 @@ public final class Circles implements Calls.Effects {
      */
     private void removeAll() {
         world.pending.settleJoints();
-        world.joints.departures().ensure(world.joints.table.ids.size());
+        world.joints.departures.ensure(world.joints.table.ids.size());
         if (world.events.isOn()) {
             world.pending.expect(world.handles.size());
         } else {
@@ -100,7 +100,7 @@ public final class Circles implements Calls.Effects {
         }
         world.copies.forget();
         world.calls.begin(Call.CLEAR, 0, 0, 0, 0);
-        world.joints.departures().removeOfCircles();
+        world.joints.departures.removeOfCircles();
         world.rigids.circlesGo();
         if (world.events.isOn()) {
             world.pending.recordRemovals();

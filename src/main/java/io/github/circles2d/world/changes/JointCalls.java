@@ -181,7 +181,7 @@ public final class JointCalls implements Calls.Effects {
     private void prepare(Call call, int[] w, JointForm of) {
         if (call == Call.RIGID_JOINT) {
             prepareOfBodies(w, of);
-            if (JointForm.isWeld(of.traits())) {
+            if (of.kind() == JointForm.WELD) {
                 world.joints.requireWeld(w[0], w[1], w[4], w[5], pointsOf(w), world.last.circles());
             }
         } else if (call == Call.ANCHORED_JOINT) {
@@ -500,7 +500,7 @@ public final class JointCalls implements Calls.Effects {
         world.guard.enter();
         try {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
-            world.joints.departures().report(on);
+            world.joints.departures.report(on);
         } finally {
             world.guard.leave();
         }
@@ -509,7 +509,7 @@ public final class JointCalls implements Calls.Effects {
     /** Whether somebody is told of joints that go by themselves. */
     public boolean reports() {
         world.guard.check();
-        return world.joints.departures().reports();
+        return world.joints.departures.reports();
     }
 
     /** Gives those that went since the last call. */
@@ -517,7 +517,7 @@ public final class JointCalls implements Calls.Effects {
         world.guard.enter();
         try {
             world.pending.settleJoints();
-            world.joints.departures().gone().moveTo(to);
+            world.joints.departures.gone().moveTo(to);
         } finally {
             world.guard.leave();
         }

@@ -4,6 +4,7 @@ import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointDepartures;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.Call;
@@ -25,7 +26,7 @@ public final class Pieces implements Calls.Effects {
     /** A copy of the caller's array. */
     private float[] copied = new float[0];
 
-    /** Those of a segment of many, or of a part of a chain. */
+    /** Those of a segment of many. */
     private final int[] words = new int[Call.MOST_WORDS];
 
     /** The chain of which a log has the parts; null if none has begun. */
@@ -171,25 +172,17 @@ public final class Pieces implements Calls.Effects {
 
     /** The first pieces of a chain, so many, are to be added. */
     private void logChain(int body, int kind, ChainPath of, int n, boolean closed) {
-        log(Call.CHAIN_START, floatToRawIntBits(of.x(0)), floatToRawIntBits(of.y(0)), 0, 0);
+        world.log.write(Call.CHAIN_START, floatToRawIntBits(of.x(0)), floatToRawIntBits(of.y(0)), 0, 0);
         for (int k = 0; k < n; k++) {
             long turn = of.turn(k);
             if (turn == 0) {
-                log(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
+                world.log.write(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
             } else {
                 int x = floatToRawIntBits(of.centreX(k));
-                log(Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
+                world.log.write(Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
             }
         }
-        log(Call.CHAIN, body, kind, closed ? 1 : 0, 0);
-    }
-
-    private void log(Call call, int a, int b, int c, int d) {
-        words[0] = a;
-        words[1] = b;
-        words[2] = c;
-        words[3] = d;
-        world.log.write(call, words);
+        world.log.write(Call.CHAIN, body, kind, closed ? 1 : 0, 0);
     }
 
     /** Circles may lie on what goes, or where something comes. */
@@ -232,9 +225,9 @@ public final class Pieces implements Calls.Effects {
             }
             case CLEAR_TERRAIN -> {
                 world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.places.count());
+                world.joints.departures.ensure(world.joints.table.places.count());
                 world.calls.begin(call, w);
-                world.joints.departures().removeOfBodies();
+                world.joints.departures.removeOfBody(JointDepartures.ALL);
                 world.terrain.clear();
             }
             case REMOVE_PIECE -> {
@@ -243,7 +236,7 @@ public final class Pieces implements Calls.Effects {
             }
             default -> {
                 world.calls.begin(call, w, table.kindOf(w[0]) != w[1]);
-                world.terrain.setKind(w[0], w[1]);
+                table.setKind(w[0], w[1]);
             }
         }
         return 0;

@@ -6,6 +6,7 @@ import static java.lang.Float.floatToRawIntBits;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidRules;
 import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.joints.JointDepartures;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.Call;
@@ -180,7 +181,7 @@ public final class RigidCalls implements Calls.Effects {
             case REMOVE_RIGID, CLEAR_RIGIDS -> {
                 makeRoomToWake(bodies);
                 world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.rigid.count());
+                world.joints.departures.ensure(world.joints.table.rigid.count());
             }
             case RIGID_GROUP -> {
                 makeRoomToWake(bodies);
@@ -198,12 +199,12 @@ public final class RigidCalls implements Calls.Effects {
         table.step.changes++;
         switch (call) {
             case REMOVE_RIGID -> {
-                world.joints.departures().removeOfRigid(w[0]);
+                world.joints.departures.removeOfRigid(w[0]);
                 wakeNear(w[0]);
                 table.remove(w[0]);
             }
             case CLEAR_RIGIDS -> {
-                world.joints.departures().removeOfRigids();
+                world.joints.departures.removeOfRigid(JointDepartures.ALL);
                 wakeAll();
                 table.clear();
             }

@@ -189,11 +189,6 @@ public final class JointForm {
     // ---- by {@link JointRow#FORM}
     // -----------------------------------------------------------------------------------------
 
-    /** Whether it holds two ends as they lie. */
-    public static boolean isWeld(int traits) {
-        return kind(traits) == WELD;
-    }
-
     /** One of the numbers above. */
     static int kind(int traits) {
         switch (traits & JointRow.LINEAR) {

@@ -24,8 +24,12 @@ public final class JointTables {
     private final RigidTable rigids;
     private final TerrainTables terrain;
     private final JointSchedule schedule = new JointSchedule(table);
-    private final JointEnds ends;
-    private final JointDepartures departures;
+
+    /** Where the ends of joints are, for a caller to look at. */
+    public final JointEnds ends;
+
+    /** How joints go by themselves. */
+    public final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
     public JointTables(JointStep step, HandleTable handles, TerrainTables terrain, RigidTable rigids) {
@@ -173,11 +177,6 @@ public final class JointTables {
         return angles == null ? 0 : angles[handles.place(circle)];
     }
 
-    /** Where the ends of joints are, for a caller to look at. */
-    public JointEnds ends() {
-        return ends;
-    }
-
     /** Refuses values that are out of range, and joints that do not have this. */
     public void check(int joint, JointSetting setting, float a, float b) {
         setting.check(table.form(joint), a, b);
@@ -199,11 +198,6 @@ public final class JointTables {
     /** Returns whether the joint is another one then. */
     public boolean set(int joint, JointSetting setting, float a, float b) {
         return setting == JointSetting.ANCHOR ? anchors.set(joint, a, b) : table.set(joint, setting, a, b);
-    }
-
-    /** How joints go by themselves. */
-    public JointDepartures departures() {
-        return departures;
     }
 
     // ---- states

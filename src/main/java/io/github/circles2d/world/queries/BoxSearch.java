@@ -275,7 +275,7 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
         double x = startX + unitX * distance;
         double y = startY + unitY * distance;
         shape.normalAt(x, y, reach, unitX, unitY);
-        CastSearch.write(to, at, distance, x, y, shape.normalX(), shape.normalY());
+        CastSearch.write(to, at, distance, x, y, shape.normalX, shape.normalY);
     }
 
     // ---- the nearest
@@ -358,6 +358,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
         take(found.id(k), found.place(k));
         shape.normalFrom(startX, startY);
         CastSearch.write(
-                to, at, found.distance(k), shape.surfaceX(), shape.surfaceY(), shape.normalX(), shape.normalY());
+                to, at, found.distance(k), shape.surfaceX, shape.surfaceY, shape.normalX, shape.normalY);
     }
 }

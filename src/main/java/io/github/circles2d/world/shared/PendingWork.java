@@ -122,17 +122,17 @@ public final class PendingWork {
     }
 
     private void takeAwayBroken() {
-        boolean reports = world.joints.departures().reports();
+        boolean reports = world.joints.departures.reports();
         if (reports) {
             world.pipeline.saveJoints(jointStates);
-            world.joints.departures().ensure(broken.count);
+            world.joints.departures.ensure(broken.count);
         }
         world.guard.changing = true;
         for (int k = 0; k < broken.count; k++) {
             int joint = broken.id(k);
             float force = reports ? jointStates.force(joint, world.settings.lastStep()) : 0f;
             float torque = reports ? jointStates.torque(joint, world.settings.lastStep()) : 0f;
-            world.joints.departures().breakJoint(joint, force, torque);
+            world.joints.departures.breakJoint(joint, force, torque);
         }
         broken.count = 0;
         world.guard.changing = false;
