@@ -497,7 +497,8 @@ public final class Joints {
     // -----------------------------------------------------------------------------------------------
 
     private void set(JointSetting setting, long joint, float a, float b) {
-        simulation.calls.change(Call.JOINT_SETTING, joint, setting.number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
+        simulation.calls.change(
+                Call.JOINT_SETTING, joint, setting.number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
     }
 
     /**

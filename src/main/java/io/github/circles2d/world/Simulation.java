@@ -176,7 +176,10 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
-        return !nextStep.isEmpty() || world.settings.wallsMove() || world.terrain.bodies.anyMoves() || world.rigids.pushes();
+        return !nextStep.isEmpty()
+                || world.settings.wallsMove()
+                || world.terrain.bodies.anyMoves()
+                || world.rigids.pushes();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */

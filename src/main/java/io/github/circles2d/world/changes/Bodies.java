@@ -2,7 +2,6 @@ package io.github.circles2d.world.changes;
 
 import static io.github.circles2d.world.shared.Call.real;
 
-import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.Call;

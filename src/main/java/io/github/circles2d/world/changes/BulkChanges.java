@@ -216,9 +216,7 @@ public final class BulkChanges {
         for (int id = 0; id < world.handles.end(); id++) {
             if (world.handles.lives(id)) {
                 int kind = world.handles.fields().getInt(CircleField.KIND, id);
-                if ((!masked || isOf(kind, mask))
-                        && explosion.reaches(circles, s)
-                        && !(hides && isHidden(kind))) {
+                if ((!masked || isOf(kind, mask)) && explosion.reaches(circles, s) && !(hides && isHidden(kind))) {
                     changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     pushed++;
                 }

@@ -179,7 +179,8 @@ public final class Pieces implements Calls.Effects {
                 world.log.write(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
             } else {
                 int x = floatToRawIntBits(of.centreX(k));
-                world.log.write(Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
+                world.log.write(
+                        Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
             }
         }
         world.log.write(Call.CHAIN, body, kind, closed ? 1 : 0, 0);

@@ -41,7 +41,9 @@ public final class JointAnchors {
         }
         float x = table.places.x(joint);
         float y = table.places.y(joint);
-        return poses == null ? onBodies.x(body, x, y, terrain.bounds()) : onBodies.x(poses, body, x, y, terrain.bounds());
+        return poses == null
+                ? onBodies.x(body, x, y, terrain.bounds())
+                : onBodies.x(poses, body, x, y, terrain.bounds());
     }
 
     public float y(int joint, BodyPoses poses) {
@@ -51,7 +53,9 @@ public final class JointAnchors {
         }
         float x = table.places.x(joint);
         float y = table.places.y(joint);
-        return poses == null ? onBodies.y(body, x, y, terrain.bounds()) : onBodies.y(poses, body, x, y, terrain.bounds());
+        return poses == null
+                ? onBodies.y(body, x, y, terrain.bounds())
+                : onBodies.y(poses, body, x, y, terrain.bounds());
     }
 
     /** Gives a joint without another circle a place, in the world or on the body that it has. Returns whether that is another one. */

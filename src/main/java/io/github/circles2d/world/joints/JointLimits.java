@@ -36,16 +36,15 @@ public final class JointLimits {
     /** Of two things, of which one is a body that is pushed. */
     public static void things(JointForm form) {
         if (JointRules.takesNothing(form.traits) && !JointRules.takesCircles(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name()
-                    + " cannot hold a body to another end, but must hold it to " + form.place(true));
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " cannot hold a body to another end, but must hold it to " + form.place(true));
         }
     }
 
     /** Of a body that is pushed, or of a circle, and a place. */
     public static void anchor(JointForm form, boolean ofBody, float x, float y) {
         if (!JointRules.takesAnchor(form.traits)) {
-            throw new IllegalArgumentException(
-                    "a " + form.name() + " takes no anchor, but " + mustHold(form, ofBody));
+            throw new IllegalArgumentException("a " + form.name() + " takes no anchor, but " + mustHold(form, ofBody));
         }
         JointSetting.ANCHOR.check(form.traits, x, y);
     }

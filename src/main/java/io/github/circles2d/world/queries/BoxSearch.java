@@ -357,7 +357,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     public void writeNearest(int k, float[] to, int at) {
         take(found.id(k), found.place(k));
         shape.normalFrom(startX, startY);
-        CastSearch.write(
-                to, at, found.distance(k), shape.surfaceX, shape.surfaceY, shape.normalX, shape.normalY);
+        CastSearch.write(to, at, found.distance(k), shape.surfaceX, shape.surfaceY, shape.normalX, shape.normalY);
     }
 }

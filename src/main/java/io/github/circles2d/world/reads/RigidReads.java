@@ -6,7 +6,6 @@ import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.bodies.RigidTouches;
-import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.WorldParts;

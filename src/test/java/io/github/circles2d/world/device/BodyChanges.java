@@ -62,8 +62,12 @@ final class BodyChanges {
         long body = bodies.get(random.nextInt(bodies.size()));
         switch (step % 5) {
             case 1 -> simulation.rigids.applyImpulse(body, between(-9, 9), between(-9, 9));
-            case 2 -> simulation.calls.changeByFloats(Call.RIGID_FORCE, body, between(-90, 90), between(-90, 90), between(-9, 9), 0);
-            case 3 -> simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, between(2, 10), between(2, 10), between(-3, 3), 0);
+            case 2 ->
+                simulation.calls.changeByFloats(
+                        Call.RIGID_FORCE, body, between(-90, 90), between(-90, 90), between(-9, 9), 0);
+            case 3 ->
+                simulation.calls.changeByFloats(
+                        Call.TELEPORT_RIGID, body, between(2, 10), between(2, 10), between(-3, 3), 0);
             case 4 -> addBodies(1);
             default -> {}
         }

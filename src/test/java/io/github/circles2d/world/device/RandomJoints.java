@@ -89,8 +89,7 @@ final class RandomJoints {
         JointSetting setting = SETTINGS[random.nextInt(SETTINGS.length)];
         switch (setting) {
             case LENGTH -> set(setting, joint, 0.1f * width * between(0, 1), 0);
-            case LIMITS ->
-                set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
+            case LIMITS -> set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
             case ANCHOR ->
                 set(
                         setting,

@@ -118,11 +118,15 @@ final class SleepingBodies {
                 simulation.circles.remove(circle);
             }
             case 6 -> simulation.circles.set(Commands.POSITION, circle, x, between(0.5f, 3));
-            case 7 -> simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, between(0.5f, 3), between(-1, 1), 0);
+            case 7 ->
+                simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, between(0.5f, 3), between(-1, 1), 0);
             case 8 -> simulation.calls.makeOfFloats(Call.GRAVITY, between(-1, 1), -10, 0, 0);
             case 9 -> simulation.kinds.set(KindField.FRICTION, 0, Float.floatToRawIntBits(between(0.3f, 0.8f)));
-            case 10 -> simulation.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, between(-0.2f, 0.2f), between(-0.2f, 0.2f), 0, 0);
-            case 11 -> simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, between(-0.05f, 0.05f), 0, 0, 0);
+            case 10 ->
+                simulation.calls.changeByFloats(
+                        Call.RIGID_LASTING_FORCE, body, between(-0.2f, 0.2f), between(-0.2f, 0.2f), 0, 0);
+            case 11 ->
+                simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, between(-0.05f, 0.05f), 0, 0, 0);
             case 12 -> simulation.circles.setForce(circle, between(-0.1f, 0.1f), between(-0.1f, 0.1f));
             case 13 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, lift, 0, between(0, 0.05f), 0, 0);
             case 14 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, lift, 0, 0, 0, 0);

@@ -851,10 +851,8 @@ final class Twins implements AutoCloseable {
             float velocity) {
         Bodies bodies = simulation.bodies;
         switch (change) {
-            case 10 ->
-                simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, velocity, bend * velocity, 0, 0);
-            case 11 ->
-                simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, 5 * velocity, 0, 0, 0);
+            case 10 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, velocity, bend * velocity, 0, 0);
+            case 11 -> simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, 5 * velocity, 0, 0, 0);
             case 12 -> {
                 float toX = bodies.x(body) + 0.3f * length;
                 simulation.calls.changeByFloats(Call.MOVE_BODY, body, toX, bodies.y(body), angle, 0);

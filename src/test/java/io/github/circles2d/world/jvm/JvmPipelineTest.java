@@ -90,7 +90,8 @@ class JvmPipelineTest {
 
     private static void setWall(Calls calls, int wall, float friction, float rolling, float belt) {
         int rollingBits = Float.floatToRawIntBits(rolling);
-        calls.make(Call.WALL_SURFACE, wall, Float.floatToRawIntBits(friction), rollingBits, Float.floatToRawIntBits(belt));
+        calls.make(
+                Call.WALL_SURFACE, wall, Float.floatToRawIntBits(friction), rollingBits, Float.floatToRawIntBits(belt));
     }
 
     private static int[] permutation(int n, Random random) {
