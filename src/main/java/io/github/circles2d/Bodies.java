@@ -4,6 +4,7 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Call;
 
 /**
  * The bodies of a {@link World} that are pushed: boxes, capsules, gears, any {@link Outline}. They fall, turn, and push each other, circles, and
@@ -128,7 +129,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void remove(long body) {
-        simulation.rigids.remove(body);
+        simulation.calls.change(Call.REMOVE_RIGID, body);
     }
 
     /**
@@ -146,7 +147,7 @@ public final class Bodies {
 
     /** Removes all bodies. {@link World#clear} leaves them. */
     public void clear() {
-        simulation.rigids.clear();
+        simulation.calls.make(Call.CLEAR_RIGIDS);
     }
 
     /**
@@ -156,7 +157,7 @@ public final class Bodies {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long body) {
-        return simulation.rigidReads.contains(body);
+        return simulation.rigidIds.contains(body);
     }
 
     /**
@@ -165,7 +166,7 @@ public final class Bodies {
      * @return at least 0
      */
     public int size() {
-        return simulation.rigidReads.size();
+        return simulation.rigidIds.size();
     }
 
     /**
@@ -185,7 +186,7 @@ public final class Bodies {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.rigidReads.idLimit();
+        return simulation.rigidIds.limit();
     }
 
     /**
@@ -196,7 +197,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.rigidReads.handle(id);
+        return simulation.rigidIds.handle(id);
     }
 
     // ---- what bodies are
@@ -244,7 +245,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setInertia(long body, float inertia) {
-        simulation.rigids.setInertia(body, inertia);
+        simulation.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0, 0);
     }
 
     /**
@@ -266,7 +267,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setRestitution(long body, float restitution) {
-        simulation.rigids.setRestitution(body, restitution);
+        simulation.calls.changeByFloats(Call.RIGID_RESTITUTION, body, restitution, 0, 0, 0);
     }
 
     /**
@@ -288,7 +289,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if there is no such kind, the body has gone, or the handle is none
      */
     public void setKind(long body, int kind) {
-        simulation.rigids.setKind(body, kind);
+        simulation.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
     }
 
     /**
@@ -300,7 +301,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void setGroup(long body, int group) {
-        simulation.rigids.setGroup(body, group);
+        simulation.calls.change(Call.RIGID_GROUP, body, group, 0, 0);
     }
 
     /**
@@ -333,7 +334,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void setTag(long body, long tag) {
-        simulation.rigids.setTag(body, tag);
+        simulation.calls.change(Call.RIGID_TAG, body, (int) tag, (int) (tag >> Integer.SIZE), 0);
     }
 
     // ---- where bodies are, and how they move
@@ -432,7 +433,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void wake(long body) {
-        simulation.rigids.wake(body);
+        simulation.calls.change(Call.WAKE_RIGID, body);
     }
 
     /**
@@ -446,7 +447,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void teleport(long body, float x, float y, float angle) {
-        simulation.rigids.teleport(body, x, y, angle);
+        simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle, 0);
     }
 
     /**
@@ -458,7 +459,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void setVelocity(long body, float vx, float vy) {
-        simulation.rigids.setVelocity(body, vx, vy);
+        simulation.calls.changeByFloats(Call.RIGID_VELOCITY, body, vx, vy, 0, 0);
     }
 
     /**
@@ -470,7 +471,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setAngularVelocity(long body, float velocity) {
-        simulation.rigids.setAngularVelocity(body, velocity);
+        simulation.calls.changeByFloats(Call.RIGID_ANGULAR_VELOCITY, body, velocity, 0, 0, 0);
     }
 
     /**
@@ -496,7 +497,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
-        simulation.rigids.applyImpulse(body, x, y, pointX, pointY);
+        simulation.calls.changeByFloats(Call.RIGID_IMPULSE, body, x, y, pointX, pointY);
     }
 
     /**
@@ -507,7 +508,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyAngularImpulse(long body, float impulse) {
-        simulation.rigids.applyAngularImpulse(body, impulse);
+        simulation.calls.changeByFloats(Call.RIGID_ANGULAR_IMPULSE, body, impulse, 0, 0, 0);
     }
 
     /**
@@ -521,7 +522,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void setForce(long body, float x, float y) {
-        simulation.rigids.setForce(body, x, y);
+        simulation.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, x, y, 0, 0);
     }
 
     /**
@@ -555,7 +556,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setTorque(long body, float torque) {
-        simulation.rigids.setTorque(body, torque);
+        simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, torque, 0, 0, 0);
     }
 
     /**
@@ -579,7 +580,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyForce(long body, float x, float y) {
-        simulation.rigids.applyForce(body, x, y, 0);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, 0, 0);
     }
 
     /**
@@ -594,7 +595,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyForce(long body, float x, float y, float pointX, float pointY) {
-        simulation.rigids.applyForce(body, x, y, pointX, pointY);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE_AT, body, x, y, pointX, pointY);
     }
 
     /**
@@ -606,7 +607,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyTorque(long body, float torque) {
-        simulation.rigids.applyForce(body, 0, 0, torque);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE, body, 0, 0, torque, 0);
     }
 
     // ---- many bodies at once

@@ -115,14 +115,8 @@ public final class RigidBulk {
             throw new IllegalArgumentException(
                     "outlines has " + outlines + " elements, but must have one for each of " + n);
         }
-        if (kinds != null && kinds.length != n) {
-            throw new IllegalArgumentException(
-                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
-        }
-        if (to != null && to.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + to.length + " elements, but there are " + n + " bodies");
-        }
+        BulkChanges.checkKinds(kinds, n);
+        BulkChanges.checkHandles(to, n, "bodies");
     }
 
     // ---- many change

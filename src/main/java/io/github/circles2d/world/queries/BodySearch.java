@@ -7,23 +7,42 @@ import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.terrain.BoxTree;
 
 /** The searches among bodies that are pushed. */
-public final class BodySearch extends BoxSearch {
-    /** A tree over the bodies that are pushed, where they are. */
-    private static final class BodyTree extends BoxTree {
+public final class BodySearch extends BoxSearch<BodyShape> {
+    private final Tree tree = new Tree();
+    private RigidStep bodies;
+
+    public BodySearch() {
+        super(new BodyShape());
+    }
+
+    /** Says which bodies the searches to come look at, as they are now; moved: whether they are others than at the last call, or elsewhere. */
+    public void show(RigidStep of, boolean moved, Bounds bounds) {
+        bodies = of;
+        if (moved) {
+            tree.build();
+        }
+        show(tree.nodes, tree.boxes, tree.links, of.end, bounds);
+    }
+
+    @Override
+    void take(int body, double byX, double byY) {
+        shape.take(bodies.outline[body], bodies.x[body] + byX, bodies.y[body] + byY, bodies.angle[body]);
+    }
+
+    /** A tree over the bodies, where they are. */
+    private final class Tree extends BoxTree {
         /** More than what boxes lose by rounding, of coordinates and extents. */
         private static final float MARGIN = 0x1p-21f;
 
-        private RigidStep bodies;
-        private int nodes;
+        int nodes;
 
         /** Builds it anew. If memory is short, it must not be searched until it has been built. */
-        private void build(RigidStep of) {
-            ensure(of.count);
-            bodies = of;
+        void build() {
+            ensure(bodies.count);
             int n = 0;
-            for (int body = 0; body < of.end; body++) {
-                if (of.outline[body] != null) {
-                    put(n++, body, of.x[body], of.y[body]);
+            for (int body = 0; body < bodies.end; body++) {
+                if (bodies.outline[body] != null) {
+                    put(n++, body, bodies.x[body], bodies.y[body]);
                 }
             }
             nodes = nodesOf(n);
@@ -48,32 +67,5 @@ public final class BodySearch extends BoxSearch {
             boxes[at + MAX_X] = x + halfX;
             boxes[at + MAX_Y] = y + halfY;
         }
-    }
-
-    private final BodyShape shape;
-    private final BodyTree tree = new BodyTree();
-    private RigidStep bodies;
-
-    public BodySearch() {
-        this(new BodyShape());
-    }
-
-    private BodySearch(BodyShape shape) {
-        super(shape);
-        this.shape = shape;
-    }
-
-    /** Says which bodies the searches to come look at, as they are now; moved: whether they are others than at the last call, or elsewhere. */
-    public void show(RigidStep of, boolean moved, Bounds bounds) {
-        bodies = of;
-        if (moved) {
-            tree.build(of);
-        }
-        show(tree.nodes, tree.boxes, tree.links, of.end, bounds);
-    }
-
-    @Override
-    void take(int body, double byX, double byY) {
-        shape.take(bodies.outline[body], bodies.x[body] + byX, bodies.y[body] + byY, bodies.angle[body]);
     }
 }
