@@ -109,6 +109,7 @@ typedef struct {
 } Ready;
 
 typedef struct {
+    float vn;            // normal speed before the visit
     float impulse;       // to apply, unless it leaves
     float normalImpulse; // accumulated
     bool leaves;
@@ -183,6 +184,7 @@ INLINE void visit(const Ready *c, float vn, bool relaxing, Visited *v) {
     if (!relaxing) bounces = bounces && c->meeting + vn < 0.0f;
     bool solved = !(leaves || bounces);
     float next = maxf((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, 0.0f);
+    v->vn = vn;
 #ifdef TURNING
     v->whole = next;
     v->still = c->still;

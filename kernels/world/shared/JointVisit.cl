@@ -1,6 +1,6 @@
 // uses: world/shared/JointMath.cl world/shared/Velocity.cl world/stages/World.cl
-// The visits of joints. The Java class JointVisits documents them, function by function. A schedule, Joints.cl, supplies the values of both ends,
-// and gives to circles what a visit leaves for them.
+// The visits of joints. The Java classes JointVisits and VisitedJoint document them, function by function. A schedule, Joints.cl, supplies
+// the values of both ends, and gives to circles what a visit leaves for them.
 
 #ifdef JOINTS
 // There once, however many kernels visit joints: compilers took minutes.

@@ -20,9 +20,10 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
         return;
     }
     *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
-    *loaded = l.LOADED_NEXT > 0.0f || t->WALL_X != 0.0f || t->WALL_Y != 0.0f;
+    bool atWalls = wallsAct(w, slot, t->WALLS);
+    *loaded = l.LOADED_NEXT > 0.0f || atWalls;
 #ifdef TERRAIN
-    *loaded = *loaded || piecesPress(w, slot);
+    *loaded = *loaded || piecesAct(w, slot);
 #endif
     // Arrays, in a loop that stays one: few circles are at walls, and in registers this would leave a GPU room for fewer work-groups.
     float x[2] = {c.x, c.y};
@@ -32,7 +33,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     float wall[2] = {t->WALL_X, t->WALL_Y};
 #ifdef TURNING
     turning->s = startedSpin(w, slot, c.RADIUS, turning->s, spinSum);
-    startWallRows(w, c, wall, next, turning);
+    if (atWalls) startWallRows(w, c, wall, next, turning);
 #endif
     float target[2];
     float low[2] = {k->minX, k->minY};

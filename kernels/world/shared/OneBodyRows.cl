@@ -1,4 +1,4 @@
-// uses: world/shared/OneBody.cl world/shared/Surface.cl
+// uses: world/shared/OneBody.cl world/shared/Surface.cl world/shared/Walls.cl
 // The rows behind the normal one of contacts with walls and terrain pieces: friction and rolling resistance, as in the Java class
 // OneBodyRows. Walls and pieces move RowImpulses, the accumulated impulses of all rows.
 
@@ -54,17 +54,28 @@ Between betweenSurfaces(const World *w, const Turning *t, int number) {
 
 bool oneBodyRowsAct(const Between *b) { return b->friction > 0.0f || b->resistance > 0.0f; }
 
-// Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed. Returns the impulse along the tangent.
-float warmOneBodyRows(Turning *t, const Between *b, RowImpulses *i) {
+// What the rows give to the velocity of the circle: along the tangent.
+typedef float RowGain;
+
+// n: normal.
+void pushByRows(RowGain gain, float nx, float ny, float4 *m) {
+    m->VX += -ny * gain;
+    m->VY += nx * gain;
+}
+
+// At a wall, whose normal has no other part. across, along: velocity across the wall and along it.
+void pushAtWall(RowGain gain, int axis, float side, float *across, float *along) { *along += tangentAlong(axis, side) * gain; }
+
+// Before the visits of a sub-step: what is accumulated acts again, unless the surfaces have changed.
+RowGain warmOneBodyRows(Turning *t, const Between *b, RowImpulses *i) {
     i->FRICTION_IMPULSE = b->friction > 0.0f ? i->FRICTION_IMPULSE : 0.0f;
     i->ROLLING_IMPULSE = b->resistance > 0.0f && t->inertia > 0.0f ? i->ROLLING_IMPULSE : 0.0f;
     t->s += t->inertia * spinOfOneBody(*i);
     return tangentImpulse(*i);
 }
 
-// Behind the visit of the normal impulse. along: speed against the other's surface; belt: see slip; bounce: target speed. Returns the impulse
-// along the tangent.
-float visitOneBodyRows(Turning *t, const Between *b, RowImpulses *i, float along, float belt, const Visited *visited, float bounce) {
+// Behind the visit of the normal impulse. along: speed against the other's surface; belt: see slip; bounce: target speed.
+RowGain visitOneBodyRows(Turning *t, const Between *b, RowImpulses *i, float along, float belt, const Visited *visited, float bounce) {
     float normalImpulse = boundingImpulse(visited);
     bool keep = rowsAreKept(visited, bounce);
     float impulse = 0.0f;

@@ -2,6 +2,14 @@
 // The rows behind the normal one of a contact of two circles, A of the lower id and B: friction along the tangent, rolling resistance. A
 // schedule moves RowImpulses, the accumulated impulses of all rows. The Java class world.jvm.solver.PairRows does the same.
 
+// As warmStartImpulse.
+INLINE RowImpulses warmStartRows(const World *w, int entry) {
+#ifdef TURNING
+    if (entry != NONE) return w->rowCache[entry] * w->warmScale;
+#endif
+    return (RowImpulses)(0.0f);
+}
+
 #ifdef TURNING
 // By what the rows of a contact act.
 typedef struct {
@@ -126,16 +134,6 @@ float slipOfPair(const PairSurface *s, float2 n, float2 beforeA, float2 beforeB,
     return hitSlip(s->friction, speedAlong(n, beforeA, beforeB), sa, sb, s->belt);
 }
 
-// By entry of the step before, or zeros.
-RowImpulses cachedRows(const World *w, int first, int higherId) {
-    for (int c = first; c >= 0;) {
-        int4 entry = w->impulseCache[c];
-        if (entry.CACHED_HIGHER_ID == higherId) return w->rowCache[c];
-        c = entry.CACHED_NEXT;
-    }
-    return (RowImpulses)(0.0f);
-}
-
 // share: 1, or of the second circle if it is heavy. If nothing turns the circles, rolling resistance has nothing to do.
 PairSurface findSurface(const World *w, uint first, uint second, float share) {
     global const float *a = surfaceOfCircle(w, (int) first);
@@ -157,16 +155,24 @@ PairSurface findSurface(const World *w, uint first, uint second, float share) {
 // Returns by what they act.
 PairSurface fillRows(const World *w, int c, uint2 p, int higherId, uint first, uint second, float share) {
     PairSurface s = findSurface(w, first, second, share);
-    RowImpulses cached = (RowImpulses)(0.0f);
-    if (rowsAct(&s) && w->firstCached[p.HIGHER] != FRESH) cached = cachedRows(w, w->firstCached[p.LOWER], higherId);
+    int entry = rowsAct(&s) ? cachedEntry(w, p.LOWER, p.HIGHER, higherId) : NONE;
     storeSurface(w, c, &s);
-    w->rowImpulses[c] = select((RowImpulses)(0.0f), cached * w->warmScale, boundsOf(&s) > 0.0f);
+    w->rowImpulses[c] = select((RowImpulses)(0.0f), warmStartRows(w, entry), boundsOf(&s) > 0.0f);
     return s;
 }
 
 // Beside the normal impulse of the contact.
 void storeRows(const World *w, int c) { w->rowCache[c] = w->rowImpulses[c]; }
 #endif
+
+// Impulses; there are none if circles cannot rotate.
+INLINE RowImpulses rowsAt(const World *w, int c) {
+#ifdef TURNING
+    return w->rowImpulses[c];
+#else
+    return (RowImpulses)(0.0f);
+#endif
+}
 
 // What a contact adds to the sums of its circles, see loadAlong. n: normal.
 float2 loadOf(const World *w, int c, float2 n, float normalImpulse) {

@@ -8,13 +8,15 @@
 #ifdef TERRAIN
 bool hasPieces(const World *w, int slot) { return w->pieces[slot].PIECES_COUNT > 0; }
 
-// Whether a piece presses a circle.
-bool piecesPress(const World *w, int slot) {
+// Whether the contact of a circle and a piece acts, see actingImpulse.
+bool pieceActs(const World *w, int k) { return actingImpulse(w->push[k].PUSH_NORMAL, w->pieceRows[k]) > 0.0f; }
+
+bool piecesAct(const World *w, int slot) {
     int2 own = w->pieces[slot];
-    bool press = false;
+    bool act = false;
 #pragma unroll 1
-    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) press |= w->push[k].PUSH_NORMAL > 0.0f;
-    return press;
+    for (int k = own.PIECES_FIRST; k < own.PIECES_FIRST + own.PIECES_COUNT; k++) act |= pieceActs(w, k);
+    return act;
 }
 
 // The base of a circle against x and y of a piece.
@@ -214,18 +216,13 @@ float restitutionAt(const World *w, float own, int kind) {
 }
 
 #ifdef TURNING
-// impulse: along the tangent.
-void pushAlong(float4 g, float impulse, float4 *m) {
-    m->VX += -g.MEASURED_Y * impulse;
-    m->VY += g.MEASURED_X * impulse;
-}
-
 void visitPieceRows(const World *w, int k, int kind, float4 g, float along, const Visited *visited, float bounce, float4 *m,
                     Turning *turning) {
     Between b = betweenSurfaces(w, turning, kind);
     if (!oneBodyRowsAct(&b)) return;
     RowImpulses i = w->pieceRows[k];
-    pushAlong(g, visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], visited, bounce), m);
+    RowGain gain = visitOneBodyRows(turning, &b, &i, along, b.belt + turning->surface[SURFACE_BELT], visited, bounce);
+    pushByRows(gain, g.MEASURED_X, g.MEASURED_Y, m);
     w->pieceRows[k] = i;
 }
 #endif
@@ -240,7 +237,7 @@ void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *t
         push.PUSH_NORMAL = 0.0f;
         w->push[k].PUSH_NORMAL = 0.0f;
     }
-    if (!isConstraint(touched) || !(push.PUSH_NORMAL > 0.0f)) {
+    if (!isConstraint(touched) || !(actingImpulse(push.PUSH_NORMAL, w->pieceRows[k]) > 0.0f)) {
         w->pieceRows[k] = (RowImpulses)(0.0f);
         return;
     }
@@ -251,7 +248,7 @@ void startPiece(const World *w, int k, float r, float4 *m AND_TURNING(Turning *t
     RowImpulses i = w->pieceRows[k];
     if (!rowsHold(i)) return;
     Between b = betweenSurfaces(w, turning, pieceTraits(w, touched.TOUCHED_PIECE).TRAIT_KIND);
-    pushAlong(g, warmOneBodyRows(turning, &b, &i), m);
+    pushByRows(warmOneBodyRows(turning, &b, &i), g.MEASURED_X, g.MEASURED_Y, m);
     w->pieceRows[k] = i;
 #endif
 }

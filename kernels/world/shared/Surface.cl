@@ -1,7 +1,10 @@
 // uses: world/shared/Velocity.cl
 // Friction, rolling resistance and turning. The Java class Surface documents these formulas.
 
-// What all rows of a contact give along its tangent, and what they give angularly.
+// Of all rows of a contact: how hard it acts, and what it gives along its normal, its tangent and angularly. The Java class ContactRows
+// documents it.
+float actingImpulse(float normalImpulse, RowImpulses i) { return normalImpulse; }
+float impulseAlongNormal(float normalImpulse, RowImpulses i) { return normalImpulse; }
 float tangentImpulse(RowImpulses i) { return i.FRICTION_IMPULSE; }
 float angularImpulse(RowImpulses i) { return i.ROLLING_IMPULSE; }
 

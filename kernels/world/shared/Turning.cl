@@ -37,17 +37,16 @@ float startedSpin(const World *w, int slot, float r, float s, float impulse) {
     return afterImpulse(before, inertia, impulse);
 }
 
-// The warm start of walls that press. stored: their impulses; v: velocity.
+// The warm start of walls of which some act. stored: their impulses; v: velocity.
 void startWallRows(const World *w, float4 c, const float *stored, float *v, Turning *t) {
     float x[2] = {c.x, c.y};
     float low[2] = {w->k.minX, w->k.minY};
     float high[2] = {w->k.maxX, w->k.maxY};
-    if (stored[0] == 0.0f && stored[1] == 0.0f) return;
     for (int axis = 0; axis < 2; axis++) {
         if (!rowsHold(t->walls[axis])) continue;
         float side = wallSide(x[axis], low[axis], high[axis]);
-        if (wallImpulse(stored[axis], side) > 0.0f) {
-            warmWallRows(w, t, axis, side, wallOf(axis, side), v + (1 - axis));
+        if (actingImpulse(wallImpulse(stored[axis], side), t->walls[axis]) > 0.0f) {
+            warmWallRows(w, t, axis, side, wallOf(axis, side), v + axis, v + (1 - axis));
         } else {
             t->walls[axis] = (RowImpulses)(0.0f);
         }

@@ -1,4 +1,4 @@
-// uses: world/shared/Contact.cl world/shared/Drive.cl
+// uses: world/shared/Contact.cl world/shared/Drive.cl world/shared/Surface.cl
 // The visit of a contact of two circles, A of the lower id and B. A schedule has the order of contacts, takes what a pass reads from where
 // it lies, and gives back the result: slots in Solver.cl, copies in TileVisits.cl, sums of heavy circles in CrossSolver.cl.
 
@@ -76,11 +76,8 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
 #endif
 }
 
-// Returns the normal speed before the visit.
-INLINE float visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
-    float vn = dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y);
-    visit(&v->ready, vn, relaxing, visited);
-    return vn;
+INLINE void visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
+    visit(&v->ready, dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y), relaxing, visited);
 }
 
 // For B to add; for A, with its mass, to subtract.
@@ -91,10 +88,10 @@ float2 changeOfVelocity(const Visit *v, float invMass, float impulse) {
 // For B's sum of impulses to add, for A's to subtract.
 float2 loadAlong(float nx, float ny, float normalImpulse) { return (float2)(nx * normalImpulse, ny * normalImpulse); }
 
-// Into the sub-step to come. vn: before the visit.
-INLINE bool carriesOn(const Visit *v, float vn, const Visited *visited) {
-    float after = vn + visited->impulse * (v->invMassA + v->invMassB);
-    return visited->solved && carries(visited->normalImpulse, after, v->ready.restingLimit);
+// Into the sub-step to come. rows: as visited.
+INLINE bool carriesOn(const Visit *v, const Visited *visited, RowImpulses rows) {
+    float after = visited->vn + visited->impulse * (v->invMassA + v->invMassB);
+    return visited->solved && carries(actingImpulse(visited->normalImpulse, rows), after, v->ready.restingLimit);
 }
 
 // What a free bounce gave and the contact does not keep.
@@ -106,19 +103,20 @@ float impulseOfBounce(const Visit *v, const Visited *visited) {
     return v->ready.bounce > 0.0f ? v->ready.normalImpulse + visited->impulse : 0.0f;
 }
 
-// Of the step before, or 0.
-float cachedImpulse(const World *w, int first, int higherId) {
-    for (int c = first; c >= 0;) {
+// The entry of two circles in the step before, or NONE; none if a circle is new.
+INLINE int cachedEntry(const World *w, uint lower, uint higher, int higherId) {
+    if (w->firstCached[higher] == FRESH) return NONE;
+    for (int c = w->firstCached[lower]; c >= 0;) {
         int4 entry = w->impulseCache[c];
-        if (entry.CACHED_HIGHER_ID == higherId) return as_float(entry.CACHED_IMPULSE);
+        if (entry.CACHED_HIGHER_ID == higherId) return c;
         c = entry.CACHED_NEXT;
     }
-    return 0.0f;
+    return NONE;
 }
 
-// 0 if a circle is new.
-float warmStartImpulse(const World *w, uint lower, uint higher, ulong ids) {
-    return w->firstCached[higher] == FRESH ? 0.0f : cachedImpulse(w, w->firstCached[lower], (int) ids) * w->warmScale;
+// Of an entry, or 0.
+INLINE float warmStartImpulse(const World *w, int entry) {
+    return entry == NONE ? 0.0f : as_float(w->impulseCache[entry].CACHED_IMPULSE) * w->warmScale;
 }
 
 // Impulses are looked up by id, so their order does not matter. firstCached: of the lower id.
@@ -143,15 +141,15 @@ float4 baseOfPair(const World *w, uint2 p) {
     return (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), a.RADIUS + b.RADIUS, restitution);
 }
 
-// As it starts the step.
-float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) {
+// As it starts the step, with impulses of rows.
+float4 newContact(const World *w, uint2 p, ulong ids, float4 b, RowImpulses rows, bool *carrying) {
     float4 ma = w->motion[p.LOWER];
     float4 mb = w->motion[p.HIGHER];
     float4 n = (float4)(0.0f);
     if (!measureContact(b, ma, mb, &n)) n.NORMAL = partingNormal(ids);
-    n.NORMAL_IMPULSE = warmStartImpulse(w, p.LOWER, p.HIGHER, ids);
+    n.NORMAL_IMPULSE = warmStartImpulse(w, cachedEntry(w, p.LOWER, p.HIGHER, (int) ids));
     float vn = dotf(n.NORMAL_X, n.NORMAL_Y, mb.VX - ma.VX, mb.VY - ma.VY);
     float limit = restingLimit(n.SEPARATION, restitutionThreshold(&w->k, b.RADII, b.PAIR_RESTITUTION));
-    *carrying = carries(n.NORMAL_IMPULSE, vn, limit);
+    *carrying = carries(actingImpulse(n.NORMAL_IMPULSE, rows), vn, limit);
     return n;
 }

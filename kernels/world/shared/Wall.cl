@@ -1,4 +1,4 @@
-// uses: world/shared/Walls.cl world/shared/OneBody.cl world/shared/OneBodyRows.cl
+// uses: world/shared/Walls.cl world/shared/OneBody.cl world/shared/OneBodyRows.cl world/shared/Surface.cl
 // Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
 
 #if defined(RECORDING) || defined(TURNING)
@@ -7,9 +7,6 @@ int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
 
 #ifdef TURNING
 Between betweenWall(const World *w, const Turning *t, int wall) { return betweenSurfaces(w, t, SURFACE_OF_WALLS + wall); }
-
-// The part of the tangent along a wall.
-float tangentAlong(int axis, float side) { return axis == 0 ? side : -side; }
 
 // v: velocity along the wall; belt: of the wall.
 float againstWall(int axis, float side, float v, float belt) { return tangentAlong(axis, side) * (v - belt); }
@@ -22,18 +19,20 @@ float slipAtWall(const World *w, const Turning *t, int axis, float side, int wal
 }
 #endif
 
-// As warmOneBodyRows. along: velocity along the wall.
-void warmWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along) {
+// As warmOneBodyRows. across, along: velocity across the wall and along it.
+void warmWallRows(const World *w, Turning *t, int axis, float side, int wall, float *across, float *along) {
     Between b = betweenWall(w, t, wall);
-    *along += tangentAlong(axis, side) * warmOneBodyRows(t, &b, t->walls + axis);
+    pushAtWall(warmOneBodyRows(t, &b, t->walls + axis), axis, side, across, along);
 }
 
 // As visitOneBodyRows.
-void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, float *along, const Visited *visited, float bounce) {
+void visitWallRows(const World *w, Turning *t, int axis, float side, int wall, float *across, float *along, const Visited *visited,
+                   float bounce) {
     Between b = betweenWall(w, t, wall);
     if (!oneBodyRowsAct(&b)) return;
     float speed = againstWall(axis, side, *along, b.belt);
-    *along += tangentAlong(axis, side) * visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], visited, bounce);
+    RowGain gain = visitOneBodyRows(t, &b, t->walls + axis, speed, t->surface[SURFACE_BELT], visited, bounce);
+    pushAtWall(gain, axis, side, across, along);
 }
 #endif
 
@@ -65,10 +64,11 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     *bounce = solveOneBody(k, &f, vn, &visited);
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
+    v = visited.leaves ? v : v + side * visited.impulse;
 #ifdef TURNING
-    if (bouncesFreely(&visited)) visitWallRows(w, turning, axis, side, wall, along, &visited, *bounce);
+    if (bouncesFreely(&visited)) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, *bounce);
 #endif
-    return visited.leaves ? v : v + side * visited.impulse;
+    return v;
 }
 
 // Returns the new velocity along the axis.
@@ -84,14 +84,24 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
     // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
+    v = visited.leaves ? v : v + side * visited.impulse;
 #ifdef TURNING
-    if (!visited.still) visitWallRows(w, turning, axis, side, wall, along, &visited, bounce);
+    if (!visited.still) visitWallRows(w, turning, axis, side, wall, &v, along, &visited, bounce);
 #endif
-    return visited.leaves ? v : v + side * visited.impulse;
+    return v;
 }
 
-// Whether a wall presses. One that does not holds nothing.
-bool wallsPress(float2 walls) { return walls.x != 0.0f || walls.y != 0.0f; }
+// Whether a wall acts, see actingImpulse. walls: impulses.
+bool wallsAct(const World *w, int slot, float2 walls) {
+    RowImpulses ofX = (RowImpulses)(0.0f);
+    RowImpulses ofY = (RowImpulses)(0.0f);
+#ifdef TURNING
+    WallRows rows = w->wallRows[slot];
+    ofX = rows.even;
+    ofY = rows.odd;
+#endif
+    return actingImpulse(fabs(walls.x), ofX) > 0.0f || actingImpulse(fabs(walls.y), ofY) > 0.0f;
+}
 
 #ifdef TURNING
 bool wallRowsHold(const Turning *t) { return rowsHold(t->walls[0]) || rowsHold(t->walls[1]); }

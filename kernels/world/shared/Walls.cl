@@ -16,3 +16,5 @@ float wallImpulse(float sign, float side) { return maxf(side * sign, 0.0f); }
 float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
 }
+
+float tangentAlong(int axis, float side) { return axis == 0 ? side : -side; }

@@ -23,11 +23,11 @@ void gatherSpin(const World *w, int c, uint2 p) {
 }
 #endif
 
-// Measures a contact for the first sub-step; returns it.
+// Measures a contact, whose rows are filled, for the first sub-step; returns it.
 float4 fillContact(const World *w, int c, bool *carrying) {
     uint2 p = w->pair[c];
     float4 b = baseOfPair(w, p);
-    float4 n = newContact(w, p, w->key[c], b, carrying);
+    float4 n = newContact(w, p, w->key[c], b, rowsAt(w, c), carrying);
     float invMassA = w->traits[p.LOWER].INVERSE_MASS;
     float invMassB = w->traits[p.HIGHER].INVERSE_MASS;
 #ifdef SLEEPING
@@ -56,13 +56,13 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     sortContacts(w.key + contacts.x, w.pair + contacts.x, contacts.y - contacts.x);
     float most = 0.0f;
     for (int c = contacts.x; c < contacts.y; c++) {
-        bool carrying;
-        float4 n = fillContact(&w, c, &carrying);
 #ifdef TURNING
         uint2 p = w.pair[c];
         fillRows(&w, c, p, (int) w.key[c], p.LOWER, p.HIGHER, 1.0f);
         gatherSpin(&w, c, w.pair[c]);
 #endif
+        bool carrying;
+        float4 n = fillContact(&w, c, &carrying);
         gatherLoad(&w, w.pair[c], loadOf(&w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
         if (w.k.thinning == 0) most = maxf(most, countCandidate(&w, w.pair[c]));
     }

@@ -104,13 +104,13 @@ void visitCrossRows(const World *w, int c, const Cross *x, const Visit *visit_, 
 
 void fillCrossContact(const World *w, int c, int light) {
     Cross x = crossOf(w, c, light);
-    bool carrying;
-    float4 n = fillContact(w, c, &carrying);
-    if (w->k.tiled) w->ordered[c] = w->pair[c];
 #ifdef TURNING
     fillRows(w, c, w->pair[c], (int) w->key[c], x.light, x.heavy, crossShare(w->crossLoad[x.heavy]));
     gatherCrossSpin(w, c, &x);
 #endif
+    bool carrying;
+    float4 n = fillContact(w, c, &carrying);
+    if (w->k.tiled) w->ordered[c] = w->pair[c];
     gatherCrossLoad(w, &x, loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE), carrying);
 }
 
@@ -131,9 +131,8 @@ kernel void cross_fill(WORLD_PARAMETERS) {
     fillCrossOf(&w, slot);
 }
 
-// v: velocity of the light circle. The effective mass counts the heavy one as lighter, since others visit it at the same time. Returns the
-// normal speed before the visit.
-float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bool relaxing, float2 *v, Visited *visited) {
+// v: velocity of the light circle. The effective mass counts the heavy one as lighter, since others visit it at the same time.
+void visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bool relaxing, float2 *v, Visited *visited) {
     float invLight = x->isLightLower ? p->invMassA : p->invMassB;
     float invHeavy = x->isLightLower ? p->invMassB : p->invMassA;
     float2 heavy = w->motion[x->heavy].VELOCITY;
@@ -143,9 +142,9 @@ float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, b
 #else
     visit_->ready.mass = crossMass(invLight, invHeavy, crossShare(w->crossLoad[x->heavy]));
 #endif
-    float vn = visitPair(visit_, x->isLightLower ? *v : heavy, x->isLightLower ? heavy : *v, relaxing, visited);
+    visitPair(visit_, x->isLightLower ? *v : heavy, x->isLightLower ? heavy : *v, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
-        float separation = relaxing ? p->separation : p->separation + vn * w->k.h;
+        float separation = relaxing ? p->separation : p->separation + visited->vn * w->k.h;
         visited->leaves = waitsForTurn(w, x->light, x->heavy, p->restitution, invHeavy, separation, relaxing);
     }
     if (!visited->leaves) {
@@ -156,7 +155,6 @@ float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, b
             addToHeavy(sumsOf(w, x->heavy), x->isLightLower ? toHeavy : -toHeavy, velocityRangeOf(w, x->heavy));
         }
     }
-    return vn;
 }
 
 void solveCrossContact(const World *w, int c, int light, float2 *v AND_TURNING(float *s)) {
@@ -183,13 +181,13 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v AN
 #ifdef TURNING
     float along = crossSpeedAlong(w, &x, (float2)(p.nx, p.ny), *v);
 #endif
-    float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
+    visitCross(w, &x, &p, &visit_, true, v, &visited);
 #ifdef TURNING
     if (!visited.still) visitCrossRows(w, c, &x, &visit_, &visited, along, v, s);
 #endif
     if (last) {
         storeVisited(w, c, pr, &visited);
-    } else if (carriesOn(&visit_, vn, &visited)) {
+    } else if (carriesOn(&visit_, &visited, rowsAt(w, c))) {
         gatherCrossLoad(w, &x, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherCrossSpin(w, c, &x);

@@ -61,9 +61,10 @@ Meeting meetingOf(const World *w, int slot, int other) {
     return m;
 }
 
-// As this step goes on from the one before.
-float impulseOfMeeting(const World *w, const Meeting *m) {
-    return warmStartImpulse(w, (uint) m->lower, (uint) m->higher, (ulong) (uint) w->id[m->higher]);
+// How hard their contact acts, as this step goes on from the one before.
+float actingOfMeeting(const World *w, const Meeting *m) {
+    int entry = cachedEntry(w, (uint) m->lower, (uint) m->higher, w->id[m->higher]);
+    return actingImpulse(warmStartImpulse(w, entry), warmStartRows(w, entry));
 }
 
 void wakeBy(const World *w, int slot, float speed) {
@@ -88,7 +89,8 @@ void wakeForSure(const World *w, int slot) {
 
 // ---- what presses those that sleep
 
-void press(const World *w, int slot, const Meeting *m, float j, float f, float rolling_) {
+// j, f: impulses along the normal and the tangent; load: how hard the contact acts.
+void press(const World *w, int slot, const Meeting *m, float j, float load, float f, float rolling_) {
     if (!sleeps(w, slot)) return;
     float4 c = w->circle[slot];
     float scale = scaleOf(impulseRange(c.RADIUS, w->k.inverseH, inverseMass(c.MASS)));
@@ -96,7 +98,7 @@ void press(const World *w, int slot, const Meeting *m, float j, float f, float r
     global long *sums = (global long *) (w->heavySum + slot);
     addFixed(sums, toFixed(side * (m->nx * j - m->ny * f), scale));
     addFixed(sums + 1, toFixed(side * (m->ny * j + m->nx * f), scale));
-    addFixed(sums + 2, toFixed(j, scale));
+    addFixed(sums + 2, toFixed(load, scale));
     addFixed(sums + 3, toFixed(-f + side * rolling_ / c.RADIUS, scale));
 }
 
@@ -117,15 +119,12 @@ void pressByImpulses(const World *w, int slot) {
             bool still = w->traits[slot].INVERSE_MASS == 0.0f && w->traits[other].INVERSE_MASS == 0.0f;
             if (still || (wouldMeet(w, slot, other) && areNear(w, slot, other))) {
                 Meeting m = meetingOf(w, slot, other);
-                float j = as_float(entry.CACHED_IMPULSE) * w->warmScale;
-                float f = 0.0f;
-                float rolling_ = 0.0f;
-#ifdef TURNING
-                f = tangentImpulse(w->rowCache[k]) * w->warmScale;
-                rolling_ = angularImpulse(w->rowCache[k]) * w->warmScale;
-#endif
-                press(w, slot, &m, j, f, rolling_);
-                press(w, other, &m, j, f, rolling_);
+                float pushed = as_float(entry.CACHED_IMPULSE) * w->warmScale;
+                RowImpulses rows = warmStartRows(w, k);
+                float j = impulseAlongNormal(pushed, rows);
+                float load = actingImpulse(pushed, rows);
+                press(w, slot, &m, j, load, tangentImpulse(rows), angularImpulse(rows));
+                press(w, other, &m, j, load, tangentImpulse(rows), angularImpulse(rows));
             }
         }
         k = entry.CACHED_NEXT;
@@ -144,7 +143,7 @@ void hitSleeper(const World *w, int slot, int sleeper) {
     float4 c = w->circle[sleeper];
     float restitution = maxf(w->traits[sleeper].RESTITUTION, w->traits[slot].RESTITUTION);
     wakeBy(w, sleeper, hit(approach, m.separation, inverseMass(c.MASS), ownInverseMass(w, slot), restitution,
-                           impulseOfMeeting(w, &m), gainOfStep(w, sleeper), c.RADIUS, w->k.dt));
+                           actingOfMeeting(w, &m), gainOfStep(w, sleeper), c.RADIUS, w->k.dt));
 }
 
 // A static circle that moves, and may come near.
@@ -373,36 +372,43 @@ typedef struct {
     long x, y, load, spin;
 } Pressed;
 
-// j, f: impulses along an outward normal and along the tangent.
-void addPressed(Pressed *p, float scale, float nx, float ny, float j, float f) {
+// j, f: impulses along an outward normal and along the tangent; load: how hard the contact acts.
+void addPressed(Pressed *p, float scale, float nx, float ny, float j, float load, float f) {
     p->x += toFixed(nx * j - ny * f, scale);
     p->y += toFixed(ny * j + nx * f, scale);
-    p->load += toFixed(j, scale);
+    p->load += toFixed(load, scale);
 }
 
 void addSpin(Pressed *p, float scale, RowImpulses i, float own) {
     p->spin += toFixed(spinOfOneBody(i) / own, scale);
 }
 
+// Of the wall that has a signed impulse. nearer: side of the nearer one.
+float sideOfPush(float impulse, float nearer) { return impulse == 0.0f ? nearer : impulse > 0.0f ? 1.0f : -1.0f; }
+
 // own: inverse mass.
 void pressByWalls(const World *w, int slot, float own, float scale, Pressed *p) {
-    float wall[2] = {w->traits[slot].WALL_X, w->traits[slot].WALL_Y};
-    float along[2] = {0.0f, 0.0f};
+    float2 walls = w->traits[slot].WALLS;
+    float4 c = w->circle[slot];
+    RowImpulses ofX = (RowImpulses)(0.0f);
+    RowImpulses ofY = (RowImpulses)(0.0f);
 #ifdef TURNING
     WallRows rows = w->wallRows[slot];
-    RowImpulses ofX = rows.even;
-    RowImpulses ofY = rows.odd;
-    along[0] = wall[0] > 0.0f ? tangentImpulse(ofX) : -tangentImpulse(ofX);
-    along[1] = wall[1] > 0.0f ? -tangentImpulse(ofY) : tangentImpulse(ofY);
+    ofX = rows.even;
+    ofY = rows.odd;
+#endif
+    float sideX = sideOfPush(walls.x, wallSide(c.x, w->k.minX, w->k.maxX));
+    float sideY = sideOfPush(walls.y, wallSide(c.y, w->k.minY, w->k.maxY));
+    float loadX = actingImpulse(fabs(walls.x), ofX);
+    float loadY = actingImpulse(fabs(walls.y), ofY);
     addSpin(p, scale, ofX, own);
     addSpin(p, scale, ofY, own);
-#endif
-    p->x += toFixed(wall[0] / own, scale);
-    p->y += toFixed(wall[0] == 0.0f ? 0.0f : along[0] / own, scale);
-    p->y += toFixed(wall[1] / own, scale);
-    p->x += toFixed(wall[1] == 0.0f ? 0.0f : along[1] / own, scale);
-    p->load += toFixed(fabs(wall[0]) / own, scale);
-    p->load += toFixed(fabs(wall[1]) / own, scale);
+    p->x += toFixed(sideX * impulseAlongNormal(fabs(walls.x), ofX) / own, scale);
+    p->y += toFixed(loadX > 0.0f ? tangentAlong(0, sideX) * tangentImpulse(ofX) / own : 0.0f, scale);
+    p->y += toFixed(sideY * impulseAlongNormal(fabs(walls.y), ofY) / own, scale);
+    p->x += toFixed(loadY > 0.0f ? tangentAlong(1, sideY) * tangentImpulse(ofY) / own : 0.0f, scale);
+    p->load += toFixed(loadX / own, scale);
+    p->load += toFixed(loadY / own, scale);
 }
 
 #ifdef TERRAIN
@@ -427,11 +433,13 @@ bool pressByPieces(const World *w, int slot, float own, float scale, Pressed *p)
     measurePieces(w, found, c, w->motion[slot].DISPLACEMENT, 0);
 #pragma unroll 1
     for (int k = s.first; k < s.first + s.count; k++) {
-        float2 push = w->push[k];
-        if (!isConstraint(w->piece[k]) || !(push.PUSH_NORMAL > 0.0f)) continue;
+        if (!isConstraint(w->piece[k]) || !pieceActs(w, k)) continue;
         float4 g = w->measured[k];
-        addPressed(p, scale, g.MEASURED_X, g.MEASURED_Y, push.PUSH_NORMAL / own, tangentImpulse(w->pieceRows[k]) / own);
-        addSpin(p, scale, w->pieceRows[k], own);
+        float pushed = w->push[k].PUSH_NORMAL;
+        RowImpulses rows = w->pieceRows[k];
+        addPressed(p, scale, g.MEASURED_X, g.MEASURED_Y, impulseAlongNormal(pushed, rows) / own, actingImpulse(pushed, rows) / own,
+                   tangentImpulse(rows) / own);
+        addSpin(p, scale, rows, own);
     }
     return moves;
 }
@@ -540,7 +548,7 @@ void reach(const World *w, int sleeper, float passed, global int *list, local in
 void passOn(const World *w, int slot, int sleeper, global int *list, local int *count) {
     Meeting m = meetingOf(w, slot, sleeper);
     if (!(m.separation < MARGIN * m.radii) || !wouldMeet(w, slot, sleeper)) return;
-    float impulse = impulseOfMeeting(w, &m);
+    float impulse = actingOfMeeting(w, &m);
     reach(w, sleeper, impulse > 0.0f ? passImpulse(w, slot, sleeper, impulse) : passFreely(w, slot, sleeper, m.separation), list, count);
 }
 

@@ -4,7 +4,7 @@
 // Without impulses of walls; false if that is not all. m: motion; l: load.
 bool startOffWallsAt(const World *w, int slot, float4 c, float4 m, float4 t, float4 l) {
     float2 before, next;
-    if (wallsPress(t.WALLS)) return false;
+    if (wallsAct(w, slot, t.WALLS)) return false;
 #ifdef TERRAIN
     if (hasPieces(w, slot)) return false;
 #endif
@@ -130,16 +130,14 @@ Pair takeToRelax(const World *w, int c, uint2 pr, float4 ma, float4 mb, Visit *v
     return p;
 }
 
-// Returns the normal speed before the visit.
-float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bool relaxing, Visited *visited) {
-    float vn = visitPair(v, ma.VELOCITY, mb.VELOCITY, relaxing, visited);
+void visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bool relaxing, Visited *visited) {
+    visitPair(v, ma.VELOCITY, mb.VELOCITY, relaxing, visited);
     if (!visited->leaves) {
         ma.VELOCITY -= changeOfVelocity(v, v->invMassA, visited->impulse);
         mb.VELOCITY += changeOfVelocity(v, v->invMassB, visited->impulse);
         w->motion[pr.LOWER] = ma;
         w->motion[pr.HIGHER] = mb;
     }
-    return vn;
 }
 
 #ifdef TURNING
@@ -187,7 +185,7 @@ void storeVisited(const World *w, int c, uint2 pr, const Visited *visited) {
 #ifdef TURNING
     storeRows(w, c);
 #endif
-    if (visited->solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+    if (visited->solved && actingImpulse(next, rowsAt(w, c)) > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
 }
 
 void solveContact(const World *w, int c) {
@@ -212,14 +210,14 @@ void relaxContact(const World *w, int c, bool last) {
     Visit v;
     Visited visited;
     Pair p = takeToRelax(w, c, pr, ma, mb, &v);
-    float vn = visitAt(w, pr, ma, mb, &v, true, &visited);
+    visitAt(w, pr, ma, mb, &v, true, &visited);
 #ifdef TURNING
     float along = speedAlong((float2)(v.nx, v.ny), ma.VELOCITY, mb.VELOCITY);
     if (!visited.still) visitRowsAt(w, c, pr, &v, &visited, along);
 #endif
     if (last) {
         storeVisited(w, c, pr, &visited);
-    } else if (carriesOn(&v, vn, &visited)) {
+    } else if (carriesOn(&v, &visited, rowsAt(w, c))) {
         gatherLoad(w, pr, loadOf(w, c, (float2)(p.nx, p.ny), visited.normalImpulse), true);
 #ifdef TURNING
         gatherSpin(w, c, pr);

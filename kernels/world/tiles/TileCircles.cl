@@ -41,11 +41,11 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum,
                  bool carried AND_TURNING(float s) AND_TURNING(float spinSum) AND_TERRAIN(bool atPieces)) {
     float2 walls = t.WALLS;
-    bool pressed = wallsPress(walls);
+    bool acted = wallsAct(w, slot, walls);
 #ifdef TERRAIN
-    pressed = pressed || atPieces;
+    acted = acted || atPieces;
 #endif
-    if (!pressed && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
+    if (!acted && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried AND_TURNING(s) AND_TURNING(spinSum))) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
@@ -111,6 +111,9 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         }
 #endif
         atWall = hasWalls(w, c, t.WALLS);
+#ifdef TURNING
+        atWall = atWall || wallRowsHold(&turning);
+#endif
 #ifdef TERRAIN
         if (atPieces) relaxPieces(w, slot, c, t.RESTITUTION, isLoaded(burden), &m AND_TURNING(&turning));
         atWall = atWall || atPieces;

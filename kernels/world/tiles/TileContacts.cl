@@ -50,12 +50,12 @@ void linkContact(const World *w, int listed) {
     int c = from;
     for (int other = from; other < to; other++) c += listedOf(w)[other].x < ids;
 
-    bool carrying;
-    float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
 #ifdef TURNING
     PairSurface s = fillRows(w, c, p, (int) ids, p.LOWER, p.HIGHER, 1.0f);
     w->startSpins[c] = rowsAct(&s) ? spinImpulses(w, p, &s, w->rowImpulses[c]) : (float2)(0.0f);
 #endif
+    bool carrying;
+    float4 n = newContact(w, p, ids, baseOfPair(w, p), rowsAt(w, c), &carrying);
     startImpulsesOf(w)[c] = loadOf(w, c, n.NORMAL, n.NORMAL_IMPULSE);
     startingOf(w)[c] = n;
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.LOWER - w->bucketStart[low], highColumn != column,

@@ -281,12 +281,22 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
     if (!last) startAtWalls(w, t, entries);
 }
 
+// Behind the last sub-step.
+INLINE RowImpulses heldRowsAt(const World *w, int c) {
+#ifdef TURNING
+    return rowsBefore(w, w->k.subSteps)[c];
+#else
+    return (RowImpulses)(0.0f);
+#endif
+}
+
 void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
-    if (!(normalImpulse > 0.0f)) return;
+    RowImpulses rows = heldRowsAt(w, c);
+    if (!(actingImpulse(normalImpulse, rows) > 0.0f)) return;
     uint2 p = w->ordered[c];
 #ifdef TURNING
-    w->rowCache[c] = rowsBefore(w, w->k.subSteps)[c];
+    w->rowCache[c] = rows;
 #endif
     storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }

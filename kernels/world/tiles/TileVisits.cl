@@ -220,6 +220,14 @@ float slipInTile(const World *w, local const Tile *t, const TileVisit *v, int i,
 }
 #endif
 
+INLINE RowImpulses rowsInTile(const TileVisit *v) {
+#ifdef TURNING
+    return v->rows;
+#else
+    return (RowImpulses)(0.0f);
+#endif
+}
+
 // Branches would be most of the time.
 void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.PLACED_CIRCLES);
@@ -229,7 +237,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
     float2 loadA = relaxing && !last ? t->load[i] : (float2)(0.0f);
     float2 loadB = relaxing && !last ? t->load[j] : (float2)(0.0f);
     Visited visited;
-    float vn = visitPair(&v->visit, va, vb, relaxing, &visited);
+    visitPair(&v->visit, va, vb, relaxing, &visited);
     float next = visited.normalImpulse;
     bool there = isContact(v->contact);
 #ifdef TURNING
@@ -255,7 +263,7 @@ void visitContact(const World *w, local Tile *t, TileVisit *v, bool relaxing, bo
         t->velocity[j] = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
     }
 #endif
-    if (relaxing && !last && there && carriesOn(&v->visit, vn, &visited)) {
+    if (relaxing && !last && there && carriesOn(&v->visit, &visited, rowsInTile(v))) {
         float2 g = loadAlong(v->visit.nx, v->visit.ny, next);
 #ifdef TURNING
         PairSurface s = surfaceInTile(w, v);

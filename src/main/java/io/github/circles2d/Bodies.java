@@ -4,6 +4,7 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Call;
 
 /**
  * The bodies of a {@link World} that are pushed: boxes, capsules, gears, any {@link Outline}. They fall, turn, and push each other, circles, and
@@ -129,7 +130,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void remove(long body) {
-        simulation.rigids.remove(body);
+        simulation.calls.change(Call.REMOVE_RIGID, body);
     }
 
     /**
@@ -147,7 +148,7 @@ public final class Bodies {
 
     /** Removes all bodies. {@link World#clear} leaves them. */
     public void clear() {
-        simulation.rigids.clear();
+        simulation.calls.make(Call.CLEAR_RIGIDS);
     }
 
     /**
@@ -157,7 +158,7 @@ public final class Bodies {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long body) {
-        return simulation.rigidReads.contains(body);
+        return simulation.rigidIds.contains(body);
     }
 
     /**
@@ -166,7 +167,7 @@ public final class Bodies {
      * @return at least 0
      */
     public int size() {
-        return simulation.rigidReads.size();
+        return simulation.rigidIds.size();
     }
 
     /**
@@ -186,7 +187,7 @@ public final class Bodies {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.rigidReads.idLimit();
+        return simulation.rigidIds.limit();
     }
 
     /**
@@ -197,7 +198,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.rigidReads.handle(id);
+        return simulation.rigidIds.handle(id);
     }
 
     // ---- what bodies are
@@ -245,7 +246,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setInertia(long body, float inertia) {
-        simulation.rigids.setInertia(body, inertia);
+        simulation.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0, 0);
     }
 
     /**
@@ -267,7 +268,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setRestitution(long body, float restitution) {
-        simulation.rigids.setRestitution(body, restitution);
+        simulation.calls.changeByFloats(Call.RIGID_RESTITUTION, body, restitution, 0, 0, 0);
     }
 
     /**
@@ -289,7 +290,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if there is no such kind, the body has gone, or the handle is none
      */
     public void setKind(long body, int kind) {
-        simulation.rigids.setKind(body, kind);
+        simulation.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
     }
 
     /**
@@ -301,7 +302,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void setGroup(long body, int group) {
-        simulation.rigids.setGroup(body, group);
+        simulation.calls.change(Call.RIGID_GROUP, body, group, 0, 0);
     }
 
     /**
@@ -334,7 +335,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void setTag(long body, long tag) {
-        simulation.rigids.setTag(body, tag);
+        simulation.calls.change(Call.RIGID_TAG, body, (int) tag, (int) (tag >> Integer.SIZE), 0);
     }
 
     // ---- where bodies are, and how they move
@@ -433,7 +434,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the body has gone, or the handle is none
      */
     public void wake(long body) {
-        simulation.rigids.wake(body);
+        simulation.calls.change(Call.WAKE_RIGID, body);
     }
 
     /**
@@ -447,7 +448,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void teleport(long body, float x, float y, float angle) {
-        simulation.rigids.teleport(body, x, y, angle);
+        simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle, 0);
     }
 
     /**
@@ -459,7 +460,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void setVelocity(long body, float vx, float vy) {
-        simulation.rigids.setVelocity(body, vx, vy);
+        simulation.calls.changeByFloats(Call.RIGID_VELOCITY, body, vx, vy, 0, 0);
     }
 
     /**
@@ -471,7 +472,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setAngularVelocity(long body, float velocity) {
-        simulation.rigids.setAngularVelocity(body, velocity);
+        simulation.calls.changeByFloats(Call.RIGID_ANGULAR_VELOCITY, body, velocity, 0, 0, 0);
     }
 
     /**
@@ -497,7 +498,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
-        simulation.rigids.applyImpulse(body, x, y, pointX, pointY);
+        simulation.calls.changeByFloats(Call.RIGID_IMPULSE, body, x, y, pointX, pointY);
     }
 
     /**
@@ -508,7 +509,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyAngularImpulse(long body, float impulse) {
-        simulation.rigids.applyAngularImpulse(body, impulse);
+        simulation.calls.changeByFloats(Call.RIGID_ANGULAR_IMPULSE, body, impulse, 0, 0, 0);
     }
 
     /**
@@ -522,7 +523,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void setForce(long body, float x, float y) {
-        simulation.rigids.setForce(body, x, y);
+        simulation.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, x, y, 0, 0);
     }
 
     /**
@@ -556,7 +557,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void setTorque(long body, float torque) {
-        simulation.rigids.setTorque(body, torque);
+        simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, torque, 0, 0, 0);
     }
 
     /**
@@ -580,7 +581,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyForce(long body, float x, float y) {
-        simulation.rigids.applyForce(body, x, y, 0);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, 0, 0);
     }
 
     /**
@@ -595,7 +596,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if a value is out of range, the body has gone, or the handle is none
      */
     public void applyForce(long body, float x, float y, float pointX, float pointY) {
-        simulation.rigids.applyForce(body, x, y, pointX, pointY);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE_AT, body, x, y, pointX, pointY);
     }
 
     /**
@@ -607,7 +608,7 @@ public final class Bodies {
      * @throws IllegalArgumentException if the value is out of range, the body has gone, or the handle is none
      */
     public void applyTorque(long body, float torque) {
-        simulation.rigids.applyForce(body, 0, 0, torque);
+        simulation.calls.changeByFloats(Call.RIGID_FORCE, body, 0, 0, torque, 0);
     }
 
     // ---- many bodies at once

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.search.Searches;
 
 /**
@@ -33,7 +33,7 @@ import io.github.circles2d.world.search.Searches;
  * <p><b>Cost:</b> the first query after a step or a change builds a tree over all bodies; later ones use it.
  */
 public final class BodyQueries extends ShapeQueries {
-    BodyQueries(Searches searches, CircleFilter filter) {
+    BodyQueries(Searches searches, QueryFilter filter) {
         super(searches, filter);
     }
 

@@ -3,7 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.circles.BulkCopies;
-import io.github.circles2d.world.joints.DrawnPlaces;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
@@ -126,8 +126,8 @@ public final class FixedStep {
     private final RigidPoses rigidsBefore = new RigidPoses();
     private final RigidPoses rigidsAfter = new RigidPoses();
 
-    private final DrawnPlaces drawn =
-            new DrawnPlaces(bodiesBefore, bodiesAfter, bodiesBetween, rigidsBefore, rigidsAfter);
+    private final JointEnds.Drawn drawn =
+            new JointEnds.Drawn(bodiesBefore, bodiesAfter, bodiesBetween, rigidsBefore, rigidsAfter);
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;

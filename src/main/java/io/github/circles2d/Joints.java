@@ -6,6 +6,7 @@ import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Call;
 
 /**
  * The joints of a {@link World}: ropes, bridges, springs, wheels, welded bodies, the mouse. {@link World#joints} gives this object.
@@ -234,7 +235,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the joint has gone, or the handle is none
      */
     public void remove(long joint) {
-        simulation.joints.remove(joint);
+        simulation.calls.change(Call.REMOVE_JOINT, joint);
     }
 
     /**
@@ -249,7 +250,7 @@ public final class Joints {
 
     /** Removes all joints. */
     public void clear() {
-        simulation.joints.clear();
+        simulation.calls.make(Call.CLEAR_JOINTS);
     }
 
     // ---- which there are
@@ -262,7 +263,7 @@ public final class Joints {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long joint) {
-        return simulation.jointReads.contains(joint);
+        return simulation.jointIds.contains(joint);
     }
 
     /**
@@ -271,7 +272,7 @@ public final class Joints {
      * @return at least 0
      */
     public int size() {
-        return simulation.jointReads.size();
+        return simulation.jointIds.size();
     }
 
     /**
@@ -291,7 +292,7 @@ public final class Joints {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.joints.idLimit();
+        return simulation.jointIds.limit();
     }
 
     /**
@@ -302,7 +303,7 @@ public final class Joints {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.joints.handle(id);
+        return simulation.jointIds.handle(id);
     }
 
     /**
@@ -496,7 +497,8 @@ public final class Joints {
     // -----------------------------------------------------------------------------------------------
 
     private void set(JointSetting setting, long joint, float a, float b) {
-        simulation.joints.set(setting, joint, a, b);
+        simulation.calls.change(
+                Call.JOINT_SETTING, joint, setting.number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
     }
 
     /**

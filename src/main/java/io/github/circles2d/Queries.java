@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.search.Searches;
 
 /**
@@ -93,7 +93,7 @@ public final class Queries extends ShapeQueries {
         this(searches, new TerrainQueries(ofTerrain, null), new BodyQueries(ofBodies, null), null);
     }
 
-    private Queries(Searches searches, TerrainQueries terrain, BodyQueries bodies, CircleFilter filter) {
+    private Queries(Searches searches, TerrainQueries terrain, BodyQueries bodies, QueryFilter filter) {
         super(searches, filter);
         this.terrain = terrain;
         this.bodies = bodies;

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.search.Searches;
 
 /** The queries that are the same of circles, pieces of terrain and bodies: {@link Queries}, {@link TerrainQueries}, {@link BodyQueries}. */
@@ -9,9 +9,9 @@ abstract class ShapeQueries {
     final Searches searches;
 
     /** What is found; null for all. */
-    final CircleFilter filter;
+    final QueryFilter filter;
 
-    ShapeQueries(Searches searches, CircleFilter filter) {
+    ShapeQueries(Searches searches, QueryFilter filter) {
         this.searches = searches;
         this.filter = filter;
     }

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.terrain.PieceRead;
 
 /**
@@ -128,7 +129,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if a value is out of range, or there are 2^20 bodies
      */
     public TerrainBody addBody(float x, float y, float angle) {
-        makeRoom(simulation.bodies.idLimit());
+        makeRoom(simulation.bodyIds.limit());
         TerrainBody body = new TerrainBody(simulation);
         long handle = simulation.bodies.add(x, y, angle);
         bodies[Handle.id(handle)] = body.of(handle);
@@ -286,12 +287,12 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or the handle is none
      */
     public void remove(long piece) {
-        simulation.pieces.remove(piece);
+        simulation.calls.change(Call.REMOVE_PIECE, piece);
     }
 
     /** Removes all pieces, and all bodies but the ground. */
     public void clear() {
-        simulation.pieces.clear();
+        simulation.calls.make(Call.CLEAR_TERRAIN);
     }
 
     /**
@@ -301,7 +302,7 @@ public final class Terrain {
      * @return false if it is stale or never was a handle
      */
     public boolean contains(long piece) {
-        return simulation.pieces.contains(piece);
+        return simulation.pieceIds.contains(piece);
     }
 
     /**
@@ -321,7 +322,7 @@ public final class Terrain {
      * @return at least {@link #size}
      */
     public int idLimit() {
-        return simulation.pieces.idLimit();
+        return simulation.pieceIds.limit();
     }
 
     /**
@@ -332,7 +333,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
-        return simulation.pieces.handle(id);
+        return simulation.pieceIds.handle(id);
     }
 
     /**
@@ -341,7 +342,7 @@ public final class Terrain {
      * @return at least 0
      */
     public int size() {
-        return simulation.pieces.size();
+        return simulation.pieceIds.size();
     }
 
     /**
@@ -352,7 +353,7 @@ public final class Terrain {
      * @throws IllegalArgumentException if the piece has been removed, or there is no such kind
      */
     public void setKind(long piece, int kind) {
-        simulation.pieces.setKind(piece, kind);
+        simulation.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
     }
 
     /**

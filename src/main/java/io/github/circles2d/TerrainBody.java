@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Call;
 
 /**
  * A body of {@link Terrain}: pieces that move together, such as a lift, a flipper, a drum or a door. It has a place, which is its pivot, and
@@ -53,7 +54,7 @@ public final class TerrainBody {
      * @return true at first
      */
     public boolean exists() {
-        return simulation.bodies.contains(handle);
+        return simulation.bodyIds.contains(handle);
     }
 
     // ---- pieces
@@ -172,7 +173,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void setVelocity(float vx, float vy) {
-        simulation.bodies.setVelocity(handle, vx, vy);
+        simulation.calls.changeByFloats(Call.BODY_VELOCITY, handle, vx, vy, 0, 0);
     }
 
     /**
@@ -183,7 +184,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if the value is out of range, or this is the ground
      */
     public void setAngularVelocity(float velocity) {
-        simulation.bodies.setAngularVelocity(handle, velocity);
+        simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, handle, velocity, 0, 0, 0);
     }
 
     /**
@@ -196,7 +197,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void moveTo(float x, float y, float angle) {
-        simulation.bodies.move(handle, x, y, angle);
+        simulation.calls.changeByFloats(Call.MOVE_BODY, handle, x, y, angle, 0);
     }
 
     /**
@@ -208,7 +209,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if a value is out of range, or this is the ground
      */
     public void teleport(float x, float y, float angle) {
-        simulation.bodies.teleport(handle, x, y, angle);
+        simulation.calls.changeByFloats(Call.TELEPORT_BODY, handle, x, y, angle, 0);
     }
 
     /**
@@ -217,7 +218,7 @@ public final class TerrainBody {
      * @throws IllegalArgumentException if this is the ground, or the body has been removed
      */
     public void remove() {
-        simulation.bodies.remove(handle);
+        simulation.calls.change(Call.REMOVE_BODY, handle);
     }
 
     /**

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.search.Searches;
 
 /**
@@ -32,7 +32,7 @@ import io.github.circles2d.world.search.Searches;
  * round. Rays and discs go on beyond the seam, for half of the extent of the bounds, and find a piece once for each way on which they meet it.
  */
 public final class TerrainQueries extends ShapeQueries {
-    TerrainQueries(Searches searches, CircleFilter filter) {
+    TerrainQueries(Searches searches, QueryFilter filter) {
         super(searches, filter);
     }
 

@@ -3,7 +3,6 @@ package io.github.circles2d;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
-import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
@@ -18,6 +17,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SurfaceSettings;
 import io.github.circles2d.world.reads.CircleContacts;
+import io.github.circles2d.world.shared.Call;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -273,7 +273,7 @@ public final class World implements AutoCloseable {
      * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
-        simulation.circles.clear();
+        simulation.calls.make(Call.CLEAR);
     }
 
     /**
@@ -412,7 +412,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void grow(long handle, float radius, int steps) {
-        simulation.growth.grow(handle, radius, steps);
+        simulation.calls.change(Call.GROW, handle, Float.floatToRawIntBits(radius), steps, 0);
     }
 
     /**
@@ -451,7 +451,7 @@ public final class World implements AutoCloseable {
 
     /** Wakes all circles and bodies that sleep. */
     public void wakeAll() {
-        simulation.circles.wakeAll();
+        simulation.calls.make(Call.WAKE_ALL);
     }
 
     /**
@@ -870,7 +870,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException if a value is out of range
      */
     public void setGravity(float x, float y) {
-        simulation.surroundings.setGravity(x, y);
+        simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
     }
 
     /**
@@ -905,7 +905,7 @@ public final class World implements AutoCloseable {
      *     or if the call would move the bounds of an axis that wraps
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        simulation.surroundings.setBounds(minX, minY, maxX, maxY);
+        simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
     }
 
     /**
@@ -1050,8 +1050,12 @@ public final class World implements AutoCloseable {
      */
     public void setWallSurface(Wall wall, float friction, float rollingResistance, float beltSpeed) {
         int number = Limits.notNull("wall", wall).ordinal();
-        simulation.surroundings.setWallSurface(
-                number, friction, rollingResistance, BeltSpeed.ofWall(number, beltSpeed));
+        simulation.calls.make(
+                Call.WALL_SURFACE,
+                number,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(rollingResistance),
+                Float.floatToRawIntBits(BeltSpeed.ofWall(number, beltSpeed)));
     }
 
     /**
@@ -1778,7 +1782,7 @@ public final class World implements AutoCloseable {
      * @return the figures as of now
      */
     public WorldStats stats() {
-        Figures figures = simulation.figures();
+        Simulation.Figures figures = simulation.figures();
         return new WorldStats(
                 figures.circles(),
                 figures.candidatePairs(),

@@ -3,10 +3,10 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.nio.ByteBuffer;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Area;
 import java.awt.geom.Path2D;
+import java.nio.ByteBuffer;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -131,7 +131,8 @@ class BodiesPhysicsTest {
                     }
                     Area both = area(world, a);
                     both.intersect(area(world, b));
-                    assertThat(both.getBounds2D().getWidth() * both.getBounds2D().getHeight())
+                    assertThat(both.getBounds2D().getWidth()
+                                    * both.getBounds2D().getHeight())
                             .as("overlap by %s and %s", angle, off)
                             .isLessThan(0.02);
                     assertThat(fastest).as("by %s and %s", angle, off).isLessThan(15);

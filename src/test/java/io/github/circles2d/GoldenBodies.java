@@ -50,7 +50,8 @@ final class GoldenBodies {
     /** Planks and others that cross, in pairs and in stars of three. */
     static void crossed(WorldCalls world) {
         for (int k = 0; k < CROSSED; k++) {
-            BodyOutline plank = k % 4 == 3 ? BodyOutline.capsule(0.2f, 0.012f) : BodyOutline.box(0.24f, 0.02f + 0.004f * (k % 3));
+            BodyOutline plank =
+                    k % 4 == 3 ? BodyOutline.capsule(0.2f, 0.012f) : BodyOutline.box(0.24f, 0.02f + 0.004f * (k % 3));
             float x = 0.2f + 0.3f * (k % 3) + 0.01f * (k / 3);
             world.addRigid(plank, x, 0.3f + 0.02f * (k / 3), 0.35f * k + 0.9f * (k / 3), 0.002f, 0);
         }
@@ -63,7 +64,8 @@ final class GoldenBodies {
         int change = run.steps() / GoldenChange.PERIOD;
         if (change % 6 == 5) {
             world.teleportRigid(bodies[change % CROSSED], 0.3f + 0.05f * (change % 9), 0.25f, 0.5f * change);
-            world.teleportRigid(bodies[(change + 4) % CROSSED], 0.31f + 0.05f * (change % 9), 0.26f, 0.8f * change + 1f);
+            world.teleportRigid(
+                    bodies[(change + 4) % CROSSED], 0.31f + 0.05f * (change % 9), 0.26f, 0.8f * change + 1f);
         }
     }
 

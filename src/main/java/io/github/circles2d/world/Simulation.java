@@ -24,6 +24,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.reads.CircleContacts;
+import io.github.circles2d.world.reads.IdReads;
 import io.github.circles2d.world.reads.JointReads;
 import io.github.circles2d.world.reads.Loads;
 import io.github.circles2d.world.reads.Readings;
@@ -41,6 +42,7 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldParts;
 import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Collections;
+import java.util.Map;
 
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
@@ -59,13 +61,16 @@ public final class Simulation implements AutoCloseable {
     public final Kinds kinds;
     public final Forces forces;
     public final Growth growth;
-    public final Surroundings surroundings;
     public final Pieces pieces;
     public final Bodies bodies;
     public final JointCalls joints;
     public final RigidCalls rigids;
     public final RigidBulk rigidBulk;
     public final RigidReads rigidReads;
+    public final IdReads pieceIds;
+    public final IdReads bodyIds;
+    public final IdReads rigidIds;
+    public final IdReads jointIds;
     public final Readings readings;
     public final Loads loads;
     public final CircleContacts contacts;
@@ -103,13 +108,17 @@ public final class Simulation implements AutoCloseable {
         BodyView bodyView = new BodyView(world);
         bulk = new BulkChanges(world, changes, view, bodyView);
         fields = new FieldCalls(world, kinds);
-        surroundings = new Surroundings(world, nextStep);
+        new Surroundings(world, nextStep);
         pieces = new Pieces(world);
         bodies = new Bodies(world);
         joints = new JointCalls(world);
         rigids = new RigidCalls(world, kinds);
         rigidBulk = new RigidBulk(world, rigids);
         rigidReads = new RigidReads(world);
+        pieceIds = new IdReads(world, world.terrain.pieces.ids);
+        bodyIds = new IdReads(world, world.terrain.bodies.ids);
+        rigidIds = new IdReads(world, world.rigids.ids);
+        jointIds = new IdReads(world, world.joints.table.ids);
         readings = new Readings(world);
         loads = new Loads(world);
         contacts = new CircleContacts(world);
@@ -118,8 +127,8 @@ public final class Simulation implements AutoCloseable {
         snapshots = new Snapshots(world, nextStep);
         journal = new Journal(world);
         searches = Searches.forCircles(world);
-        terrainSearches = Searches.forTerrain(world, view);
-        bodySearches = Searches.forBodies(world, bodyView);
+        terrainSearches = Searches.forThings(world, view);
+        bodySearches = Searches.forThings(world, bodyView);
         try {
             world.needs.prepare();
         } catch (RuntimeException | Error e) {
@@ -167,7 +176,10 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether a static circle travels, a wall or terrain moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
-        return !nextStep.isEmpty() || world.settings.wallsMove() || world.terrain.moves() || world.rigids.pushes();
+        return !nextStep.isEmpty()
+                || world.settings.wallsMove()
+                || world.terrain.bodies.anyMoves()
+                || world.rigids.pushes();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
@@ -337,4 +349,21 @@ public final class Simulation implements AutoCloseable {
             world.guard.leave();
         }
     }
+
+    /**
+     * Figures of a simulation, and of its last step: pairs whose distance the broad phase tested, contacts, the greatest number of contacts
+     * of one circle, circles that neither sleep nor are static; bodies that are pushed, those that do not sleep, their pairs with contacts. Memory is in bytes; times by stage since the start, in milliseconds, are empty unless profiling.
+     */
+    public record Figures(
+            int circles,
+            long candidatePairs,
+            int contacts,
+            int greatestContacts,
+            int awake,
+            int bodies,
+            int awakeBodies,
+            int bodyContacts,
+            long bytesHeld,
+            Map<String, Double> stageMillis,
+            String device) {}
 }

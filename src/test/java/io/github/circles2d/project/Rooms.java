@@ -180,10 +180,12 @@ final class Rooms {
                     "world.snapshots"),
             entry(
                     "world.jvm.bodies",
+                    "world.jvm.joints",
                     "world.jvm.pieces",
                     "world.jvm.state",
                     "world.jvm.threads",
                     "world.bodies",
+                    "world.terrain",
                     "world.circles",
                     "world.model"),
             entry("world.jvm.joints", "world.jvm.state", "world.jvm.threads", "world.model"),

@@ -25,6 +25,8 @@ final class RigidContact {
     /** How far lines go on beyond their ends, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
+    private static final float SAME_WAY = 0.98f;
+
     // forms
     static final int CORNER_ON_LINE = 0;
     static final int SWAPPED = 1;
@@ -137,8 +139,18 @@ final class RigidContact {
         return new float[] {offset[0] + (a.way[0] - b.way[0]), offset[1] + (a.way[1] - b.way[1])};
     }
 
-    /** Finds the normal, the gap and the point. */
+    /** Finds the normal, the gap and the point. Impulses end if the normal turns far. */
     void measure() {
+        float beforeX = nx;
+        float beforeY = ny;
+        measureNormal();
+        if (beforeX * nx + beforeY * ny < SAME_WAY) {
+            impulse = 0f;
+            grip = 0f;
+        }
+    }
+
+    private void measureNormal() {
         float[] p = corner();
         float[] q = feature();
         float[] d = wayToA();

@@ -265,8 +265,8 @@ final class RigidPair {
                 for (int c = 0; c < t.corners.size(); c++) {
                     float[] corner = t.corners.get(c);
                     float[] bend = RigidThing.farthest(corner, -line[2], -line[3]);
-                    float height =
-                            (tx + corner[0] - line[0] + bend[0]) * line[2] + (ty + corner[1] - line[1] + bend[1]) * line[3];
+                    float height = (tx + corner[0] - line[0] + bend[0]) * line[2]
+                            + (ty + corner[1] - line[1] + bend[1]) * line[3];
                     if (height - (corner[2] + line[5]) < depth) {
                         depth = height - (corner[2] + line[5]);
                         deepest = c;

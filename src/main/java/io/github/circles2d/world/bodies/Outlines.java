@@ -20,10 +20,8 @@ final class Outlines {
             int number = free();
             if (number == shapes.length) {
                 int c = Math.max(8, 2 * number);
-                OutlineShape[] newShapes = Arrays.copyOf(shapes, c);
-                int[] newUses = Arrays.copyOf(uses, c);
-                shapes = newShapes;
-                uses = newUses;
+                uses = Arrays.copyOf(uses, c);
+                shapes = Arrays.copyOf(shapes, c);
             }
             numbers.put(shape, number);
             shapes[number] = shape;

@@ -81,7 +81,6 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     // ---- what goes
-    // ---------------------------------------------------------------------------------------------------
 
     /** A body goes. */
     void bodyGoes(int body) {
@@ -131,7 +130,6 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     // ---- steps
-    // -------------------------------------------------------------------------------------------------------
 
     @Override
     public boolean touched(int type, int a, int b) {
@@ -139,10 +137,7 @@ public final class RigidEvents implements RigidStep.Listener {
         int high = touching;
         while (low < high) {
             int middle = low + high >>> 1;
-            int at = RigidStep.TOUCH_KEYS * middle;
-            int order = Integer.compare(keys[at + RigidStep.TYPE], type);
-            order = order == 0 ? Integer.compare(keys[at + RigidStep.A], a) : order;
-            order = order == 0 ? Integer.compare(keys[at + RigidStep.B], b) : order;
+            int order = RigidStep.compare(keys, RigidStep.TOUCH_KEYS * middle, type, a, b);
             if (order == 0) {
                 return true;
             }
@@ -188,13 +183,17 @@ public final class RigidEvents implements RigidStep.Listener {
         while (before < touching) {
             leave(before++);
         }
+        takeNext();
+        touching = count;
+    }
+
+    private void takeNext() {
         int[] ofKeys = keys;
         long[] ofHandles = handles;
         keys = nextKeys;
         handles = nextHandles;
         nextKeys = ofKeys;
         nextHandles = ofHandles;
-        touching = count;
     }
 
     /** A pair is not among those of the step: it goes on to touch without an event if both rest, or all, else it ends. */
@@ -227,11 +226,7 @@ public final class RigidEvents implements RigidStep.Listener {
     }
 
     private static int compare(int[] a, int atA, int[] b, int atB) {
-        int order = 0;
-        for (int k = 0; order == 0 && k < RigidStep.TOUCH_KEYS; k++) {
-            order = Integer.compare(a[atA + k], b[atB + k]);
-        }
-        return order;
+        return RigidStep.compare(a, atA, b[atB + RigidStep.TYPE], b[atB + RigidStep.A], b[atB + RigidStep.B]);
     }
 
     /** The handle of what a body touches, or the number of a wall. */
@@ -248,15 +243,12 @@ public final class RigidEvents implements RigidStep.Listener {
     private void ensureNext(int pairs) {
         if (nextKeys.length < RigidStep.TOUCH_KEYS * pairs || nextHandles.length < HANDLES * pairs) {
             int c = Math.max(16, pairs + (pairs >> 1));
-            int[] newKeys = new int[RigidStep.TOUCH_KEYS * c];
-            long[] newHandles = new long[HANDLES * c];
-            nextKeys = newKeys;
-            nextHandles = newHandles;
+            nextHandles = new long[HANDLES * c];
+            nextKeys = new int[RigidStep.TOUCH_KEYS * c];
         }
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     void save(SavedRigids to) {
         to.setTouching(touching);
@@ -282,12 +274,7 @@ public final class RigidEvents implements RigidStep.Listener {
             nextHandles[HANDLES * k] = bodies.handle(nextKeys[RigidStep.TOUCH_KEYS * k + RigidStep.A]);
             nextHandles[HANDLES * k + 1] = other(nextKeys, RigidStep.TOUCH_KEYS * k);
         }
-        int[] ofKeys = keys;
-        long[] ofHandles = handles;
-        keys = nextKeys;
-        handles = nextHandles;
-        nextKeys = ofKeys;
-        nextHandles = ofHandles;
+        takeNext();
     }
 
     long bytes() {

@@ -26,6 +26,9 @@ public final class RigidExtras {
     public static final int KNOWN_SPIN = 8;
     public static final int SPIN_OFFSET = 9;
 
+    /** Values from {@link #REST} on. */
+    public static final int RESTS = 6;
+
     /** Ints of a body. */
     static final int COUNT = 10;
 
@@ -63,6 +66,20 @@ public final class RigidExtras {
     void clear(int body) {
         for (int k = 0; k < COUNT; k++) {
             set(body, k, 0);
+        }
+    }
+
+    /** Saves so many values of a body, from one on. */
+    public void save(int body, int first, int many, int[] to, int at) {
+        for (int k = 0; k < many; k++) {
+            to[at + k] = get(body, first + k);
+        }
+    }
+
+    /** Takes them over. There is room. */
+    public void load(int body, int first, int many, int[] from, int at) {
+        for (int k = 0; k < many; k++) {
+            set(body, first + k, from[at + k]);
         }
     }
 

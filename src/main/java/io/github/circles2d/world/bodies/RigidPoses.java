@@ -25,16 +25,11 @@ public final class RigidPoses {
     public void keep(RigidTable bodies) {
         int n = bodies.ids.end();
         if (angle.length < n) {
-            // All arrays are made before one is assigned: a growth that fails changes nothing.
             int c = Math.max(n, angle.length + (angle.length >> 1));
-            long[] newHandle = Arrays.copyOf(handle, c);
-            float[] newX = Arrays.copyOf(x, c);
-            float[] newY = Arrays.copyOf(y, c);
-            int[] newAngle = Arrays.copyOf(angle, c);
-            handle = newHandle;
-            x = newX;
-            y = newY;
-            angle = newAngle;
+            handle = Arrays.copyOf(handle, c);
+            x = Arrays.copyOf(x, c);
+            y = Arrays.copyOf(y, c);
+            angle = Arrays.copyOf(angle, c);
         }
         for (int id = 0; id < n; id++) {
             handle[id] = bodies.ids.lives(id) ? bodies.ids.handle(id) : 0;

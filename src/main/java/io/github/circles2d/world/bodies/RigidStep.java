@@ -143,7 +143,6 @@ public final class RigidStep {
     public int[] restingKeys = new int[0];
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     public boolean isAsleep(int body) {
         return Sleep.isAsleep(extras.get(body, RigidExtras.REST));
@@ -246,16 +245,16 @@ public final class RigidStep {
 
     /** The force that acts on a body in the next step along x. */
     public float forceX(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_X), forceX[body]) : forceX[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.FORCE_X), forceX[body]) : forceX[body];
     }
 
     public float forceY(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.FORCE_Y), forceY[body]) : forceY[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.FORCE_Y), forceY[body]) : forceY[body];
     }
 
     /** The torque that acts on a body in the next step. */
     public float torque(int body) {
-        return extras.areThere() ? RigidRules.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
+        return extras.areThere() ? RigidLimits.sum(extras.real(body, RigidExtras.TORQUE), torque[body]) : torque[body];
     }
 
     /** Whether a body is in a group, and that is another one's. */
@@ -263,40 +262,31 @@ public final class RigidStep {
         return group != 0 && extras.get(body, RigidExtras.GROUP) == group;
     }
 
-    /** Makes room for ids. If there is none, nothing has changed. */
+    /** Makes room for ids. If there is none, nothing has changed: the array that tells the room comes last, here and below. */
     public void setRoom(int ids) {
-        OutlineShape[] newOutline = Arrays.copyOf(outline, ids);
-        float[] newX = Arrays.copyOf(x, ids);
-        float[] newY = Arrays.copyOf(y, ids);
-        float[] newRestX = Arrays.copyOf(restX, ids);
-        float[] newRestY = Arrays.copyOf(restY, ids);
-        int[] newAngle = Arrays.copyOf(angle, ids);
-        float[] newVx = Arrays.copyOf(vx, ids);
-        float[] newVy = Arrays.copyOf(vy, ids);
-        float[] newOmega = Arrays.copyOf(omega, ids);
-        float[] newInverseMass = Arrays.copyOf(inverseMass, ids);
-        float[] newInverseInertia = Arrays.copyOf(inverseInertia, ids);
-        float[] newRestitution = Arrays.copyOf(restitution, ids);
-        int[] newKind = Arrays.copyOf(kind, ids);
-        float[] newForceX = Arrays.copyOf(forceX, ids);
-        float[] newForceY = Arrays.copyOf(forceY, ids);
-        float[] newTorque = Arrays.copyOf(torque, ids);
-        outline = newOutline;
-        x = newX;
-        y = newY;
-        restX = newRestX;
-        restY = newRestY;
-        angle = newAngle;
-        vx = newVx;
-        vy = newVy;
-        omega = newOmega;
-        inverseMass = newInverseMass;
-        inverseInertia = newInverseInertia;
-        restitution = newRestitution;
-        kind = newKind;
-        forceX = newForceX;
-        forceY = newForceY;
-        torque = newTorque;
+        outline = Arrays.copyOf(outline, ids);
+        x = Arrays.copyOf(x, ids);
+        y = Arrays.copyOf(y, ids);
+        restX = Arrays.copyOf(restX, ids);
+        restY = Arrays.copyOf(restY, ids);
+        angle = Arrays.copyOf(angle, ids);
+        vx = Arrays.copyOf(vx, ids);
+        vy = Arrays.copyOf(vy, ids);
+        omega = Arrays.copyOf(omega, ids);
+        inverseMass = Arrays.copyOf(inverseMass, ids);
+        inverseInertia = Arrays.copyOf(inverseInertia, ids);
+        restitution = Arrays.copyOf(restitution, ids);
+        forceX = Arrays.copyOf(forceX, ids);
+        forceY = Arrays.copyOf(forceY, ids);
+        torque = Arrays.copyOf(torque, ids);
+        kind = Arrays.copyOf(kind, ids);
+    }
+
+    /** Compares a key, of a contact or a touch, with that of a pair. */
+    public static int compare(int[] keys, int at, int type, int a, int b) {
+        int order = Integer.compare(keys[at + TYPE], type);
+        order = order == 0 ? Integer.compare(keys[at + A], a) : order;
+        return order == 0 ? Integer.compare(keys[at + B], b) : order;
     }
 
     /** Pairs that have contacts: those of one are next to each other. */
@@ -316,21 +306,33 @@ public final class RigidStep {
     public void ensureContacts(int needed) {
         if (contactKeys.length < KEYS * needed) {
             int c = Math.max(Math.max(needed, 64), contactKeys.length / KEYS * 3 / 2);
-            int[] newKeys = Arrays.copyOf(contactKeys, KEYS * c);
-            float[] newImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
-            contactKeys = newKeys;
-            contactImpulses = newImpulses;
+            contactImpulses = Arrays.copyOf(contactImpulses, IMPULSES * c);
+            contactKeys = Arrays.copyOf(contactKeys, KEYS * c);
         }
+    }
+
+    /** Adds a touch, behind those that there are. */
+    public void addTouch(int type, int a, int b, float px, float py, float nx, float ny, float impulse, float speed) {
+        ensureTouches(touches + 1);
+        int key = TOUCH_KEYS * touches;
+        touchKeys[key + TYPE] = type;
+        touchKeys[key + A] = a;
+        touchKeys[key + B] = b;
+        int to = TOUCH_VALUES * touches++;
+        touchValues[to + TOUCH_X] = px;
+        touchValues[to + TOUCH_Y] = py;
+        touchValues[to + TOUCH_NX] = nx;
+        touchValues[to + TOUCH_NY] = ny;
+        touchValues[to + TOUCH_IMPULSE] = impulse;
+        touchValues[to + TOUCH_SPEED] = speed;
     }
 
     /** Makes room for touches, and keeps those that there are. If there is none, nothing has changed. */
     public void ensureTouches(int needed) {
         if (touchKeys.length < TOUCH_KEYS * needed) {
             int c = Math.max(Math.max(needed, 64), touchKeys.length / TOUCH_KEYS * 3 / 2);
-            int[] newKeys = Arrays.copyOf(touchKeys, TOUCH_KEYS * c);
-            float[] newValues = Arrays.copyOf(touchValues, TOUCH_VALUES * c);
-            touchKeys = newKeys;
-            touchValues = newValues;
+            touchValues = Arrays.copyOf(touchValues, TOUCH_VALUES * c);
+            touchKeys = Arrays.copyOf(touchKeys, TOUCH_KEYS * c);
         }
     }
 

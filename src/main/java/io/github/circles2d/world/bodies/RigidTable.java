@@ -76,20 +76,15 @@ public final class RigidTable {
     }
 
     private void setRoom(int bodies) {
-        float[] newMass = Arrays.copyOf(mass, bodies);
-        float[] newInertia = Arrays.copyOf(inertia, bodies);
-        long[] newTag = Arrays.copyOf(tag, bodies);
-        int[] newOutline = Arrays.copyOf(outline, bodies);
+        mass = Arrays.copyOf(mass, bodies);
+        inertia = Arrays.copyOf(inertia, bodies);
+        tag = Arrays.copyOf(tag, bodies);
+        outline = Arrays.copyOf(outline, bodies);
         step.setRoom(bodies);
         ids.setRoom(bodies);
-        mass = newMass;
-        inertia = newInertia;
-        tag = newTag;
-        outline = newOutline;
     }
 
     // ---- what there is
-    // -----------------------------------------------------------------------------------------------
 
     public float mass(int body) {
         return mass[body];
@@ -119,7 +114,6 @@ public final class RigidTable {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** A body at rest. */
     public int add(OutlineShape shape, float x, float y, int angle, float itsMass, int kind, float restitution) {
@@ -247,9 +241,9 @@ public final class RigidTable {
 
     /** A force and a torque are to act in the next step, too. */
     public void applyForce(int body, float forceX, float forceY, float torque) {
-        step.forceX[body] = RigidRules.sum(step.forceX[body], forceX);
-        step.forceY[body] = RigidRules.sum(step.forceY[body], forceY);
-        step.torque[body] = RigidRules.sum(step.torque[body], torque);
+        step.forceX[body] = RigidLimits.sum(step.forceX[body], forceX);
+        step.forceY[body] = RigidLimits.sum(step.forceY[body], forceY);
+        step.torque[body] = RigidLimits.sum(step.torque[body], torque);
         pushed |= acts(body);
     }
 
@@ -309,7 +303,7 @@ public final class RigidTable {
     public void requireRoom(Bounds bounds) {
         for (int k = 0; k < outlines.end(); k++) {
             if (outlines.isUsed(k)) {
-                RigidRules.reach(outlines.shape(k), bounds);
+                RigidLimits.reach(outlines.shape(k), bounds);
             }
         }
     }
@@ -344,7 +338,6 @@ public final class RigidTable {
     }
 
     // ---- contacts
-    // ----------------------------------------------------------------------------------------------------
 
     /** Makes room to note what goes after the next step: circles and pieces of ids below limits. If there is none, nothing has changed. */
     public void makeRoom(int circles, int pieces, boolean sleeps) {
@@ -352,11 +345,9 @@ public final class RigidTable {
             if (sleeps) {
                 ensureExtras();
             }
-            long[] newCircles = goneCircles.length * 64 < circles ? new long[circles / 32 + 1] : goneCircles;
-            long[] newPieces = gonePieces.length * 64 < pieces ? new long[pieces / 32 + 1] : gonePieces;
+            goneCircles = withRoom(goneCircles, circles);
+            gonePieces = withRoom(gonePieces, pieces);
             settle();
-            goneCircles = newCircles;
-            gonePieces = newPieces;
         }
     }
 
@@ -385,6 +376,10 @@ public final class RigidTable {
         if (step.contacts > 0) {
             note(gonePieces, piece);
         }
+    }
+
+    private static long[] withRoom(long[] set, int ids) {
+        return set.length * 64 < ids ? Arrays.copyOf(set, ids / 32 + 1) : set;
     }
 
     private void note(long[] set, int id) {
@@ -446,7 +441,6 @@ public final class RigidTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     public void save(SavedRigids to) {
         settle();
@@ -494,9 +488,8 @@ public final class RigidTable {
         to.set(body, SavedRigids.TORQUE, step.torque[body]);
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] = (int) tag[body];
         to.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] = (int) (tag[body] >> Integer.SIZE);
-        for (int k = 0; k < RigidExtras.COUNT; k++) {
-            to.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k] = step.extras.get(body, k);
-        }
+        int at = SavedRigids.VALUES * body + SavedRigids.EXTRAS;
+        step.extras.save(body, 0, RigidExtras.COUNT, to.values, at);
     }
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
@@ -514,10 +507,6 @@ public final class RigidTable {
         goneCircles = withRoom(goneCircles, from.idsTouched(RigidStep.BODY_CIRCLE));
         gonePieces = withRoom(gonePieces, from.idsTouched(RigidStep.BODY_PIECE));
         events.makeRoom(from);
-    }
-
-    private static long[] withRoom(long[] set, int ids) {
-        return set.length * 64 < ids ? Arrays.copyOf(set, ids / 32 + 1) : set;
     }
 
     /** Takes over saved bodies, which have been checked. There is room. */
@@ -562,9 +551,8 @@ public final class RigidTable {
         pushed |= acts(body);
         tag[body] = from.values[SavedRigids.VALUES * body + SavedRigids.TAG_LOW] & 0xFFFFFFFFL
                 | (long) from.values[SavedRigids.VALUES * body + SavedRigids.TAG_HIGH] << Integer.SIZE;
-        for (int k = 0; k < RigidExtras.COUNT; k++) {
-            step.extras.set(body, k, from.values[SavedRigids.VALUES * body + SavedRigids.EXTRAS + k]);
-        }
+        int at = SavedRigids.VALUES * body + SavedRigids.EXTRAS;
+        step.extras.load(body, 0, RigidExtras.COUNT, from.values, at);
     }
 
     /** Bytes of the table. */

@@ -26,14 +26,10 @@ public final class RigidTouches {
         int needed = count + more;
         if (needed > types.length) {
             int c = Math.max(needed, types.length + (types.length >> 1));
-            long[] newHandles = Arrays.copyOf(handles, HANDLES * c);
-            float[] newValues = Arrays.copyOf(values, RigidStep.TOUCH_VALUES * c);
-            boolean[] newBegins = Arrays.copyOf(begins, c);
-            byte[] newTypes = Arrays.copyOf(types, c);
-            handles = newHandles;
-            values = newValues;
-            begins = newBegins;
-            types = newTypes;
+            handles = Arrays.copyOf(handles, HANDLES * c);
+            values = Arrays.copyOf(values, RigidStep.TOUCH_VALUES * c);
+            begins = Arrays.copyOf(begins, c);
+            types = Arrays.copyOf(types, c);
         }
     }
 

@@ -2,7 +2,6 @@ package io.github.circles2d.world.changes;
 
 import static io.github.circles2d.world.shared.Call.real;
 
-import io.github.circles2d.world.model.Rotation;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.Call;
@@ -43,29 +42,6 @@ public final class Bodies implements Calls.Effects {
         return world.calls.makeOfFloats(Call.BODY, x, y, angle, 0);
     }
 
-    /** Removes a body with its pieces. */
-    public void remove(long body) {
-        world.calls.change(Call.REMOVE_BODY, body, 0, 0, 0);
-    }
-
-    public void setVelocity(long body, float vx, float vy) {
-        world.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0);
-    }
-
-    public void setAngularVelocity(long body, float velocity) {
-        world.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, velocity, 0, 0);
-    }
-
-    /** Lets a body travel to a place in the next step. */
-    public void move(long body, float x, float y, float angle) {
-        world.calls.changeByFloats(Call.MOVE_BODY, body, x, y, angle);
-    }
-
-    /** Puts a body at a place at once. */
-    public void teleport(long body, float x, float y, float angle) {
-        world.calls.changeByFloats(Call.TELEPORT_BODY, body, x, y, angle);
-    }
-
     @Override
     public long make(Call call, int[] w) {
         if (call == Call.BODY) {
@@ -76,7 +52,7 @@ public final class Bodies implements Calls.Effects {
             table.ensure(1);
         } else if (call == Call.REMOVE_BODY) {
             world.pending.settleJoints();
-            world.joints.departures().ensure(world.joints.table.places.count());
+            world.joints.departures.ensure(world.joints.table.places.count());
         }
         world.calls.begin(call, w);
         switch (call) {
@@ -84,7 +60,7 @@ public final class Bodies implements Calls.Effects {
                 return table.ids.handle(world.terrain.addBody(real(w[0]), real(w[1]), Surface.units(real(w[2]))));
             }
             case REMOVE_BODY -> {
-                world.joints.departures().removeOfBody(w[0]);
+                world.joints.departures.removeOfBody(w[0]);
                 world.terrain.removeBody(w[0]);
             }
             case BODY_VELOCITY -> table.setVelocity(w[0], real(w[1]), real(w[2]));
@@ -111,23 +87,6 @@ public final class Bodies implements Calls.Effects {
         to.keepOneBetween(before, after, alpha, table, world.terrain.bounds(), id);
     }
 
-    public boolean contains(long handle) {
-        world.guard.check();
-        return table.ids.find(handle) >= 0;
-    }
-
-    /** One more than the greatest id that a body has had; the ground has 0. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the body that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.check();
-        return table.ids.handleOrNone(id);
-    }
-
     /** The id of a body that is there. */
     public int require(long handle) {
         world.guard.check();
@@ -140,11 +99,11 @@ public final class Bodies implements Calls.Effects {
     }
 
     public float x(long handle) {
-        return table.x(require(handle));
+        return (float) table.x[require(handle)];
     }
 
     public float y(long handle) {
-        return table.y(require(handle));
+        return (float) table.y[require(handle)];
     }
 
     /** Where a place in a body's coordinates is in the world now. */
@@ -188,18 +147,18 @@ public final class Bodies implements Calls.Effects {
 
     /** In radians, at least -pi and less than pi. */
     public float angle(long handle) {
-        return (float) (table.angle(require(handle)) * Rotation.RADIANS_PER_UNIT);
+        return Surface.radians(table.angle[require(handle)]);
     }
 
     public float vx(long handle) {
-        return table.vx(require(handle));
+        return table.vx[require(handle)];
     }
 
     public float vy(long handle) {
-        return table.vy(require(handle));
+        return table.vy[require(handle)];
     }
 
     public float angularVelocity(long handle) {
-        return table.omega(require(handle));
+        return table.omega[require(handle)];
     }
 }

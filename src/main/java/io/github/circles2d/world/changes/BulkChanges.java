@@ -9,10 +9,10 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
+import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.search.BodyView;
-import io.github.circles2d.world.search.CircleFilter;
 import io.github.circles2d.world.search.TerrainView;
 import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.WorldParts;
@@ -25,7 +25,6 @@ public final class BulkChanges {
     private final WorldParts world;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
-    private final CircleFilter filter;
     private final TerrainView terrain;
     private final BodyView bodies;
 
@@ -42,7 +41,6 @@ public final class BulkChanges {
         this.changes = changes;
         this.terrain = terrain;
         this.bodies = bodies;
-        filter = new CircleFilter(world, 0);
     }
 
     /** Removes circles. Returns the number of handles that were left out, as all calls here do. */
@@ -124,6 +122,22 @@ public final class BulkChanges {
         }
     }
 
+    /** Refuses kinds that are not one for each of so many; null are none. */
+    static void checkKinds(int[] kinds, int n) {
+        if (kinds != null && kinds.length != n) {
+            throw new IllegalArgumentException(
+                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
+        }
+    }
+
+    /** Refuses an array, which may be null, without room for the handles of so many. */
+    static void checkHandles(long[] to, int n, String what) {
+        if (to != null && to.length < n) {
+            throw new IllegalArgumentException(
+                    "handles has " + to.length + " elements, but there are " + n + " " + what);
+        }
+    }
+
     /** The id of handle i; -1 if it is stale and left out. Each element is read once: another thread may write to the array. */
     private int find(long[] circles, int i, boolean skipStale) {
         long handle = circles[i];
@@ -193,18 +207,16 @@ public final class BulkChanges {
     private int explode(
             boolean masked, int mask, boolean inSight, float x, float y, float radius, float impulse, float falloff) {
         explosion.set(x, y, radius, impulse, falloff, world.settings.bounds());
-        filter.setMask(mask);
         float[] circles = world.last.circles();
         boolean hides = inSight && terrain.look();
-        int reached = prepareBodies(masked, hides);
+        int reached = prepareBodies(masked, mask, hides);
         changes.begin(0);
         int pushed = 0;
         int s = 0;
         for (int id = 0; id < world.handles.end(); id++) {
             if (world.handles.lives(id)) {
-                if ((!masked || filter.admits(id))
-                        && explosion.reaches(circles, s)
-                        && !(hides && isHidden(world.handles.fields().getInt(CircleField.KIND, id)))) {
+                int kind = world.handles.fields().getInt(CircleField.KIND, id);
+                if ((!masked || isOf(kind, mask)) && explosion.reaches(circles, s) && !(hides && isHidden(kind))) {
                     changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     pushed++;
                 }
@@ -217,7 +229,7 @@ public final class BulkChanges {
     }
 
     /** Prepares the pushes of bodies, and returns how many: what may lack memory comes before the first change. */
-    private int prepareBodies(boolean masked, boolean hides) {
+    private int prepareBodies(boolean masked, int mask, boolean hides) {
         if (!world.rigids.isThere()) {
             return 0;
         }
@@ -229,7 +241,7 @@ public final class BulkChanges {
         for (int k = 0; k < near; k++) {
             int body = bodies.id(k);
             bodies.read(k, hit);
-            if (reaches(body, masked, hides)) {
+            if ((!masked || isOf(world.rigids.step.kind[body], mask)) && reaches(body, hides)) {
                 int at = PUSH * reached++;
                 pushes[at] = body;
                 pushes[at + 1] = floatToRawIntBits(explosion.impulseX());
@@ -246,18 +258,16 @@ public final class BulkChanges {
     }
 
     /** Whether the body of the last hit gets an impulse: not if the explosion is at its centroid. */
-    private boolean reaches(int body, boolean masked, boolean hides) {
+    private boolean reaches(int body, boolean hides) {
         RigidStep step = world.rigids.step;
-        int kind = step.kind[body];
-        return (!masked || filter.admitsBody(body, kind))
-                && (step.x[body] != explosion.x() || step.y[body] != explosion.y())
+        return (step.x[body] != explosion.x() || step.y[body] != explosion.y())
                 && explosion.reaches(
                         hit[CastSearch.DISTANCE],
                         hit[CastSearch.X],
                         hit[CastSearch.Y],
                         hit[CastSearch.NORMAL_X],
                         hit[CastSearch.NORMAL_Y])
-                && !(hides && isHidden(kind));
+                && !(hides && isHidden(step.kind[body]));
     }
 
     private void pushBodies(int count) {
@@ -268,6 +278,11 @@ public final class BulkChanges {
                     words[0], real(words[1]), real(words[2]), real(words[3]), real(words[4]), world.settings.bounds());
             world.calls.end();
         }
+    }
+
+    /** Whether a kind has a category of a mask. */
+    private boolean isOf(int kind, int mask) {
+        return (world.kinds.get(KindField.CATEGORY, kind) & mask) != 0;
     }
 
     private boolean isHidden(int kind) {

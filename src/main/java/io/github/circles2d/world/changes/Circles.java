@@ -85,23 +85,13 @@ public final class Circles implements Calls.Effects {
         }
     }
 
-    /** Wakes all circles that sleep. */
-    public void wakeAll() {
-        world.calls.make(Call.WAKE_ALL, 0, 0, 0, 0);
-    }
-
-    /** Removes all circles, and with them all joints. */
-    public void clear() {
-        world.calls.make(Call.CLEAR, 0, 0, 0, 0);
-    }
-
     /**
      * The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for each removes them as any
      * other call does, so that their ends are reported.
      */
     private void removeAll() {
         world.pending.settleJoints();
-        world.joints.departures().ensure(world.joints.table.ids.size());
+        world.joints.departures.ensure(world.joints.table.ids.size());
         if (world.events.isOn()) {
             world.pending.expect(world.handles.size());
         } else {
@@ -110,7 +100,7 @@ public final class Circles implements Calls.Effects {
         }
         world.copies.forget();
         world.calls.begin(Call.CLEAR, 0, 0, 0, 0);
-        world.joints.departures().removeOfCircles();
+        world.joints.departures.removeOfCircles();
         world.rigids.circlesGo();
         if (world.events.isOn()) {
             world.pending.recordRemovals();

@@ -43,29 +43,16 @@ public final class Growth implements Calls.Effects {
 
     @Override
     public long make(Call call, int[] w) {
-        grow(w[0], Call.real(w[1]), w[2]);
-        return 0;
-    }
-
-    /** Lets a circle grow or shrink to a radius in a number of steps, from the radius that it has. */
-    public void grow(long circle, float radius, int steps) {
-        world.guard.enter();
-        try {
-            grow(world.circle(circle), radius, steps);
-        } finally {
-            world.guard.leave();
-        }
-    }
-
-    private void grow(int id, float radius, int steps) {
+        int id = w[0];
+        float radius = Call.real(w[1]);
+        int steps = w[2];
         Limits.growth(radius, steps, world.settings.bounds());
         fields.ensure(GROWTH, id + 1);
         ensure(count + 1, world.handles.end());
-        world.copies.forgetSaved();
-        world.calls.begin(Call.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
+        world.calls.begin(call, w);
         list(id);
         fields.set(GROWTH, id, CircleField.growth(radius, steps));
-        world.calls.end();
+        return 0;
     }
 
     /** The steps that a circle goes on to grow or shrink; 0 if it does neither. */

@@ -56,23 +56,6 @@ public final class JointCalls implements Calls.Effects {
                 Call.CLEAR_JOINTS);
     }
 
-    /** One more than the greatest id that a joint has had. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the joint that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.enter();
-        try {
-            world.pending.settleJoints();
-            return table.ids.handleOrNone(id);
-        } finally {
-            world.guard.leave();
-        }
-    }
-
     // ---- joints come
     // -------------------------------------------------------------------------------------------------
 
@@ -110,12 +93,7 @@ public final class JointCalls implements Calls.Effects {
             words[5] = find(typeB, other, ": a circle is held by its centre, and takes no point");
             words[6] = floatToRawIntBits(bx);
             words[7] = floatToRawIntBits(by);
-            prepare(Call.RIGID_JOINT, words, form);
-            world.log.joints(form);
-            world.calls.begin(Call.RIGID_JOINT, words);
-            long joint = apply(Call.RIGID_JOINT, words, form);
-            world.calls.end();
-            return joint;
+            return add(Call.RIGID_JOINT, form);
         } finally {
             world.guard.leave();
         }
@@ -168,15 +146,20 @@ public final class JointCalls implements Calls.Effects {
             }
             words[2] = floatToRawIntBits(x);
             words[3] = floatToRawIntBits(y);
-            prepare(call, words, form);
-            world.log.joints(form);
-            world.calls.begin(call, words);
-            long joint = apply(call, words, form);
-            world.calls.end();
-            return joint;
+            return add(call, form);
         } finally {
             world.guard.leave();
         }
+    }
+
+    /** Adds a joint by {@link #words}. */
+    private long add(Call call, JointForm of) {
+        prepare(call, words, of);
+        world.log.joints(of);
+        world.calls.begin(call, words);
+        long joint = apply(call, words, of);
+        world.calls.end();
+        return joint;
     }
 
     // ---- sleep
@@ -211,11 +194,12 @@ public final class JointCalls implements Calls.Effects {
     private void prepare(Call call, int[] w, JointForm of) {
         if (call == Call.RIGID_JOINT) {
             prepareOfBodies(w, of);
-            if (JointForm.isWeld(of.traits())) {
+            if (of.kind() == JointForm.WELD) {
                 world.joints.requireWeld(w[0], w[1], w[4], w[5], pointsOf(w), world.last.circles());
             }
         } else if (call == Call.ANCHORED_JOINT) {
-            JointLimits.anchor(of, w[0], real(w[2]), real(w[3]), world.handles);
+            JointLimits.anchor(of, false, real(w[2]), real(w[3]));
+            JointLimits.moves(w[0], world.handles);
         } else {
             check(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE);
         }
@@ -225,8 +209,8 @@ public final class JointCalls implements Calls.Effects {
     /** Checks a joint of bodies that are pushed. */
     private void prepareOfBodies(int[] w, JointForm of) {
         switch (w[4]) {
-            case JointEndType.ANCHOR -> JointLimits.anchorOfBody(of, real(w[6]), real(w[7]));
-            case JointEndType.NOTHING -> JointLimits.bodyAlone(of);
+            case JointEndType.ANCHOR -> JointLimits.anchor(of, true, real(w[6]), real(w[7]));
+            case JointEndType.NOTHING -> JointLimits.alone(of, true);
             default -> JointLimits.things(of);
         }
         if (w[0] == w[4] && w[1] == w[5]) {
@@ -298,25 +282,20 @@ public final class JointCalls implements Calls.Effects {
 
     /** Adds a joint, for which there is room, and returns its handle. */
     private long apply(Call call, int[] w, JointForm of) {
-        if (call == Call.RIGID_JOINT) {
-            int joint = addOfBodies(w, of);
-            complete(of, joint);
-            wake(joint);
-            return table.ids.handle(joint);
-        }
-        if (call != Call.ANCHORED_JOINT) {
-            return table.ids.handle(addOne(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE));
-        }
-        int joint = world.joints.add(of, w[0], w[1], real(w[2]), real(w[3]));
-        complete(of, joint);
-        wake(joint);
-        return table.ids.handle(joint);
+        return complete(
+                of,
+                switch (call) {
+                    case RIGID_JOINT -> addOfBodies(w, of);
+                    case ANCHORED_JOINT -> world.joints.add(of, w[0], w[1], real(w[2]), real(w[3]));
+                    default -> world.joints.add(of, w[0], call == Call.JOINT ? w[1] : JointRow.NONE);
+                });
     }
 
     /** Without a circle b, it holds a to no place. */
     private void check(JointForm form, int a, int b) {
         if (b == JointRow.NONE) {
-            JointLimits.alone(form, a, world.handles);
+            JointLimits.alone(form, false);
+            JointLimits.moves(a, world.handles);
         } else {
             JointLimits.circles(form, a, b, world.handles);
         }
@@ -340,7 +319,7 @@ public final class JointCalls implements Calls.Effects {
             if (call == Call.JOINT) {
                 checkOthers(others, n);
             }
-            checkRoom(to, n);
+            BulkChanges.checkHandles(to, n, "joints");
             JointLimits.room(n, table.ids.size());
             ensureFound(n);
             for (int k = 0; k < n; k++) {
@@ -364,9 +343,9 @@ public final class JointCalls implements Calls.Effects {
 
     private void addFound(int n, JointForm form, long[] to) {
         for (int k = 0; k < n; k++) {
-            int joint = addOne(form, found[k], foundOthers[k]);
+            long joint = complete(form, world.joints.add(form, found[k], foundOthers[k]));
             if (to != null) {
-                to[k] = table.ids.handle(joint);
+                to[k] = joint;
             }
         }
     }
@@ -375,13 +354,6 @@ public final class JointCalls implements Calls.Effects {
         if (Limits.notNull("others", others).length != n) {
             throw new IllegalArgumentException(
                     "others has " + others.length + " elements, but must have one for each of " + n + " circles");
-        }
-    }
-
-    private static void checkRoom(long[] to, int n) {
-        if (to != null && to.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + to.length + " elements, but there are " + n + " joints");
         }
     }
 
@@ -411,7 +383,7 @@ public final class JointCalls implements Calls.Effects {
         JointLimits.room(more, table.ids.size());
         table.ensure(more, world.handles.end());
         if (form.springs()) {
-            table.ensureSpring(); // all have the same
+            table.ensureSprings(1); // all have the same
         }
         expectToWake(more);
         if (form.looks()) {
@@ -421,34 +393,17 @@ public final class JointCalls implements Calls.Effects {
         world.copies.forgetSaved();
     }
 
-    private int addOne(JointForm form, int a, int b) {
-        int joint = world.joints.add(form, a, b);
-        complete(form, joint);
-        wake(joint);
-        return joint;
-    }
-
-    private void complete(JointForm form, int joint) {
+    /** A joint has come, which looks at what it holds and wakes it; returns its handle. */
+    private long complete(JointForm form, int joint) {
         if (form.looks()) {
             world.joints.complete(joint, circles, angles);
         }
-    }
-
-    // ---- joints change
-    // -----------------------------------------------------------------------------------------------
-
-    /** Sets something of a joint, by one or two values. */
-    public void set(JointSetting setting, long joint, float a, float b) {
-        world.calls.change(Call.JOINT_SETTING, joint, setting.number, floatToRawIntBits(a), floatToRawIntBits(b));
+        wake(joint);
+        return table.ids.handle(joint);
     }
 
     // ---- joints go
     // ---------------------------------------------------------------------------------------------------
-
-    /** Removes a joint. */
-    public void remove(long joint) {
-        world.calls.change(Call.REMOVE_JOINT, joint, 0, 0, 0);
-    }
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
@@ -490,11 +445,6 @@ public final class JointCalls implements Calls.Effects {
         found[k] = joint;
     }
 
-    /** Removes all joints. */
-    public void clear() {
-        world.calls.make(Call.CLEAR_JOINTS, 0, 0, 0, 0);
-    }
-
     // ---- calls by their words
     // ----------------------------------------------------------------------------------------
 
@@ -526,7 +476,7 @@ public final class JointCalls implements Calls.Effects {
                 JointSetting setting = JointSetting.of(w[1]);
                 world.joints.check(w[0], setting, real(w[2]), real(w[3]));
                 if (setting == JointSetting.SPRING) {
-                    table.ensureSpring();
+                    table.ensureSprings(1);
                 }
                 expectToWake(1);
                 world.calls.begin(call, w);
@@ -564,7 +514,7 @@ public final class JointCalls implements Calls.Effects {
         world.guard.enter();
         try {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
-            world.joints.departures().report(on);
+            world.joints.departures.report(on);
         } finally {
             world.guard.leave();
         }
@@ -573,7 +523,7 @@ public final class JointCalls implements Calls.Effects {
     /** Whether somebody is told of joints that go by themselves. */
     public boolean reports() {
         world.guard.check();
-        return world.joints.departures().reports();
+        return world.joints.departures.reports();
     }
 
     /** Gives those that went since the last call. */
@@ -581,7 +531,7 @@ public final class JointCalls implements Calls.Effects {
         world.guard.enter();
         try {
             world.pending.settleJoints();
-            world.joints.departures().gone().moveTo(to);
+            world.joints.departures.gone().moveTo(to);
         } finally {
             world.guard.leave();
         }

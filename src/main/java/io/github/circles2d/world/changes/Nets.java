@@ -62,7 +62,7 @@ public final class Nets {
             boolean isStatic = isStatic(net, net.firstIsThere(k), net.firstEnd(k));
             if (net.second(k) == Net.PLACE) {
                 world.body(net.secondEnd(k));
-                JointLimits.anchor(form, net.placeX(k), net.placeY(k));
+                JointLimits.anchor(form, false, net.placeX(k), net.placeY(k));
                 if (isStatic) {
                     throw new IllegalArgumentException("its circle is static, but must move");
                 }

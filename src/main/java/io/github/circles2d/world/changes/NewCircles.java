@@ -166,14 +166,8 @@ public final class NewCircles implements Calls.Effects {
             throw new IllegalArgumentException(
                     "velocities has " + velocities.length + " elements, but must have two for each of " + n);
         }
-        if (kinds != null && kinds.length != n) {
-            throw new IllegalArgumentException(
-                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
-        }
-        if (to != null && to.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + to.length + " elements, but there are " + n + " circles");
-        }
+        BulkChanges.checkKinds(kinds, n);
+        BulkChanges.checkHandles(to, n, "circles");
     }
 
     /** Another thread may write to the caller's array. */

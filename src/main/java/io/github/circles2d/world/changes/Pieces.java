@@ -4,6 +4,7 @@ import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.joints.JointDepartures;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TerrainLimits;
 import io.github.circles2d.world.shared.Call;
@@ -25,7 +26,7 @@ public final class Pieces implements Calls.Effects {
     /** A copy of the caller's array. */
     private float[] copied = new float[0];
 
-    /** Those of a segment of many, or of a part of a chain. */
+    /** Those of a segment of many. */
     private final int[] words = new int[Call.MOST_WORDS];
 
     /** The chain of which a log has the parts; null if none has begun. */
@@ -69,7 +70,7 @@ public final class Pieces implements Calls.Effects {
             int of = world.body(body);
             KindTable.check(kind);
             int n = copy(ends);
-            checkHandles(handles, n);
+            BulkChanges.checkHandles(handles, n, "pieces");
             for (int k = 0; k < n; k++) {
                 checkSegment(of, kind, k);
             }
@@ -125,13 +126,6 @@ public final class Pieces implements Calls.Effects {
         }
     }
 
-    private static void checkHandles(long[] handles, int n) {
-        if (handles != null && handles.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + handles.length + " elements, but there are " + n + " pieces");
-        }
-    }
-
     /** Adds an arc, anticlockwise between two angles in radians, and returns its handle. inside: circles are inside it. */
     public long addArc(long body, int kind, float x, float y, float radius, float from, float to, boolean inside) {
         return world.calls.change(
@@ -154,7 +148,7 @@ public final class Pieces implements Calls.Effects {
             KindTable.check(kind);
             boolean closed = chain.isClosed();
             int n = chain.pieces();
-            checkHandles(handles, n);
+            BulkChanges.checkHandles(handles, n, "pieces");
             checkChain(chain, n);
             makeRoom(n);
             world.copies.forgetSaved();
@@ -178,25 +172,18 @@ public final class Pieces implements Calls.Effects {
 
     /** The first pieces of a chain, so many, are to be added. */
     private void logChain(int body, int kind, ChainPath of, int n, boolean closed) {
-        log(Call.CHAIN_START, floatToRawIntBits(of.x(0)), floatToRawIntBits(of.y(0)), 0, 0);
+        world.log.write(Call.CHAIN_START, floatToRawIntBits(of.x(0)), floatToRawIntBits(of.y(0)), 0, 0);
         for (int k = 0; k < n; k++) {
             long turn = of.turn(k);
             if (turn == 0) {
-                log(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
+                world.log.write(Call.CHAIN_LINE, floatToRawIntBits(of.x(k + 1)), floatToRawIntBits(of.y(k + 1)), 0, 0);
             } else {
                 int x = floatToRawIntBits(of.centreX(k));
-                log(Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
+                world.log.write(
+                        Call.CHAIN_ARC, x, floatToRawIntBits(of.centreY(k)), (int) turn, (int) (turn >> Integer.SIZE));
             }
         }
-        log(Call.CHAIN, body, kind, closed ? 1 : 0, 0);
-    }
-
-    private void log(Call call, int a, int b, int c, int d) {
-        words[0] = a;
-        words[1] = b;
-        words[2] = c;
-        words[3] = d;
-        world.log.write(call, words);
+        world.log.write(Call.CHAIN, body, kind, closed ? 1 : 0, 0);
     }
 
     /** Circles may lie on what goes, or where something comes. */
@@ -212,20 +199,6 @@ public final class Pieces implements Calls.Effects {
                     + " pieces of terrain, not " + (table.ids.size() + more));
         }
         table.ensure(more);
-    }
-
-    /** Removes a piece. */
-    public void remove(long piece) {
-        world.calls.change(Call.REMOVE_PIECE, piece, 0, 0, 0);
-    }
-
-    /** Removes all pieces and bodies. */
-    public void clear() {
-        world.calls.make(Call.CLEAR_TERRAIN, 0, 0, 0, 0);
-    }
-
-    public void setKind(long piece, int kind) {
-        world.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
     }
 
     @Override
@@ -253,9 +226,9 @@ public final class Pieces implements Calls.Effects {
             }
             case CLEAR_TERRAIN -> {
                 world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.places.count());
+                world.joints.departures.ensure(world.joints.table.places.count());
                 world.calls.begin(call, w);
-                world.joints.departures().removeOfBodies();
+                world.joints.departures.removeOfBody(JointDepartures.ALL);
                 world.terrain.clear();
             }
             case REMOVE_PIECE -> {
@@ -264,7 +237,7 @@ public final class Pieces implements Calls.Effects {
             }
             default -> {
                 world.calls.begin(call, w, table.kindOf(w[0]) != w[1]);
-                world.terrain.setKind(w[0], w[1]);
+                table.setKind(w[0], w[1]);
             }
         }
         return 0;
@@ -317,29 +290,6 @@ public final class Pieces implements Calls.Effects {
         }
     }
 
-    public boolean contains(long handle) {
-        world.guard.check();
-        return table.ids.find(handle) >= 0;
-    }
-
-    /** One more than the greatest id that a piece has had. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the piece that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.check();
-        return table.ids.handleOrNone(id);
-    }
-
-    /** The number of pieces. */
-    public int size() {
-        world.guard.check();
-        return table.ids.size();
-    }
-
     public int kindOf(long handle) {
         world.guard.check();
         return table.kindOf(world.piece(handle));
@@ -383,7 +333,7 @@ public final class Pieces implements Calls.Effects {
             throw new IllegalArgumentException("pieces has " + to.length + " elements, but there are " + n
                     + " pieces of " + PieceRead.STRIDE + " elements");
         }
-        checkHandles(handles, n);
+        BulkChanges.checkHandles(handles, n, "pieces");
         return n;
     }
 }

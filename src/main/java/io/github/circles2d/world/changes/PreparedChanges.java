@@ -163,9 +163,9 @@ public final class PreparedChanges {
         world.pending.settleJoints();
         int leavingToo = 0;
         for (int k = 0; k < count; k++) {
-            leavingToo += world.joints.departures().countOf(commands.preparedId(k));
+            leavingToo += world.joints.departures.countOf(commands.preparedId(k));
         }
-        world.joints.departures().ensure(leavingToo);
+        world.joints.departures.ensure(leavingToo);
         if (world.settings.sleeps()) {
             commands.ensure(count + leavingToo);
             makeRoomForPartners(leavingToo);
@@ -181,7 +181,7 @@ public final class PreparedChanges {
     /** Takes note of those that joints hold to a circle that is put somewhere else, or turned. Makes room for more commands besides. */
     private void noteHeld(int id, int more) {
         world.pending.settleJoints();
-        makeRoomForPartners(partners + world.joints.departures().countOf(id));
+        makeRoomForPartners(partners + world.joints.departures.countOf(id));
         findPartners(id);
         commands.ensure(more + partners);
     }
@@ -251,7 +251,7 @@ public final class PreparedChanges {
                 if (world.settings.sleeps()) {
                     findPartners(id);
                 }
-                world.joints.departures().removeOfCircle(id);
+                world.joints.departures.removeOfCircle(id);
                 world.rigids.circleGoes(id);
                 handles.remove(id);
             }

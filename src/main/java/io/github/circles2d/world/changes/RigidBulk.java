@@ -3,7 +3,7 @@ package io.github.circles2d.world.changes;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.Call;
@@ -56,7 +56,7 @@ public final class RigidBulk {
         try {
             int n = Limits.notNull("bodies", bodies).length / NEW;
             checkLengths(n, areEach ? outlines.length : n, bodies, kinds, to);
-            RigidRules.room(table.ids.size(), n);
+            RigidLimits.room(table.ids.size(), n);
             preparedWords = 0;
             for (int i = 0; i < n; i++) {
                 prepare(i, outlines[areEach ? i : 0], bodies, kinds == null ? 0 : kinds[i]);
@@ -76,7 +76,7 @@ public final class RigidBulk {
         }
         try {
             Call.RIGID.check(words, world.settings);
-            RigidRules.reach(outline, world.settings.bounds());
+            RigidLimits.reach(outline, world.settings.bounds());
         } catch (IllegalArgumentException e) {
             throw ofBody(i, e);
         }
@@ -115,14 +115,8 @@ public final class RigidBulk {
             throw new IllegalArgumentException(
                     "outlines has " + outlines + " elements, but must have one for each of " + n);
         }
-        if (kinds != null && kinds.length != n) {
-            throw new IllegalArgumentException(
-                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
-        }
-        if (to != null && to.length < n) {
-            throw new IllegalArgumentException(
-                    "handles has " + to.length + " elements, but there are " + n + " bodies");
-        }
+        BulkChanges.checkKinds(kinds, n);
+        BulkChanges.checkHandles(to, n, "bodies");
     }
 
     // ---- many change

@@ -4,8 +4,9 @@ import static io.github.circles2d.world.shared.Call.real;
 import static java.lang.Float.floatToRawIntBits;
 
 import io.github.circles2d.world.bodies.OutlineShape;
-import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.bodies.RigidTable;
+import io.github.circles2d.world.joints.JointDepartures;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.Call;
@@ -81,8 +82,8 @@ public final class RigidCalls implements Calls.Effects {
 
     /** The first word has no meaning. */
     private long add(OutlineShape outline, int[] w) {
-        RigidRules.room(table.ids.size(), 1);
-        RigidRules.reach(outline, world.settings.bounds());
+        RigidLimits.room(table.ids.size(), 1);
+        RigidLimits.reach(outline, world.settings.bounds());
         if (!table.isThere()) {
             world.needs.prepareRigids();
         }
@@ -129,102 +130,11 @@ public final class RigidCalls implements Calls.Effects {
         }
     }
 
-    public void remove(long body) {
-        world.calls.change(Call.REMOVE_RIGID, body, 0, 0, 0);
-    }
-
-    /** Removes all bodies. */
-    public void clear() {
-        world.calls.make(Call.CLEAR_RIGIDS, 0, 0, 0, 0);
-    }
-
-    public void setVelocity(long body, float vx, float vy) {
-        world.calls.changeByFloats(Call.RIGID_VELOCITY, body, vx, vy, 0);
-    }
-
-    public void setAngularVelocity(long body, float velocity) {
-        world.calls.changeByFloats(Call.RIGID_ANGULAR_VELOCITY, body, velocity, 0, 0);
-    }
-
-    /** An impulse at a point of the world. */
-    public void applyImpulse(long body, float x, float y, float pointX, float pointY) {
-        changeAt(Call.RIGID_IMPULSE, body, x, y, pointX, pointY);
-    }
-
-    private void changeAt(Call call, long body, float x, float y, float pointX, float pointY) {
-        world.calls.change(
-                call,
-                body,
-                floatToRawIntBits(x),
-                floatToRawIntBits(y),
-                floatToRawIntBits(pointX),
-                floatToRawIntBits(pointY),
-                0,
-                0,
-                0);
-    }
-
     /** An impulse at the centroid. */
     public void applyImpulse(long body, float x, float y) {
         world.guard.check();
         int id = world.rigid(body);
-        applyImpulse(body, x, y, table.step.x[id], table.step.y[id]);
-    }
-
-    public void applyAngularImpulse(long body, float impulse) {
-        world.calls.changeByFloats(Call.RIGID_ANGULAR_IMPULSE, body, impulse, 0, 0);
-    }
-
-    /** A force and a torque in the next step alone. */
-    public void applyForce(long body, float x, float y, float torque) {
-        world.calls.changeByFloats(Call.RIGID_FORCE, body, x, y, torque);
-    }
-
-    /** A force at a point of the world in the next step alone. */
-    public void applyForce(long body, float x, float y, float pointX, float pointY) {
-        changeAt(Call.RIGID_FORCE_AT, body, x, y, pointX, pointY);
-    }
-
-    /** A force that acts until another one is set. */
-    public void setForce(long body, float x, float y) {
-        world.calls.changeByFloats(Call.RIGID_LASTING_FORCE, body, x, y, 0);
-    }
-
-    /** A torque likewise. */
-    public void setTorque(long body, float torque) {
-        world.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, torque, 0, 0);
-    }
-
-    /** Gives a body another kind, and the restitution of the kind if it has one. */
-    public void setKind(long body, int kind) {
-        world.calls.change(Call.RIGID_KIND, body, kind, 0, 0);
-    }
-
-    /** Puts a body into an exclusion group; 0 for none. */
-    public void setGroup(long body, int group) {
-        world.calls.change(Call.RIGID_GROUP, body, group, 0, 0);
-    }
-
-    public void setTag(long body, long tag) {
-        world.calls.change(Call.RIGID_TAG, body, (int) tag, (int) (tag >> Integer.SIZE), 0);
-    }
-
-    public void setRestitution(long body, float restitution) {
-        world.calls.changeByFloats(Call.RIGID_RESTITUTION, body, restitution, 0, 0);
-    }
-
-    public void setInertia(long body, float inertia) {
-        world.calls.changeByFloats(Call.RIGID_INERTIA, body, inertia, 0, 0);
-    }
-
-    /** Wakes a body, if it sleeps; one that is awake begins anew to come to rest. */
-    public void wake(long body) {
-        world.calls.change(Call.WAKE_RIGID, body, 0, 0, 0);
-    }
-
-    /** Puts a body at a place at once. */
-    public void teleport(long body, float x, float y, float angle) {
-        world.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, y, angle);
+        world.calls.changeByFloats(Call.RIGID_IMPULSE, body, x, y, table.step.x[id], table.step.y[id]);
     }
 
     // ---- calls by their words
@@ -256,7 +166,7 @@ public final class RigidCalls implements Calls.Effects {
                 System.arraycopy(w, 0, words, 0, Call.RIGID.words);
                 return add(told.get(w[0]), words);
             }
-            case RIGID_INERTIA -> RigidRules.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
+            case RIGID_INERTIA -> RigidLimits.inertia(real(w[1]), table.mass(w[0]), table.step.outline[w[0]]);
             default -> makeRoom(call, 1);
         }
         world.calls.begin(call, w);
@@ -271,7 +181,7 @@ public final class RigidCalls implements Calls.Effects {
             case REMOVE_RIGID, CLEAR_RIGIDS -> {
                 makeRoomToWake(bodies);
                 world.pending.settleJoints();
-                world.joints.departures().ensure(world.joints.table.rigid.count());
+                world.joints.departures.ensure(world.joints.table.rigid.count());
             }
             case RIGID_GROUP -> {
                 makeRoomToWake(bodies);
@@ -289,12 +199,12 @@ public final class RigidCalls implements Calls.Effects {
         table.step.changes++;
         switch (call) {
             case REMOVE_RIGID -> {
-                world.joints.departures().removeOfRigid(w[0]);
+                world.joints.departures.removeOfRigid(w[0]);
                 wakeNear(w[0]);
                 table.remove(w[0]);
             }
             case CLEAR_RIGIDS -> {
-                world.joints.departures().removeOfRigids();
+                world.joints.departures.removeOfRigid(JointDepartures.ALL);
                 wakeAll();
                 table.clear();
             }

@@ -25,25 +25,6 @@ public final class Surroundings implements Calls.Effects {
         world.calls.define(this, Call.GRAVITY, Call.BOUNDS, Call.WALL_SURFACE);
     }
 
-    public void setGravity(float x, float y) {
-        world.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
-    }
-
-    /** Moves the walls: the next step pushes the circles that they meet. */
-    public void setBounds(float minX, float minY, float maxX, float maxY) {
-        world.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
-    }
-
-    /** Gives a wall another surface; {@link WallMotion#of} numbers the walls. */
-    public void setWallSurface(int wall, float friction, float rollingResistance, float beltSpeed) {
-        world.calls.make(
-                Call.WALL_SURFACE,
-                wall,
-                Float.floatToRawIntBits(friction),
-                Float.floatToRawIntBits(rollingResistance),
-                Float.floatToRawIntBits(beltSpeed));
-    }
-
     @Override
     public long make(Call call, int[] w) {
         if (call == Call.GRAVITY) {

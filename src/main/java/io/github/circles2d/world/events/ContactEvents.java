@@ -134,11 +134,7 @@ public final class ContactEvents {
 
     public void prepare(KindTable kinds, StepReports reports) {
         reported.resolve(kinds, circles, pieces);
-        boolean ofPieces = reported.piecesOfCircles();
-        boolean records = reported.solids() || reported.wallsOfCircles() || ofPieces;
-        boolean senses = reported.senses() || reported.bodies();
-        reports.set(records, ofPieces, senses, reported.seeking(), reported.seekingVersion());
-        reports.setStatics(reported.statics(), reported.bodies(), reported.asking());
+        reported.tell(reports);
     }
 
     /** Makes room for {@link #report}. */

@@ -32,7 +32,10 @@ final class ReportTable {
     private boolean walls;
 
     // What follows. Versions count changes.
+
+    /** By pair of kinds, who looks for whom: by {@link SensorRule}. */
     private final int[] seeking = new int[PairTable.WORDS];
+
     private int version;
     private int resolvedVersion = -1;
     private int resolvedKinds = -1;
@@ -243,47 +246,11 @@ final class ReportTable {
         }
     }
 
-    /** Whether something of contacts of circles that there are is reported. */
-    boolean solids() {
-        return solids;
-    }
-
-    boolean wallsOfCircles() {
-        return wallsOfCircles;
-    }
-
-    boolean piecesOfCircles() {
-        return piecesOfCircles;
-    }
-
-    /** Whether something of pairs of circles that there are, and that are only sensed, is. */
-    boolean senses() {
-        return senses;
-    }
-
-    /** Whether static circles that there are sense others. */
-    boolean statics() {
-        return statics;
-    }
-
-    /** Whether static circles that there are sense pieces that there are, if these are of bodies. */
-    boolean bodies() {
-        return bodies;
-    }
-
-    /** Bits by kind, whether its static circles sense others, too; null if none do. Valid until the next change. */
-    long[] asking() {
-        return asks ? asking : null;
-    }
-
-    /** By pair of kinds, who looks for whom: by {@link SensorRule}; valid until the next change. */
-    int[] seeking() {
-        return seeking;
-    }
-
-    /** Counts the changes of {@link #seeking}. */
-    int seekingVersion() {
-        return seekingVersion;
+    /** Tells a step what it reports, as of the last {@link #resolve}. */
+    void tell(StepReports reports) {
+        boolean records = solids || wallsOfCircles || piecesOfCircles;
+        reports.set(records, piecesOfCircles, senses || bodies, seeking, seekingVersion);
+        reports.setStatics(statics, bodies, asks ? asking : null);
     }
 
     /** Memory of the arrays. */

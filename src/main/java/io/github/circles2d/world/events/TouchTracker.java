@@ -132,9 +132,7 @@ final class TouchTracker {
     void endRemoved() {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (isOfRemoved(pair)) {
-                addOpenHit(pair, EventRow.LATE_HIT);
-                add(pair, EventRow.LATE_END);
-                pairs.remove(pair);
+                end(pair, EventRow.LATE_HIT, EventRow.LATE_END);
             }
         }
     }
@@ -148,9 +146,7 @@ final class TouchTracker {
     void endGone() {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (isOfGone(pair)) {
-                addOpenHit(pair, EventRow.LATE_HIT);
-                add(pair, EventRow.LATE_END);
-                pairs.remove(pair);
+                end(pair, EventRow.LATE_HIT, EventRow.LATE_END);
             }
         }
     }
@@ -256,11 +252,16 @@ final class TouchTracker {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             int stamp = pairs.stamp(pair);
             if (misses || !Partner.isCircle(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
-                addOpenHit(pair, EventRow.HIT);
-                add(pair, EventRow.END);
-                pairs.remove(pair);
+                end(pair, EventRow.HIT, EventRow.END);
             }
         }
+    }
+
+    /** Ends a pair by events of such ranks. */
+    private void end(int pair, int hit, int end) {
+        addOpenHit(pair, hit);
+        add(pair, end);
+        pairs.remove(pair);
     }
 
     private void take(TouchRecords list, int r) {

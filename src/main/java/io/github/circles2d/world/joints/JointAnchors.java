@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.terrain.BodyAnchors;
 import io.github.circles2d.world.terrain.BodyPoses;
+import io.github.circles2d.world.terrain.BodyTable;
 import io.github.circles2d.world.terrain.TerrainTables;
 import java.util.Arrays;
 
@@ -14,7 +15,8 @@ import java.util.Arrays;
 public final class JointAnchors {
     private final JointTable table;
     private final TerrainTables terrain;
-    private final BodyAnchors bodies;
+    private final BodyTable bodies;
+    private final BodyAnchors onBodies;
 
     /** Bodies have not jumped since this number was theirs. */
     private int jumps;
@@ -27,7 +29,8 @@ public final class JointAnchors {
     JointAnchors(JointTable table, TerrainTables terrain) {
         this.table = table;
         this.terrain = terrain;
-        bodies = new BodyAnchors(terrain.bodies);
+        bodies = terrain.bodies;
+        onBodies = new BodyAnchors(bodies);
     }
 
     /** Where the anchor of a joint is: now, or with bodies in such poses if they are not null. */
@@ -38,7 +41,9 @@ public final class JointAnchors {
         }
         float x = table.places.x(joint);
         float y = table.places.y(joint);
-        return poses == null ? bodies.x(body, x, y, terrain.bounds()) : bodies.x(poses, body, x, y, terrain.bounds());
+        return poses == null
+                ? onBodies.x(body, x, y, terrain.bounds())
+                : onBodies.x(poses, body, x, y, terrain.bounds());
     }
 
     public float y(int joint, BodyPoses poses) {
@@ -48,7 +53,9 @@ public final class JointAnchors {
         }
         float x = table.places.x(joint);
         float y = table.places.y(joint);
-        return poses == null ? bodies.y(body, x, y, terrain.bounds()) : bodies.y(poses, body, x, y, terrain.bounds());
+        return poses == null
+                ? onBodies.y(body, x, y, terrain.bounds())
+                : onBodies.y(poses, body, x, y, terrain.bounds());
     }
 
     /** Gives a joint without another circle a place, in the world or on the body that it has. Returns whether that is another one. */
@@ -106,9 +113,9 @@ public final class JointAnchors {
             int body = table.places.body(joint);
             float x = table.places.x(joint);
             float y = table.places.y(joint);
-            table.setAnchor(joint, bodies.x(body, x, y, bounds), bodies.y(body, x, y, bounds));
+            table.setAnchor(joint, onBodies.x(body, x, y, bounds), onBodies.y(body, x, y, bounds));
             if (bodies.moves(body)) {
-                bodies.fill(step.anchors, rows, body, x, y, k.dt, k.subSteps, bounds);
+                onBodies.fill(step.anchors, rows, body, x, y, k.dt, k.subSteps, bounds);
                 setRow(joint, rows++);
             } else {
                 setRow(joint, 0);

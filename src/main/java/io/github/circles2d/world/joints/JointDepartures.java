@@ -7,6 +7,9 @@ import java.util.Arrays;
 
 /** How joints go by themselves: with what they hold, or since they break. It tells who asks for that. */
 public final class JointDepartures {
+    /** In place of a body: all bodies. */
+    public static final int ALL = -1;
+
     private final JointTable table;
     private final HandleTable handles;
     private final RigidTable rigids;
@@ -84,38 +87,21 @@ public final class JointDepartures {
         }
     }
 
-    /** A body of terrain goes. */
+    /** A body of terrain goes, or {@link #ALL}; there is room. */
     public void removeOfBody(int body) {
         for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.places.body(joint) == body) {
+            if (table.ids.lives(joint)
+                    && table.places.isOnBody(joint)
+                    && (body == ALL || table.places.body(joint) == body)) {
                 remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
             }
         }
     }
 
-    /** All bodies of terrain go. */
-    public void removeOfBodies() {
-        for (int joint = 0; table.places.count() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.places.isOnBody(joint)) {
-                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
-            }
-        }
-    }
-
-    /** A body that is pushed goes, which has its handle yet; there is room. */
+    /** A body that is pushed goes, or {@link #ALL}, which have their handles yet; there is room. */
     public void removeOfRigid(int body) {
         for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint)
-                    && (table.rigid.body(joint, RigidEnds.A) == body || table.rigid.body(joint, RigidEnds.B) == body)) {
-                remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
-            }
-        }
-    }
-
-    /** All bodies that are pushed go. */
-    public void removeOfRigids() {
-        for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
-            if (table.ids.lives(joint) && table.rigid.has(joint)) {
+            if (table.ids.lives(joint) && (body == ALL ? table.rigid.has(joint) : table.rigid.has(joint, body))) {
                 remove(joint, GoneJoints.BODY_REMOVED, 0f, 0f);
             }
         }

@@ -1,13 +1,16 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.terrain.BodyPoses;
 import io.github.circles2d.world.terrain.TerrainTables;
+import java.nio.FloatBuffer;
 
 /**
  * Where the two ends of a joint are, now or as they are drawn: with their circles and bodies. Of a joint without a place both are at its
@@ -23,7 +26,7 @@ public final class JointEnds {
     private float[] circles;
 
     /** Null if ends are as they are now. */
-    private DrawnPlaces drawn;
+    private Drawn drawn;
 
     private float x;
     private float y;
@@ -45,7 +48,7 @@ public final class JointEnds {
     }
 
     /** Ends are where circles and bodies are drawn. */
-    public JointEnds look(DrawnPlaces places) {
+    public JointEnds look(Drawn places) {
         drawn = places;
         if (joints.table.places.count() > 0) {
             drawn.between.keepBetween(drawn.before, drawn.after, drawn.alpha, terrain.bodies, terrain.bounds());
@@ -88,7 +91,7 @@ public final class JointEnds {
             to(rigids.places.x(), rigids.places.y());
         } else if (b != JointRow.NONE) {
             to(circleX(b), circleY(b));
-        } else if (JointForm.takesAnchor(table.form(joint))) {
+        } else if (JointRules.takesAnchor(table.form(joint))) {
             BodyPoses poses = drawn == null ? null : drawn.between;
             to(joints.anchors.x(joint, poses), joints.anchors.y(joint, poses));
         }
@@ -170,5 +173,36 @@ public final class JointEnds {
         double offX = wayX - share * halfX;
         double offY = wayY - share * halfY;
         return Math.sqrt(offX * offX + offY * offY);
+    }
+
+    /** Where circles and bodies are drawn, which is between two steps. */
+    public static final class Drawn {
+        final BodyPoses before;
+        final BodyPoses after;
+        final BodyPoses between;
+        final RigidPoses rigidsBefore;
+        final RigidPoses rigidsAfter;
+
+        /** x and y by id; NaN, or nothing, of a circle that is new. */
+        FloatBuffer positions;
+
+        float alpha;
+
+        /** Takes the poses of bodies of terrain before a step and after it, and memory for those between them; and poses of bodies that are pushed. */
+        public Drawn(
+                BodyPoses before, BodyPoses after, BodyPoses between, RigidPoses rigidsBefore, RigidPoses rigidsAfter) {
+            this.before = before;
+            this.after = after;
+            this.between = between;
+            this.rigidsBefore = rigidsBefore;
+            this.rigidsAfter = rigidsAfter;
+        }
+
+        /** Takes x and y of circles by id, and how far bodies are on their way, 0 to 1. */
+        public Drawn at(FloatBuffer xy, float part) {
+            positions = xy;
+            alpha = part;
+            return this;
+        }
     }
 }

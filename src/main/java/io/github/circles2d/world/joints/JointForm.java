@@ -142,7 +142,7 @@ public final class JointForm {
         if (kind == PIN || kind == FRICTION) {
             form.set(JointSetting.MAX_FORCE, value(words, JointRow.MAX_FORCE), 0);
         }
-        if (turns(traits) && kind != WELD) {
+        if (JointRules.turns(traits) && kind != WELD) {
             form.set(JointSetting.MAX_TORQUE, value(words, JointRow.MAX_TORQUE), 0);
         }
         form.set(JointSetting.BREAKING, value(words, JointRow.BREAK_FORCE), value(words, JointRow.BREAK_TORQUE));
@@ -172,33 +172,22 @@ public final class JointForm {
         return name(traits);
     }
 
-    /** For people: what it can hold a circle to. */
-    String place() {
-        if (takesAnchor(traits)) {
-            return takesCircles(traits) ? "another one or to an anchor" : "an anchor";
+    /** For people: what it can hold a body to, or a circle. */
+    String place(boolean ofBody) {
+        boolean anchor = JointRules.takesAnchor(traits);
+        boolean circles = JointRules.takesCircles(traits);
+        if (!anchor && !JointRules.takesNothing(traits)) {
+            return ofBody ? "another body or a circle" : "another one";
         }
-        return !takesCircles(traits)
-                ? "the world"
-                : takesNothing(traits) ? "another one or to the world" : "another one";
-    }
-
-    /** For people: what it can hold a body to. */
-    String placeOfBody() {
-        if (takesAnchor(traits)) {
-            return "another body, a circle or an anchor";
+        String place = anchor ? "an anchor" : "the world";
+        if (ofBody) {
+            return anchor || circles ? "another body, a circle or " + place : place;
         }
-        return !takesNothing(traits)
-                ? "another body or a circle"
-                : takesCircles(traits) ? "another body, a circle or the world" : "the world";
+        return circles ? "another one or to " + place : place;
     }
 
     // ---- by {@link JointRow#FORM}
     // -----------------------------------------------------------------------------------------
-
-    /** Whether it holds two ends as they lie. */
-    public static boolean isWeld(int traits) {
-        return kind(traits) == WELD;
-    }
 
     /** One of the numbers above. */
     static int kind(int traits) {
@@ -233,25 +222,5 @@ public final class JointForm {
     /** Whether it acts along the line between its ends. */
     public static boolean isAxial(int traits) {
         return (traits & JointRow.LINEAR) == JointRow.AXIAL;
-    }
-
-    /** Whether it concerns how circles turn. */
-    static boolean turns(int traits) {
-        return JointRules.turns(traits);
-    }
-
-    /** Whether it has a place if it holds a circle to none. */
-    static boolean takesAnchor(int traits) {
-        return JointRules.takesAnchor(traits);
-    }
-
-    /** Whether it may hold two circles. */
-    static boolean takesCircles(int traits) {
-        return JointRules.takesCircles(traits);
-    }
-
-    /** Whether it may hold a circle to the world without a place. */
-    static boolean takesNothing(int traits) {
-        return JointRules.takesNothing(traits);
     }
 }

@@ -27,57 +27,37 @@ public final class JointLimits {
 
     /** Of two circles, whichever they are. */
     public static void circles(JointForm form) {
-        if (!JointForm.takesCircles(form.traits)) {
+        if (!JointRules.takesCircles(form.traits)) {
             throw new IllegalArgumentException(
-                    "a " + form.name() + " cannot hold two circles, but must hold one to " + form.place());
+                    "a " + form.name() + " cannot hold two circles, but must hold one to " + form.place(false));
         }
-    }
-
-    /** Of a circle and a place. */
-    public static void anchor(JointForm form, int a, float x, float y, HandleTable handles) {
-        anchor(form, x, y);
-        moves(a, handles);
-    }
-
-    /** Of a circle and a place, whichever circle it is. */
-    public static void anchor(JointForm form, float x, float y) {
-        if (!JointForm.takesAnchor(form.traits)) {
-            throw new IllegalArgumentException(
-                    "a " + form.name() + " takes no anchor, but must hold a circle to " + form.place());
-        }
-        JointSetting.ANCHOR.check(form.traits, x, y);
-    }
-
-    /** Of a circle and the world, without a place. */
-    public static void alone(JointForm form, int a, HandleTable handles) {
-        if (!JointForm.takesNothing(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name() + " must hold a circle to " + form.place());
-        }
-        moves(a, handles);
     }
 
     /** Of two things, of which one is a body that is pushed. */
     public static void things(JointForm form) {
         if (JointRules.takesNothing(form.traits) && !JointRules.takesCircles(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name()
-                    + " cannot hold a body to another end, but must hold it to " + form.placeOfBody());
+            throw new IllegalArgumentException(
+                    "a " + form.name() + " cannot hold a body to another end, but must hold it to " + form.place(true));
         }
     }
 
-    /** Of a body that is pushed and a place. */
-    public static void anchorOfBody(JointForm form, float x, float y) {
-        if (!JointForm.takesAnchor(form.traits)) {
-            throw new IllegalArgumentException(
-                    "a " + form.name() + " takes no anchor, but must hold a body to " + form.placeOfBody());
+    /** Of a body that is pushed, or of a circle, and a place. */
+    public static void anchor(JointForm form, boolean ofBody, float x, float y) {
+        if (!JointRules.takesAnchor(form.traits)) {
+            throw new IllegalArgumentException("a " + form.name() + " takes no anchor, but " + mustHold(form, ofBody));
         }
         JointSetting.ANCHOR.check(form.traits, x, y);
     }
 
-    /** Of a body that is pushed and the world, without a place. */
-    public static void bodyAlone(JointForm form) {
-        if (!JointForm.takesNothing(form.traits)) {
-            throw new IllegalArgumentException("a " + form.name() + " must hold a body to " + form.placeOfBody());
+    /** Of a body that is pushed, or of a circle, and the world, without a place. */
+    public static void alone(JointForm form, boolean ofBody) {
+        if (!JointRules.takesNothing(form.traits)) {
+            throw new IllegalArgumentException("a " + form.name() + " " + mustHold(form, ofBody));
         }
+    }
+
+    private static String mustHold(JointForm form, boolean ofBody) {
+        return "must hold " + (ofBody ? "a body to " : "a circle to ") + form.place(ofBody);
     }
 
     /** A point of a body that is pushed, in its coordinates. */
@@ -96,7 +76,8 @@ public final class JointLimits {
         }
     }
 
-    private static void moves(int a, HandleTable handles) {
+    /** Refuses a circle that is static. */
+    public static void moves(int a, HandleTable handles) {
         if (handles.isStatic(a)) {
             throw new IllegalArgumentException(
                     "the circle with the handle " + handles.handle(a) + " is static, but must move");

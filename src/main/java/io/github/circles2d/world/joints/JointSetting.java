@@ -63,7 +63,7 @@ public enum JointSetting {
     void check(int form, float a, float b) {
         switch (this) {
             case ANCHOR -> {
-                require(JointForm.takesAnchor(form), form, "anchor");
+                require(JointRules.takesAnchor(form), form, "anchor");
                 Limits.within("x", a, -Limits.COORDINATE, Limits.COORDINATE);
                 Limits.within("y", b, -Limits.COORDINATE, Limits.COORDINATE);
             }
@@ -101,7 +101,7 @@ public enum JointSetting {
                 notNegative("the greatest force", a);
             }
             case MAX_TORQUE -> {
-                boolean has = JointForm.turns(form) && JointForm.kind(form) != JointForm.WELD;
+                boolean has = JointRules.turns(form) && JointForm.kind(form) != JointForm.WELD;
                 require(has, form, "greatest torque");
                 notNegative("the greatest torque", a);
             }

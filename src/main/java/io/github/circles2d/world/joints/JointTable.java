@@ -3,6 +3,7 @@ package io.github.circles2d.world.joints;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.model.JointStep;
 import java.util.Arrays;
 
@@ -66,11 +67,6 @@ public final class JointTable {
         places.setRoom(c);
         rigid.setRoom(c);
         ids.setRoom(c);
-    }
-
-    /** Makes room for one more spring. */
-    public void ensureSpring() {
-        ensureSprings(1);
     }
 
     /** Makes room for more springs. */
@@ -292,7 +288,7 @@ public final class JointTable {
     /** Counts a joint among those that have what it has, or takes it out. */
     private void count(int joint, int by) {
         int form = form(joint);
-        turning += JointForm.turns(form) ? by : 0;
+        turning += JointRules.turns(form) ? by : 0;
         breakable += JointForm.has(form, JointRow.BREAKABLE) ? by : 0;
         if (isParting(joint)) {
             parting += by;

@@ -6,6 +6,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.model.JointRules;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.terrain.TerrainTables;
@@ -23,8 +24,12 @@ public final class JointTables {
     private final RigidTable rigids;
     private final TerrainTables terrain;
     private final JointSchedule schedule = new JointSchedule(table);
-    private final JointEnds ends;
-    private final JointDepartures departures;
+
+    /** Where the ends of joints are, for a caller to look at. */
+    public final JointEnds ends;
+
+    /** How joints go by themselves. */
+    public final JointDepartures departures;
 
     /** No joints. The step is told of what there is. */
     public JointTables(JointStep step, HandleTable handles, TerrainTables terrain, RigidTable rigids) {
@@ -53,10 +58,7 @@ public final class JointTables {
     /** Adds a joint of a circle with a place in the world, or on a body. */
     public int add(JointForm form, int circle, int body, float x, float y) {
         int joint = table.add(form, circle, JointRow.NONE);
-        if (body != AnchorPlaces.WORLD) {
-            table.places.enter(joint, body);
-        }
-        anchors.set(joint, x, y);
+        anchor(joint, body, x, y);
         return joint;
     }
 
@@ -72,7 +74,7 @@ public final class JointTables {
         return joint;
     }
 
-    /** Gives the last joint of a body an anchor in the world, or on a body of terrain. */
+    /** Gives a new joint an anchor in the world, or on a body of terrain. */
     public void anchor(int joint, int body, float x, float y) {
         if (body != AnchorPlaces.WORLD) {
             table.places.enter(joint, body);
@@ -175,11 +177,6 @@ public final class JointTables {
         return angles == null ? 0 : angles[handles.place(circle)];
     }
 
-    /** Where the ends of joints are, for a caller to look at. */
-    public JointEnds ends() {
-        return ends;
-    }
-
     /** Refuses values that are out of range, and joints that do not have this. */
     public void check(int joint, JointSetting setting, float a, float b) {
         setting.check(table.form(joint), a, b);
@@ -190,7 +187,7 @@ public final class JointTables {
 
     /** Refuses a joint without an anchor. */
     public void requireAnchor(int joint) {
-        JointSetting.require(JointForm.takesAnchor(table.form(joint)), table.form(joint), "anchor");
+        JointSetting.require(JointRules.takesAnchor(table.form(joint)), table.form(joint), "anchor");
         if (table.b(joint) != JointRow.NONE || table.rigid.body(joint, RigidEnds.B) != JointRow.NONE) {
             throw new IllegalArgumentException("the " + JointForm.name(table.form(joint)) + " with the handle "
                     + table.ids.handle(joint) + " holds two "
@@ -201,11 +198,6 @@ public final class JointTables {
     /** Returns whether the joint is another one then. */
     public boolean set(int joint, JointSetting setting, float a, float b) {
         return setting == JointSetting.ANCHOR ? anchors.set(joint, a, b) : table.set(joint, setting, a, b);
-    }
-
-    /** How joints go by themselves. */
-    public JointDepartures departures() {
-        return departures;
     }
 
     // ---- states

@@ -53,6 +53,11 @@ public final class RigidEnds {
         return body(joint, A) != JointRow.NONE || body(joint, B) != JointRow.NONE;
     }
 
+    /** Whether it holds this one. */
+    public boolean has(int joint, int itsBody) {
+        return body(joint, A) == itsBody || body(joint, B) == itsBody;
+    }
+
     /** A new joint, which holds none. */
     void begin(int joint) {
         for (int end = A; end <= B; end++) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.joints;
 
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.JointState;
 import java.util.Arrays;
 
@@ -39,6 +40,29 @@ public final class SavedJointStates {
             }
             joints = count;
         }
+    }
+
+    /** The force on the first circle in a step of a length: from the sum of the impulses. */
+    public float forceX(int joint, float dt) {
+        return rate(-1f * rows[JointState.of(joint) + JointState.SUM_X], dt);
+    }
+
+    public float forceY(int joint, float dt) {
+        return rate(-1f * rows[JointState.of(joint) + JointState.SUM_Y], dt);
+    }
+
+    /** Not negative. */
+    public float force(int joint, float dt) {
+        return CircleMath.length(forceX(joint, dt), forceY(joint, dt));
+    }
+
+    public float torque(int joint, float dt) {
+        return rate(rows[JointState.of(joint) + JointState.SUM_ANGULAR], dt);
+    }
+
+    /** There is one zero; 0 before the first step, also in a world that was restored to then. */
+    private static float rate(float sum, float dt) {
+        return dt > 0f ? sum / dt + 0f : 0f;
     }
 
     /** A joint has no impulses. */

@@ -423,9 +423,9 @@ public final class HostBodies implements AutoCloseable {
         waking.putReached(to, at);
     }
 
-    /** Wakes the bodies that are to wake. */
-    public void endWaking() {
-        waking.end();
+    /** Wakes the bodies that are to wake; returns whether there are any. */
+    public boolean endWaking() {
+        return waking.end();
     }
 
     /** The step is refused: no body has woken. */
@@ -433,12 +433,12 @@ public final class HostBodies implements AutoCloseable {
         waking.undo();
     }
 
-    private void wakeAlone() {
+    private boolean wakeAlone() {
         beginWaking();
         for (int ring = 1; ring < Sleep.RINGS && hasRing(); ring++) {
             passOn(ring);
         }
-        endWaking();
+        return endWaking();
     }
 
     // ---- circles at bodies
@@ -647,8 +647,7 @@ public final class HostBodies implements AutoCloseable {
     public void stepAlone(float warmScale, int subSteps) {
         findBoxes(warmScale);
         findContacts(0, null, 0);
-        if (input.constants.sleeping && bodies.anySleeps()) {
-            wakeAlone();
+        if (input.constants.sleeping && bodies.anySleeps() && wakeAlone()) {
             findBoxes(warmScale);
             findContacts(0, null, 0);
         }

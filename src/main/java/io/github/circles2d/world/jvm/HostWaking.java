@@ -15,16 +15,6 @@ import java.util.Arrays;
  * that: then bodies sleep as before.
  */
 final class HostWaking implements WakingByBodies.Circles {
-    /** The values of {@link RigidExtras} that say how a body rests. */
-    private static final int[] RESTS = {
-        RigidExtras.REST,
-        RigidExtras.TURNED,
-        RigidExtras.DRIFT_X,
-        RigidExtras.DRIFT_Y,
-        RigidExtras.KNOWN_SPIN,
-        RigidExtras.SPIN_OFFSET
-    };
-
     private final State state;
     private final WakingByBodies bodies;
     private final SleeperSums sums;
@@ -76,7 +66,7 @@ final class HostWaking implements WakingByBodies.Circles {
             if (slot >= state.awake) {
                 int at = look(slot);
                 float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
                 float v = bodies.approach(c);
                 float hit = sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j);
                 speed[at] = CircleMath.max(speed[at], hit);
@@ -120,7 +110,7 @@ final class HostWaking implements WakingByBodies.Circles {
             if (c >= 0) {
                 float j = bodies.impulse(c) * k.warmScale;
                 float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
             }
         }
     }
@@ -195,9 +185,9 @@ final class HostWaking implements WakingByBodies.Circles {
         }
     }
 
-    /** Wakes all bodies that are to wake. */
-    void end() {
-        bodies.end();
+    /** Wakes all bodies that are to wake; returns whether there are any. */
+    boolean end() {
+        return bodies.end();
     }
 
     // ---- steps that are refused
@@ -208,13 +198,12 @@ final class HostWaking implements WakingByBodies.Circles {
         asleepCount = 0;
         if (asleep.length < step.end) {
             asleep = new int[step.room()];
-            rests = new int[RESTS.length * asleep.length];
+            rests = new int[RigidExtras.RESTS * asleep.length];
         }
         for (int body = 0; body < step.end; body++) {
             if (step.outline[body] != null && step.isAsleep(body)) {
-                for (int e = 0; e < RESTS.length; e++) {
-                    rests[RESTS.length * asleepCount + e] = step.extras.get(body, RESTS[e]);
-                }
+                int at = RigidExtras.RESTS * asleepCount;
+                step.extras.save(body, RigidExtras.REST, RigidExtras.RESTS, rests, at);
                 asleep[asleepCount++] = body;
             }
         }
@@ -232,14 +221,8 @@ final class HostWaking implements WakingByBodies.Circles {
         }
         begun = false;
         for (int n = 0; n < asleepCount; n++) {
-            int at = RESTS.length * n;
-            step.setRest(
-                    asleep[n],
-                    rests[at],
-                    rests[at + 1],
-                    Float.intBitsToFloat(rests[at + 2]),
-                    Float.intBitsToFloat(rests[at + 3]));
-            step.setSpinOfRest(asleep[n], Float.intBitsToFloat(rests[at + 4]), rests[at + 5]);
+            int at = RigidExtras.RESTS * n;
+            step.extras.load(asleep[n], RigidExtras.REST, RigidExtras.RESTS, rests, at);
         }
         bodies.lookAtAll();
     }

@@ -47,9 +47,9 @@ final class SleeperSums {
         return CrossRule.impulseRange(radius(slot), k.inverseH, state.ownInverseMass(slot));
     }
 
-    /** Adds the impulses of a contact, along a normal, which goes towards the circle if the side is 1, else -1, and along its tangent. */
-    void press(int slot, float side, float x, float y, float j, float f, float rolling) {
-        add(slot, side * (x * j - y * f), side * (y * j + x * f), j, -f + side * rolling / radius(slot));
+    /** Adds the impulses of a contact along its normal, towards the circle if the side is 1, else -1, and its tangent; load: how hard it acts. */
+    void press(int slot, float side, float x, float y, float j, float load, float f, float rolling) {
+        add(slot, side * (x * j - y * f), side * (y * j + x * f), load, -f + side * rolling / radius(slot));
     }
 
     void add(int slot, float x, float y, float load, float spin) {

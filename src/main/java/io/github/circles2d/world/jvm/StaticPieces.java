@@ -9,6 +9,7 @@ import io.github.circles2d.world.jvm.pieces.PieceMeasure;
 import io.github.circles2d.world.jvm.pieces.SensedPiece;
 import io.github.circles2d.world.jvm.state.Resting;
 import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.jvm.state.WrapImages;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CircleMath;
@@ -110,20 +111,16 @@ final class StaticPieces {
 
     /** Whether a box meets one around a place, or around an image of it. */
     private boolean meets(int box, float x, float y, float m) {
-        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
         boolean some = false;
-        for (int u = -timesX; u <= timesX; u++) {
-            float atX = u == 0 ? x : x + u * state.periodX;
-            float mx = u == 0 ? m : m + Math.abs(atX) * 0x1p-22f + state.periodX * 0x1p-22f; // off by a rounding
-            for (int v = -timesY; v <= timesY; v++) {
-                float atY = v == 0 ? y : y + v * state.periodY;
-                float my = v == 0 ? m : m + Math.abs(atY) * 0x1p-22f + state.periodY * 0x1p-22f;
-                some |= terrain.boxes[box] <= atX + mx
-                        && terrain.boxes[box + 1] <= atY + my
-                        && terrain.boxes[box + 2] >= atX - mx
-                        && terrain.boxes[box + 3] >= atY - my;
-            }
+        for (int n = 0; n < state.images.count; n++) {
+            float atX = x + state.images.x[n];
+            float atY = y + state.images.y[n];
+            float mx = m + WrapImages.rounding(state.images.x[n], x);
+            float my = m + WrapImages.rounding(state.images.y[n], y);
+            some |= terrain.boxes[box] <= atX + mx
+                    && terrain.boxes[box + 1] <= atY + my
+                    && terrain.boxes[box + 2] >= atX - mx
+                    && terrain.boxes[box + 3] >= atY - my;
         }
         return some;
     }

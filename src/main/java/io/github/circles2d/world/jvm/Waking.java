@@ -32,6 +32,7 @@ import io.github.circles2d.world.model.Sleep;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TerrainStep;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.Walls;
 import java.util.Arrays;
 
 /**
@@ -41,6 +42,7 @@ import java.util.Arrays;
  */
 final class Waking implements WakingByBodies.Circles {
     private static final int NO_JOINTS = -1;
+    private static final float[] NO_WALL_ROWS = new float[ContactRows.OF_WALLS];
 
     private final State state;
     private final Grid grid;
@@ -314,18 +316,20 @@ final class Waking implements WakingByBodies.Circles {
         meet(lower, higher);
         int entry = contacts.impulseCache().find(lower, higher);
         float j = entry < 0 ? 0f : contacts.impulseCache().impulseNow(entry) * k.warmScale;
-        if (j > 0f) {
-            for (int row = 0; row < ContactRows.COUNT; row++) {
-                rows[row] =
-                        state.turning == null ? 0f : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
-            }
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            rows[row] = entry < 0 || state.turning == null
+                    ? 0f
+                    : contacts.impulseCache().rowImpulseNow(entry, row) * k.warmScale;
+        }
+        float acting = ContactRows.actingImpulse(j, rows, 0, 1);
+        if (acting > 0f) {
             press(slot, isLower, j);
         }
         float v =
                 CircleMath.dot(nx, ny, state.motion[CircleRow.of(awake) + VX], state.motion[CircleRow.of(awake) + VY]);
         float restitution = CircleMath.max(
                 state.traits[CircleRow.of(slot) + RESTITUTION], state.traits[CircleRow.of(awake) + RESTITUTION]);
-        push(state.id[slot], hit(slot, awake, isLower ? -v : v, separation, restitution, j));
+        push(state.id[slot], hit(slot, awake, isLower ? -v : v, separation, restitution, acting));
     }
 
     /** Circles near to bodies: these may hit them, and press them. */
@@ -335,7 +339,7 @@ final class Waking implements WakingByBodies.Circles {
             if (look(id)) {
                 int slot = state.slotOf[id];
                 float j = bodies.impulse(c);
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, bodies.grip(c), 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, bodies.grip(c), 0f);
                 float v = bodies.approach(c);
                 push(id, sums.hit(slot, bodies.inverseMass(c), v, bodies.gap(c), bodies.restitution(c), j));
             }
@@ -343,10 +347,20 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     /** Adds the impulses of a contact, whose normal has been found and whose other rows are there, to the sums of a circle. */
-    private void press(int slot, boolean isLower, float j) {
+    private void press(int slot, boolean isLower, float normalImpulse) {
+        float j = ContactRows.impulseAlongNormal(normalImpulse, rows, 0, 1);
+        float load = ContactRows.actingImpulse(normalImpulse, rows, 0, 1);
         float f = ContactRows.tangentImpulse(rows, 0, 1);
         float rolling = ContactRows.angularImpulse(rows, 0, 1);
-        sums.press(slot, isLower ? -1f : 1f, nx, ny, j, f, rolling);
+        sums.press(slot, isLower ? -1f : 1f, nx, ny, j, load, f, rolling);
+    }
+
+    /** Takes the rows of an impulse between circles of which none moves. Returns the normal one. */
+    private float takeKept(int press) {
+        for (int row = 0; row < ContactRows.COUNT; row++) {
+            rows[row] = state.turning == null ? 0f : sleepers().row(press, row) * k.warmScale;
+        }
+        return sleepers().normal(press) * k.warmScale;
     }
 
     /** Circles that joints hold to those that are awake: these may pull at them. */
@@ -515,14 +529,11 @@ final class Waking implements WakingByBodies.Circles {
             int other = state.slotOf[all.other(press, id)];
             boolean isLower = id < state.id[other];
             meet(isLower ? slot : other, isLower ? other : slot);
-            for (int row = 0; row < ContactRows.COUNT; row++) {
-                rows[row] = state.turning == null ? 0f : all.row(press, row) * k.warmScale;
-            }
-            press(slot, isLower, all.normal(press) * k.warmScale);
+            press(slot, isLower, takeKept(press));
         }
         float w = state.ownInverseMass(slot);
-        addWall(slot, w, 0);
-        addWall(slot, w, 1);
+        addWall(slot, w, 0, k.bounds.minX(), k.bounds.maxX());
+        addWall(slot, w, 1, k.bounds.minY(), k.bounds.maxY());
         for (int c = 0; c < all.pieces(id); c++) {
             if (all.pieceNumbers(id)[PieceContactRow.numbers(c) + PieceContactRow.FEATURE] != PieceGap.NONE) {
                 addPiece(slot, w, all.pieceRows(id), PieceContactRow.of(c));
@@ -533,7 +544,7 @@ final class Waking implements WakingByBodies.Circles {
             if (c >= 0) {
                 float j = bodies.impulse(c) * k.warmScale;
                 float f = bodies.grip(c) * k.warmScale;
-                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, f, 0f);
+                sums.press(slot, bodies.side(c), bodies.nx(c), bodies.ny(c), j, j, f, 0f);
             }
         }
         for (int entry = joints == null ? 0 : joints.first(id);
@@ -559,26 +570,32 @@ final class Waking implements WakingByBodies.Circles {
         }
     }
 
-    private void addWall(int slot, float w, int axis) {
+    private void addWall(int slot, float w, int axis, float min, float max) {
         float impulse = state.traits[CircleRow.of(slot) + WALL_X + axis];
-        int at = ContactRows.ofWalls(slot) + ContactRows.ofWall(0, axis);
         boolean turns = state.turning != null;
-        float f = turns ? ContactRows.tangentImpulse(state.turning.wallRows, at, ContactRows.OF_WALL) : 0f;
-        f = (axis == 0) == impulse > 0f ? f : -f;
-        float along = impulse / w;
-        float across = impulse == 0f ? 0f : f / w;
-        float spin = turns ? ContactRows.spinOfOneBody(state.turning.wallRows, at, ContactRows.OF_WALL) / w : 0f;
-        sums.add(slot, axis == 0 ? along : across, axis == 0 ? across : along, Math.abs(impulse) / w, spin);
+        float[] ofWalls = turns ? state.turning.wallRows : NO_WALL_ROWS;
+        int at = (turns ? ContactRows.ofWalls(slot) : 0) + ContactRows.ofWall(0, axis);
+        float nearer = Walls.wallSide(state.circle[CircleRow.of(slot) + X + axis], min, max);
+        float side = impulse == 0f ? nearer : Math.signum(impulse);
+        float acting = ContactRows.actingImpulse(Math.abs(impulse), ofWalls, at, ContactRows.OF_WALL);
+        float j = ContactRows.impulseAlongNormal(Math.abs(impulse), ofWalls, at, ContactRows.OF_WALL);
+        float f = Walls.tangentAlong(axis, side) * ContactRows.tangentImpulse(ofWalls, at, ContactRows.OF_WALL);
+        float along = side * j / w;
+        float across = acting > 0f ? f / w : 0f;
+        float spin = ContactRows.spinOfOneBody(ofWalls, at, ContactRows.OF_WALL) / w;
+        sums.add(slot, axis == 0 ? along : across, axis == 0 ? across : along, acting / w, spin);
     }
 
     private void addPiece(int slot, float w, float[] rows, int row) {
-        float j = rows[row + PieceContactRow.IMPULSE] / w;
-        if (j > 0f) {
+        float pushed = rows[row + PieceContactRow.IMPULSE];
+        float acting = ContactRows.actingImpulse(pushed, rows, row + PieceContactRow.ROWS, 1) / w;
+        if (acting > 0f) {
+            float j = ContactRows.impulseAlongNormal(pushed, rows, row + PieceContactRow.ROWS, 1) / w;
             float f = ContactRows.tangentImpulse(rows, row + PieceContactRow.ROWS, 1) / w;
             float x = rows[row + PieceContactRow.NX];
             float y = rows[row + PieceContactRow.NY];
             float spin = ContactRows.spinOfOneBody(rows, row + PieceContactRow.ROWS, 1) / w;
-            sums.add(slot, x * j - y * f, y * j + x * f, j, spin);
+            sums.add(slot, x * j - y * f, y * j + x * f, acting, spin);
         }
     }
 
@@ -705,8 +722,8 @@ final class Waking implements WakingByBodies.Circles {
             return;
         }
         int press = sleepers().find(id, otherId);
-        float j = press < 0 ? 0f : sleepers().normal(press) * k.warmScale;
-        reach(otherId, passedOn(speed[id], state.ownInverseMass(slot), otherId, other, j, separation));
+        float acting = press < 0 ? 0f : ContactRows.actingImpulse(takeKept(press), rows, 0, 1);
+        reach(otherId, passedOn(speed[id], state.ownInverseMass(slot), otherId, other, acting, separation));
     }
 
     private float passedOn(float itsSpeed, float itsInverseMass, int id, int slot, float j, float gap) {

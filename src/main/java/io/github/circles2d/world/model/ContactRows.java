@@ -2,8 +2,8 @@ package io.github.circles2d.world.model;
 
 /**
  * The rows of a contact behind the normal one. A row has an effective mass, a bound and an accumulated impulse. The visit of a contact
- * knows what its rows do, {@link #tangentImpulse} and {@link #angularImpulse} what they give together; warm starts, copies, caches,
- * snapshots and the hash move the impulses of all rows alike.
+ * knows what its rows do, {@link #actingImpulse} whether they act, {@link #impulseAlongNormal}, {@link #tangentImpulse} and
+ * {@link #angularImpulse} what they give together; warm starts, copies, caches, snapshots and the hash move the impulses of all rows alike.
  */
 public final class ContactRows {
     /** Along the tangent. */
@@ -55,6 +55,19 @@ public final class ContactRows {
             bits |= Float.floatToRawIntBits(impulses[at + stride * row]);
         }
         return bits << 1 != 0; // without a branch for each row, and without the sign of zeros
+    }
+
+    /**
+     * How hard a contact acts, whatever the direction. If this is greater than 0, it loads its circles, and the next sub-step and step go on from
+     * its impulses; else they are forgotten. Of a wall the normal impulse is a magnitude.
+     */
+    public static float actingImpulse(float normalImpulse, float[] impulses, int at, int stride) {
+        return normalImpulse;
+    }
+
+    /** What all rows of a contact give along its normal. */
+    public static float impulseAlongNormal(float normalImpulse, float[] impulses, int at, int stride) {
+        return normalImpulse;
     }
 
     /** What the rows of a contact give along its tangent. */

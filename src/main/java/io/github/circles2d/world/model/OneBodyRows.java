@@ -20,8 +20,8 @@ public final class OneBodyRows {
     /** Of the circle: to be set before, and found after. */
     public float surfaceSpeed;
 
-    /** To be added to the circle's velocity along t. */
-    public float gain;
+    // what the rows have given to the circle's velocity along t
+    private float gain;
 
     /** Takes the surfaces of a circle and of a kind or wall, rows of {@link KindSurface}; sumOfBelts: along t. */
     public void between(
@@ -65,6 +65,17 @@ public final class OneBodyRows {
         for (int row = 0; row < ContactRows.COUNT; row++) {
             to[at + stride * row] = impulses[row];
         }
+    }
+
+    /** Adds to a velocity what {@link #warmStart} or {@link #visit} has given. */
+    public void push(float[] velocities, int at, float nx, float ny) {
+        velocities[at] += -1f * ny * gain;
+        velocities[at + 1] += nx * gain;
+    }
+
+    /** The same at a wall, whose normal has no other part. */
+    public void pushAtWall(float[] velocities, int at, int axis, float side) {
+        velocities[at + 1 - axis] += Walls.tangentAlong(axis, side) * gain;
     }
 
     /** Whether some row does something. */

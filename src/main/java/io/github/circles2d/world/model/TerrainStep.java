@@ -55,4 +55,23 @@ public final class TerrainStep {
     public int motionVersion;
 
     public final KindTerrain kinds = new KindTerrain();
+
+    /** The first node from one on that has a piece, and whose box meets another one; -1 if there is none. */
+    public int find(int from, float minX, float minY, float maxX, float maxY) {
+        int node = from;
+        while (node < nodes) {
+            int b = 4 * node;
+            boolean meets = boxes[b] <= maxX && boxes[b + 1] <= maxY && boxes[b + 2] >= minX && boxes[b + 3] >= minY;
+            if (meets && piece(node) >= 0) {
+                return node;
+            }
+            node = meets ? node + 1 : links[2 * node];
+        }
+        return -1;
+    }
+
+    /** The piece of a node, or -1. */
+    public int piece(int node) {
+        return links[2 * node + 1];
+    }
 }

@@ -26,4 +26,9 @@ public final class Walls {
     public static float stopAtFarWall(float v, float displacement, float kept, float side) {
         return (side > 0f ? kept < displacement : kept > displacement) ? 0f : v;
     }
+
+    /** The part of the tangent along a wall. */
+    public static float tangentAlong(int axis, float side) {
+        return axis == 0 ? side : -side;
+    }
 }

@@ -31,11 +31,6 @@ final class BodyShape extends ThingShape {
     private int nearest;
     private boolean isInside;
 
-    private double normalX;
-    private double normalY;
-    private double surfaceX;
-    private double surfaceY;
-
     BodyShape() {}
 
     /** Takes a body at a place. */
@@ -242,25 +237,5 @@ final class BodyShape extends ThingShape {
     @Override
     void normalFrom(double px, double py) {
         normalAt(px, py, 0, 0, 0);
-    }
-
-    @Override
-    double normalX() {
-        return normalX;
-    }
-
-    @Override
-    double normalY() {
-        return normalY;
-    }
-
-    @Override
-    double surfaceX() {
-        return surfaceX;
-    }
-
-    @Override
-    double surfaceY() {
-        return surfaceY;
     }
 }

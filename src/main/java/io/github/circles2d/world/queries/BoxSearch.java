@@ -7,7 +7,7 @@ import java.util.Arrays;
  * The searches among things in a tree of boxes, by the shape of the query: pieces of terrain, or bodies. Where an axis wraps, each thing has an
  * image a period farther to either side.
  */
-public abstract class BoxSearch extends PathSearch {
+public abstract class BoxSearch<S extends ThingShape> extends PathSearch implements Search {
     /** More than what boxes and ends lose by rounding, by its share of coordinates. */
     private static final double MARGIN = 0x1p-21;
 
@@ -16,9 +16,8 @@ public abstract class BoxSearch extends PathSearch {
 
     private static final int BOX = 4;
 
-    private final ThingShape shape;
+    final S shape;
     private final FoundIds overlaps = new FoundIds();
-    private final Found found = new Found();
 
     // what is searched, as BoxTree has it, and the greatest id of a thing, and 1
     private int nodes;
@@ -54,7 +53,7 @@ public abstract class BoxSearch extends PathSearch {
     private double maxX;
     private double maxY;
 
-    BoxSearch(ThingShape shape) {
+    BoxSearch(S shape) {
         this.shape = shape;
     }
 
@@ -99,16 +98,14 @@ public abstract class BoxSearch extends PathSearch {
     // ---- overlaps
     // ----------------------------------------------------------------------------------------------------
 
-    /** Finds all things of a checked query, what overlaps by id, what a path meets by distance, then by id, and returns how many. */
+    @Override
     public int all(QueryShape what, float[] query, IdFilter filter) {
         switch (what) {
             case DISC -> disc(query[0], query[1], query[2]);
             case BOX -> box(query[0], query[1], query[2], query[3]);
             case RAY, DISC_CAST -> {
                 aim(what, query, 0);
-                search(Integer.MAX_VALUE, filter);
-                found.sort();
-                return found.count();
+                return all(filter);
             }
             default -> throw new IllegalArgumentException(what + " does not find all");
         }
@@ -176,7 +173,7 @@ public abstract class BoxSearch extends PathSearch {
         return isBox ? shape.overlapsBox(minX, minY, maxX, maxY) : shape.overlapsDisc(startX, startY, reach);
     }
 
-    /** The thing with a number from 0 to those that {@link #all} has found. */
+    @Override
     public int id(QueryShape what, int k) {
         return what.isCast() ? found.id(k) : overlaps.id(k);
     }
@@ -191,7 +188,8 @@ public abstract class BoxSearch extends PathSearch {
         return Math.min(length, Math.min(x, y));
     }
 
-    private void search(int most, IdFilter filter) {
+    @Override
+    void search(int most, IdFilter filter) {
         found.clear();
         double way = most();
         double far = Math.max(Math.abs(startX), Math.abs(startY)) + reach;
@@ -219,11 +217,7 @@ public abstract class BoxSearch extends PathSearch {
         take(thing, image);
         double d = shape.castDistance(startX, startY, reach, unitX, unitY, way);
         if (d != CircleTests.NONE && !(leavesStart && d == 0) && (filter == null || filter.admits(thing))) {
-            if (most == Integer.MAX_VALUE) {
-                found.add(d, thing, image);
-            } else {
-                found.offer(d, thing, image, most);
-            }
+            found.offer(d, thing, image, most);
         }
     }
 
@@ -265,42 +259,29 @@ public abstract class BoxSearch extends PathSearch {
         nodeDistance[k] = distance;
     }
 
-    /** The first thing that a path meets, or -1; hits takes the hit, or the end of the path, or is null. */
-    public int first(QueryShape what, float[] query, IdFilter filter, float[] hits, int to) {
-        aim(what, query, 0);
-        search(1, filter);
-        boolean hit = found.count() > 0;
-        if (hits != null && hit) {
-            writeHit(0, hits, to);
-        } else if (hits != null) {
-            CastSearch.write(hits, to, length, endX, endY, 0, 0);
-        }
-        return hit ? found.id(0) : -1;
-    }
-
     /** Whether a ray meets a thing that it does not begin at. */
     public boolean isBlocked(float x, float y, float dx, float dy, IdFilter filter) {
         aim(x, y, 0, dx, dy);
         leavesStart = true;
-        search(1, filter);
+        boolean isBlocked = first(filter);
         leavesStart = false;
-        return found.count() > 0;
+        return isBlocked;
     }
 
-    /** Writes the hit with a number from 0 to those that {@link #all} has found. */
+    @Override
     public void writeHit(int k, float[] to, int at) {
         take(found.id(k), found.place(k));
         double distance = found.distance(k);
         double x = startX + unitX * distance;
         double y = startY + unitY * distance;
         shape.normalAt(x, y, reach, unitX, unitY);
-        CastSearch.write(to, at, distance, x, y, shape.normalX(), shape.normalY());
+        CastSearch.write(to, at, distance, x, y, shape.normalX, shape.normalY);
     }
 
     // ---- the nearest
     // -------------------------------------------------------------------------------------------------
 
-    /** Finds the things whose surfaces are nearest to a point, by distance, then by id, and returns how many. */
+    @Override
     public int nearest(float x, float y, float within, int most, IdFilter filter) {
         found.clear();
         startX = x;
@@ -362,16 +343,20 @@ public abstract class BoxSearch extends PathSearch {
         }
     }
 
-    /** The thing with a number from 0 to those that {@link #nearest} has found. */
+    @Override
     public int nearestId(int k) {
         return found.id(k);
     }
 
-    /** Writes how far away it is, negative inside one, the nearest point of its surface and the normal there. */
+    @Override
+    public double nearestDistance(int k) {
+        return found.distance(k);
+    }
+
+    @Override
     public void writeNearest(int k, float[] to, int at) {
         take(found.id(k), found.place(k));
         shape.normalFrom(startX, startY);
-        CastSearch.write(
-                to, at, found.distance(k), shape.surfaceX(), shape.surfaceY(), shape.normalX(), shape.normalY());
+        CastSearch.write(to, at, found.distance(k), shape.surfaceX, shape.surfaceY, shape.normalX, shape.normalY);
     }
 }

@@ -15,7 +15,6 @@ public final class CastSearch extends PathSearch {
 
     private final CircleTree tree;
     private final Frontier frontier = new Frontier();
-    private final Found found = new Found();
 
     /** How far the cast goes at most for what is still looked for. */
     private double limit;
@@ -24,20 +23,8 @@ public final class CastSearch extends PathSearch {
         this.tree = tree;
     }
 
-    /** Finds the first circle that the disc touches, at the same distance that of the lowest id, as number 0. A null filter is none. */
-    public boolean first(IdFilter filter) {
-        search(1, filter);
-        return found.count() > 0;
-    }
-
-    /** Finds all circles that the disc touches, by the distance that it has moved by then, then by id, and returns how many. */
-    public int all(IdFilter filter) {
-        search(Integer.MAX_VALUE, filter);
-        found.sort();
-        return found.count();
-    }
-
-    private void search(int most, IdFilter filter) {
+    @Override
+    void search(int most, IdFilter filter) {
         found.clear();
         if (tree.size == 0) {
             return;
@@ -64,11 +51,7 @@ public final class CastSearch extends PathSearch {
             double d = CircleTests.castDistance(
                     startX, startY, reach, unitX, unitY, length, tree.x[k], tree.y[k], tree.radius[k]);
             if (d != CircleTests.NONE && (filter == null || filter.admits(tree.id[k]))) {
-                if (most == Integer.MAX_VALUE) {
-                    found.add(d, tree.id[k], k);
-                } else {
-                    found.offer(d, tree.id[k], k, most);
-                }
+                found.offer(d, tree.id[k], k, most);
             }
         }
     }
@@ -101,6 +84,7 @@ public final class CastSearch extends PathSearch {
     }
 
     /** Writes {@link #HIT_STRIDE} elements. From its own centre the normal points against the path, and up without a path. */
+    @Override
     public void writeHit(int k, float[] to, int at) {
         writeHit(found.distance(k), tree.x[found.place(k)], tree.y[found.place(k)], to, at);
     }
@@ -118,11 +102,6 @@ public final class CastSearch extends PathSearch {
             norm = 1;
         }
         write(to, at, distance, x, y, nx / norm, ny / norm);
-    }
-
-    /** Writes where the disc ends if it hits nothing: the length of its path, its end, and a normal of 0. */
-    public void writeMiss(float[] to, int at) {
-        write(to, at, length, endX, endY, 0, 0);
     }
 
     /** Writes a hit of nothing, infinitely far away. */

@@ -3,8 +3,8 @@ package io.github.circles2d.world.queries;
 import java.util.Arrays;
 
 /**
- * Circles that a search has found, each with a distance: all of them, or the nearest few. Their order is by distance, then by id.
- * While there are as many as {@link #offer} keeps, they are a heap with the farthest on top.
+ * What a search has found, each with a distance: all, or the nearest few. Their order is by distance, then by id. Until they are sorted they are
+ * a heap with the farthest on top.
  */
 final class Found {
     private static final int ID_SHIFT = 32;
@@ -36,14 +36,7 @@ final class Found {
         return (int) item[k];
     }
 
-    /** Adds a circle, whatever its distance. */
-    void add(double d, int id, int place) {
-        ensure(count + 1);
-        distance[count] = d;
-        item[count++] = item(id, place);
-    }
-
-    /** Adds a circle if there are fewer than so many, or instead of the last in the order. */
+    /** Adds a thing if there are fewer than so many, or instead of the last in the order. */
     void offer(double d, int id, int place, int most) {
         if (count < most) {
             ensure(count + 1);
@@ -58,7 +51,7 @@ final class Found {
         return count < most ? Double.POSITIVE_INFINITY : distance[0];
     }
 
-    /** Puts the circles into their order. */
+    /** Puts all into their order. */
     void sort() {
         for (int k = count / 2 - 1; k >= 0; k--) {
             sink(k, distance[k], item[k], count);

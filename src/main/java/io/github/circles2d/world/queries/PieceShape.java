@@ -48,8 +48,6 @@ final class PieceShape extends ThingShape {
     private double nearX;
     private double nearY;
     private boolean isFace;
-    private double normalX;
-    private double normalY;
 
     /** Takes a piece, moved by so much. */
     void take(float[] rows, int[] traits, int piece, boolean oneSided, double shiftX, double shiftY) {
@@ -388,6 +386,8 @@ final class PieceShape extends ThingShape {
             normalX = faceX();
             normalY = faceY();
         }
+        surfaceX = x + nearX + normalX * thickness;
+        surfaceY = y + nearY + normalY * thickness;
     }
 
     /** Returns false if the nearest point is the last point itself. */
@@ -401,16 +401,6 @@ final class PieceShape extends ThingShape {
         normalX = nx / norm;
         normalY = ny / norm;
         return true;
-    }
-
-    @Override
-    double normalX() {
-        return normalX;
-    }
-
-    @Override
-    double normalY() {
-        return normalY;
     }
 
     /** The normal of the front, at the last point. */
@@ -429,16 +419,5 @@ final class PieceShape extends ThingShape {
 
     double nearestY() {
         return y + nearY;
-    }
-
-    /** The point of the surface that {@link #normalFrom} has found. */
-    @Override
-    double surfaceX() {
-        return x + nearX + normalX * thickness;
-    }
-
-    @Override
-    double surfaceY() {
-        return y + nearY + normalY * thickness;
     }
 }

@@ -6,17 +6,11 @@ import io.github.circles2d.world.model.PieceRow;
 import io.github.circles2d.world.model.TerrainStep;
 
 /** The searches among pieces of terrain. */
-public final class TerrainSearch extends BoxSearch {
-    private final PieceShape shape;
+public final class TerrainSearch extends BoxSearch<PieceShape> {
     private TerrainStep terrain;
 
     public TerrainSearch() {
-        this(new PieceShape());
-    }
-
-    private TerrainSearch(PieceShape shape) {
-        super(shape);
-        this.shape = shape;
+        super(new PieceShape());
     }
 
     /** Says which terrain the searches to come look at, as it is then. */

@@ -2,6 +2,12 @@ package io.github.circles2d.world.queries;
 
 /** The exact tests of one thing that a {@link BoxSearch} looks at. They compute in double precision; what touches exactly counts. */
 abstract class ThingShape {
+    // what normalAt and normalFrom find; the point of the surface is that of normalFrom alone
+    double normalX;
+    double normalY;
+    double surfaceX;
+    double surfaceY;
+
     /** Whether a disc of radius reach around (px, py) overlaps or touches it. */
     abstract boolean overlapsDisc(double px, double py, double reach);
 
@@ -21,14 +27,4 @@ abstract class ThingShape {
 
     /** Finds the point of the surface that is nearest to a point, and the normal there. */
     abstract void normalFrom(double px, double py);
-
-    // what the last two have found, the point only normalFrom
-
-    abstract double normalX();
-
-    abstract double normalY();
-
-    abstract double surfaceX();
-
-    abstract double surfaceY();
 }

@@ -2,8 +2,8 @@ package io.github.circles2d.world.queries;
 
 import io.github.circles2d.world.model.Bounds;
 
-/** The searches in a tree of circles, by the shape of the query. */
-public final class TreeSearch {
+/** The searches in a tree of circles. */
+public final class TreeSearch implements Search {
     private final CircleTree tree = new CircleTree();
     private final Images images = new Images();
     private final OverlapSearch overlaps = new OverlapSearch(tree);
@@ -23,7 +23,7 @@ public final class TreeSearch {
         }
     }
 
-    /** Finds all circles of a checked query, what overlaps by id, what a path meets by distance, then by id, and returns how many. */
+    @Override
     public int all(QueryShape shape, float[] query, IdFilter filter) {
         return switch (shape) {
             case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
@@ -36,44 +36,40 @@ public final class TreeSearch {
         };
     }
 
-    /** The circle with a number from 0 to those that {@link #all} has found. */
+    @Override
     public int id(QueryShape shape, int k) {
         return shape.isCast() ? casts.id(k) : overlaps.id(k);
     }
 
-    /** Writes the hit with a number from 0 to those that {@link #all} has found. */
+    @Override
     public void writeHit(int k, float[] to, int at) {
         casts.writeHit(k, to, at);
     }
 
-    /** Finds the circle at a point; -1 if there is none. */
-    public int pick(float[] query, IdFilter filter) {
-        return overlaps.pick(query[0], query[1], filter);
-    }
-
-    /** The first circle that a path meets, or -1; hits takes the hit, or the end of the path, or is null. */
+    @Override
     public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
-        casts.aim(shape, query, 0);
-        boolean hit = casts.first(filter);
-        if (hits != null && hit) {
-            casts.writeHit(0, hits, to);
-        } else if (hits != null) {
-            casts.writeMiss(hits, to);
-        }
-        return hit ? casts.id(0) : -1;
+        return shape == QueryShape.POINT
+                ? overlaps.pick(query[0], query[1], filter)
+                : casts.first(shape, query, filter, hits, to);
     }
 
-    /** {@link #nearestId} and {@link #nearestDistance} tell of the circles. */
-    public int nearest(float[] query, float within, int most, IdFilter filter) {
-        return nearest.find(query[0], query[1], within, most, filter);
+    @Override
+    public int nearest(float x, float y, float within, int most, IdFilter filter) {
+        return nearest.find(x, y, within, most, filter);
     }
 
-    /** The circle with a number from 0 to those that {@link #nearest} has found. */
+    @Override
     public int nearestId(int k) {
         return nearest.id(k);
     }
 
+    @Override
     public double nearestDistance(int k) {
         return nearest.distance(k);
+    }
+
+    @Override
+    public void writeNearest(int k, float[] to, int at) {
+        throw new IllegalStateException("no query asks for hits of the nearest circles");
     }
 }

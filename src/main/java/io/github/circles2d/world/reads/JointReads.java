@@ -1,9 +1,7 @@
 package io.github.circles2d.world.reads;
 
-import io.github.circles2d.world.joints.DrawnPlaces;
 import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
-import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.JointTable;
 import io.github.circles2d.world.joints.RigidEnds;
 import io.github.circles2d.world.joints.SavedJointStates;
@@ -34,32 +32,11 @@ public final class JointReads {
         table = world.joints.table;
     }
 
-    public boolean contains(long handle) {
-        world.guard.enter();
-        try {
-            world.pending.settleJoints();
-            return table.ids.find(handle) >= 0;
-        } finally {
-            world.guard.leave();
-        }
-    }
-
-    /** The number of joints. */
-    public int size() {
-        world.guard.enter();
-        try {
-            world.pending.settleJoints();
-            return table.ids.size();
-        } finally {
-            world.guard.leave();
-        }
-    }
-
     /** The handle of the circle or body that is the first end of a joint, or the other one; 0 if there is none. */
     public long end(long handle, boolean other) {
         world.guard.enter();
         try {
-            return world.joints.departures().handle(find(handle), other ? RigidEnds.B : RigidEnds.A);
+            return world.joints.departures.handle(find(handle), other ? RigidEnds.B : RigidEnds.A);
         } finally {
             world.guard.leave();
         }
@@ -107,7 +84,7 @@ public final class JointReads {
         world.guard.enter();
         try {
             int joint = find(handle);
-            JointEnds ends = world.joints.ends().look(world.last.circles());
+            JointEnds ends = world.joints.ends.look(world.last.circles());
             ends.of(joint);
             return ends.length();
         } finally {
@@ -121,7 +98,7 @@ public final class JointReads {
     }
 
     /** The same where circles and bodies of terrain are drawn; handles may be null. */
-    public int readEnds(DrawnPlaces drawn, float[] to, long[] handles) {
+    public int readEnds(JointEnds.Drawn drawn, float[] to, long[] handles) {
         world.guard.enter();
         try {
             world.pending.settleJoints();
@@ -135,8 +112,8 @@ public final class JointReads {
         }
     }
 
-    private int copyEnds(DrawnPlaces drawn, float[] to, long[] handles) {
-        JointEnds ends = world.joints.ends();
+    private int copyEnds(JointEnds.Drawn drawn, float[] to, long[] handles) {
+        JointEnds ends = world.joints.ends;
         if (drawn == null) {
             ends.look(world.last.circles());
         } else {
@@ -172,7 +149,7 @@ public final class JointReads {
             Limits.within("the greatest distance", most, 0f, Float.POSITIVE_INFINITY);
             int nearest = -1;
             double least = most;
-            JointEnds ends = world.joints.isThere() ? world.joints.ends().look(world.last.circles()) : null;
+            JointEnds ends = world.joints.isThere() ? world.joints.ends.look(world.last.circles()) : null;
             for (int joint = 0; ends != null && joint < table.ids.end(); joint++) {
                 if (table.ids.lives(joint)) {
                     ends.of(joint);
@@ -196,7 +173,7 @@ public final class JointReads {
             world.pending.settleJoints();
             Limits.notNull("joints", into);
             int id = world.circle(circle);
-            int count = world.joints.departures().countOf(id);
+            int count = world.joints.departures.countOf(id);
             if (found.length < count) {
                 found = new int[count + (count >> 1)];
             }
@@ -223,8 +200,7 @@ public final class JointReads {
             int id = world.rigid(body);
             int count = 0;
             for (int joint = 0; table.rigid.count() > 0 && joint < table.ids.end(); joint++) {
-                if (table.ids.lives(joint)
-                        && (table.rigid.body(joint, RigidEnds.A) == id || table.rigid.body(joint, RigidEnds.B) == id)) {
+                if (table.ids.lives(joint) && table.rigid.has(joint, id)) {
                     if (count < into.length) {
                         into[count] = table.ids.handle(joint);
                     }
@@ -275,16 +251,16 @@ public final class JointReads {
 
     private float load(SavedJointStates states, int joint, int which, float dt) {
         return switch (which) {
-            case FORCE_X -> JointLoads.forceX(states, joint, dt);
-            case FORCE_Y -> JointLoads.forceY(states, joint, dt);
-            case TORQUE -> JointLoads.torque(states, joint, dt);
+            case FORCE_X -> states.forceX(joint, dt);
+            case FORCE_Y -> states.forceY(joint, dt);
+            case TORQUE -> states.torque(joint, dt);
             default -> {
                 if (!JointForm.isAxial(table.form(joint)) || isWeldOfBody(joint)) {
-                    yield JointLoads.force(states, joint, dt);
+                    yield states.force(joint, dt);
                 }
-                JointEnds ends = world.joints.ends().look(world.last.circles());
+                JointEnds ends = world.joints.ends.look(world.last.circles());
                 ends.of(joint);
-                yield ends.along(JointLoads.forceX(states, joint, dt), JointLoads.forceY(states, joint, dt));
+                yield ends.along(states.forceX(joint, dt), states.forceY(joint, dt));
             }
         };
     }

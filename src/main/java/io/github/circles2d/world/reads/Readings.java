@@ -45,10 +45,7 @@ public final class Readings {
         world.guard.enter();
         try {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.size());
-            world.pending.settle();
-            world.clock.begin();
-            world.pipeline.readCircles(world.handles, circles);
-            world.clock.end();
+            world.last.readCircles(circles);
         } finally {
             world.guard.leave();
         }
@@ -71,10 +68,7 @@ public final class Readings {
         try {
             requireRoom("circles", circles, (long) CircleRow.STRIDE * world.handles.end());
             requireRoom(living, world.handles.end());
-            world.pending.settle();
-            world.clock.begin();
-            world.pipeline.readCircles(world.handles, circles);
-            world.clock.end();
+            world.last.readCircles(circles);
             spread(circles, CircleRow.STRIDE, living);
         } finally {
             world.guard.leave();
@@ -87,10 +81,7 @@ public final class Readings {
         try {
             requireRoom("velocities", velocities, 2L * world.handles.end());
             requireRoom(living, world.handles.end());
-            world.pending.settle();
-            world.clock.begin();
-            world.pipeline.readVelocities(world.handles, velocities);
-            world.clock.end();
+            world.last.readVelocities(velocities);
             spread(velocities, 2, living);
         } finally {
             world.guard.leave();
@@ -224,8 +215,7 @@ public final class Readings {
                 boolean lives = id < world.handles.end() && world.handles.lives(id);
                 kinds[id] = lives ? world.handles.fields().getInt(CircleField.KIND, id) : -1;
             }
-            mask.copy(world.handles);
-            copy(mask, living);
+            markLiving(living);
         } finally {
             world.guard.leave();
         }
@@ -240,8 +230,7 @@ public final class Readings {
             for (int id = 0; id < radii.length; id++) {
                 radii[id] = id < world.handles.end() && world.handles.lives(id) ? world.handles.radius(id) : Float.NaN;
             }
-            mask.copy(world.handles);
-            copy(mask, living);
+            markLiving(living);
         } finally {
             world.guard.leave();
         }
@@ -256,8 +245,7 @@ public final class Readings {
             for (int id = 0; id < tags.length; id++) {
                 tags[id] = id < world.handles.end() ? world.handles.fields().get(CircleField.TAG, id) : 0;
             }
-            mask.copy(world.handles);
-            copy(mask, living);
+            markLiving(living);
         } finally {
             world.guard.leave();
         }
@@ -266,6 +254,11 @@ public final class Readings {
     private void spread(float[] values, int each, long[] living) {
         mask.copy(world.handles);
         mask.spread(values, each, world.handles.size());
+        copy(mask, living);
+    }
+
+    private void markLiving(long[] living) {
+        mask.copy(world.handles);
         copy(mask, living);
     }
 
@@ -279,11 +272,7 @@ public final class Readings {
     public FloatBuffer positions() {
         world.guard.enter();
         try {
-            world.pending.settle();
-            world.clock.begin();
-            FloatBuffer positions = world.pipeline.positions(world.handles, false);
-            world.clock.end();
-            return positions;
+            return positions(false);
         } finally {
             world.guard.leave();
         }
@@ -294,16 +283,20 @@ public final class Readings {
         world.guard.enter();
         try {
             requireRoom(living, world.handles.end());
-            world.pending.settle();
-            world.clock.begin();
-            FloatBuffer positions = world.pipeline.positions(world.handles, true);
-            world.clock.end();
-            mask.copy(world.handles);
-            copy(mask, living);
+            FloatBuffer positions = positions(true);
+            markLiving(living);
             return positions;
         } finally {
             world.guard.leave();
         }
+    }
+
+    private FloatBuffer positions(boolean byId) {
+        world.pending.settle();
+        world.clock.begin();
+        FloatBuffer positions = world.pipeline.positions(world.handles, byId);
+        world.clock.end();
+        return positions;
     }
 
     /** Asks for x and y of every circle as they are now, without waiting for them. */
@@ -417,10 +410,7 @@ public final class Readings {
         world.guard.enter();
         try {
             requireRoom("velocities", velocities, 2L * world.handles.size());
-            world.pending.settle();
-            world.clock.begin();
-            world.pipeline.readVelocities(world.handles, velocities);
-            world.clock.end();
+            world.last.readVelocities(velocities);
         } finally {
             world.guard.leave();
         }

@@ -6,7 +6,6 @@ import io.github.circles2d.world.bodies.RigidPoses;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.RigidTable;
 import io.github.circles2d.world.bodies.RigidTouches;
-import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.shared.WorldParts;
@@ -25,28 +24,6 @@ public final class RigidReads {
         this.world = world;
         table = world.rigids;
         bodies = table.step;
-    }
-
-    public boolean contains(long handle) {
-        world.guard.check();
-        return table.ids.find(handle) >= 0;
-    }
-
-    public int size() {
-        world.guard.check();
-        return table.ids.size();
-    }
-
-    /** One more than the greatest id that a body has had. */
-    public int idLimit() {
-        world.guard.check();
-        return table.ids.end();
-    }
-
-    /** The handle of the body that has an id; 0 if there is none. */
-    public long handle(int id) {
-        world.guard.check();
-        return table.ids.handleOrNone(id);
     }
 
     private int require(long handle) {
@@ -206,9 +183,9 @@ public final class RigidReads {
 
     private void beginById(String what, float[] to, long[] living) {
         int end = table.ids.end();
-        requireRoom(what, Limits.notNull(what, to).length, STRIDE * end);
+        Readings.requireRoom(what, to, (long) STRIDE * end);
+        Readings.requireRoom(living, end);
         if (living != null) {
-            requireRoom("living", living.length, IdMask.words(end));
             Arrays.fill(living, 0L);
         }
         Arrays.fill(to, Float.NaN);
@@ -217,17 +194,11 @@ public final class RigidReads {
         }
     }
 
-    private static void requireRoom(String what, int length, int needed) {
-        if (length < needed) {
-            throw new IllegalArgumentException(what + " has " + length + " elements, but must have at least " + needed);
-        }
-    }
-
     /** Gives the handles of all bodies in the order of ids. */
     public void readHandles(long[] handles) {
         world.guard.enter();
         try {
-            requireRoom("handles", Limits.notNull("handles", handles).length, table.ids.size());
+            Readings.requireRoom("handles", handles, table.ids.size());
             int k = 0;
             for (int id = 0; id < table.ids.end(); id++) {
                 if (table.ids.lives(id)) {

@@ -1,11 +1,10 @@
 package io.github.circles2d.world.search;
 
 import io.github.circles2d.world.queries.BodySearch;
-import io.github.circles2d.world.queries.BoxSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /** The bodies that are pushed. */
-public final class BodyView implements ThingView {
+public final class BodyView implements View {
     private final WorldParts world;
     private final BodySearch search = new BodySearch();
 
@@ -17,7 +16,7 @@ public final class BodyView implements ThingView {
     }
 
     @Override
-    public BoxSearch show() {
+    public BodySearch show() {
         long now = world.rigids.version();
         boolean moved = now != shown;
         shown = -1; // until there has been memory for them
@@ -32,8 +31,13 @@ public final class BodyView implements ThingView {
     }
 
     @Override
-    public boolean admits(CircleFilter filter, int body) {
-        return filter.admitsBody(body, world.rigids.step.kind[body]);
+    public int find(long handle) {
+        return world.rigids.ids.find(handle);
+    }
+
+    @Override
+    public int kind(int body) {
+        return world.rigids.step.kind[body];
     }
 
     /** Finds the bodies whose outlines are so near to a place, the nearest first, and returns how many. */

@@ -16,9 +16,9 @@ final class QueryBatch {
     private final int[] singleEnd = new int[1];
 
     QueryShape shape;
-    CircleFilter filter;
+    QueryFilter filter;
 
-    /** Whether the caller made a batch: then exceptions name the query, and what has no circle is filled up. */
+    /** Whether the caller made a batch: then exceptions name the query, and what has no result is filled up. */
     boolean isBatch;
 
     float[] queries;
@@ -27,7 +27,7 @@ final class QueryBatch {
     /** How far the nearest may be. */
     float within;
 
-    /** How many circles are looked for at most; 1 unless the nearest are. */
+    /** How many are looked for at most; 1 unless the nearest are. */
     int most;
 
     int[] ends;
@@ -45,7 +45,7 @@ final class QueryBatch {
         this.settings = settings;
     }
 
-    void begin(CircleFilter only, QueryShape what, float[] numbers, int count) {
+    void begin(QueryFilter only, QueryShape what, float[] numbers, int count) {
         end();
         Limits.notNull(what.plural(), numbers);
         int has = numbers.length / what.stride();
@@ -62,7 +62,7 @@ final class QueryBatch {
     }
 
     /** Begins with a single query: its numbers, and zeros. */
-    void begin(CircleFilter only, QueryShape what, float a, float b, float c, float d, float e) {
+    void begin(QueryFilter only, QueryShape what, float a, float b, float c, float d, float e) {
         single[0] = a;
         single[1] = b;
         single[2] = c;
@@ -98,7 +98,7 @@ final class QueryBatch {
         requireRoom("ends", to.length, n);
     }
 
-    /** Takes the arrays of queries that find a few circles each. */
+    /** Takes the arrays of queries that find a few each. */
     void takeFew(long[] to, float[] distancesTo) {
         handles = Limits.notNull("handles", to);
         requireRoom("handles", to.length, (long) n * most);
@@ -158,7 +158,7 @@ final class QueryBatch {
         return hits == null ? handles.length : Math.min(handles.length, hits.length / CastSearch.HIT_STRIDE);
     }
 
-    /** Takes how many circles a query finds, behind so many of those before. Returns where its results end. */
+    /** Takes how many a query finds, behind so many of those before. Returns where its results end. */
     int end(int q, int total, int count) {
         query = q;
         if (count > Integer.MAX_VALUE - total) {

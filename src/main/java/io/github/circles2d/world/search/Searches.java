@@ -18,8 +18,9 @@ public final class Searches {
     }
 
     private final WorldParts world;
+    private final View view;
     private final QueryBatch batch;
-    private final Answers host;
+    private final HostAnswers host;
 
     /** Null for pieces of terrain and bodies, which are on the host. */
     private final DeviceAnswers device;
@@ -27,26 +28,22 @@ public final class Searches {
     /** Takes the handle that a single query finds. */
     private final long[] found = new long[1];
 
-    private Searches(WorldParts world, Answers host, DeviceAnswers device) {
+    private Searches(WorldParts world, View view, DeviceAnswers device) {
         this.world = world;
-        this.host = host;
+        this.view = view;
         this.device = device;
+        host = new HostAnswers(view);
         batch = new QueryBatch(world.settings);
     }
 
     /** Searches for circles. */
     public static Searches forCircles(WorldParts world) {
-        return new Searches(world, new HostAnswers(world), new DeviceAnswers(world));
+        return new Searches(world, new CircleView(world), new DeviceAnswers(world));
     }
 
-    /** Searches for pieces of terrain. */
-    public static Searches forTerrain(WorldParts world, TerrainView terrain) {
-        return new Searches(world, new ThingAnswers(terrain), null);
-    }
-
-    /** Searches for bodies that are pushed. */
-    public static Searches forBodies(WorldParts world, BodyView bodies) {
-        return new Searches(world, new ThingAnswers(bodies), null);
+    /** Searches for pieces of terrain, or bodies that are pushed. */
+    public static Searches forThings(WorldParts world, View things) {
+        return new Searches(world, things, null);
     }
 
     /** Does nothing, if a query can be made at all. */
@@ -55,27 +52,27 @@ public final class Searches {
     }
 
     /** Admits those whose kind's category has a bit of a mask, but for the circle that the filter before leaves out. */
-    public CircleFilter filter(CircleFilter before, int mask) {
+    public QueryFilter filter(QueryFilter before, int mask) {
         requireOpen();
-        return CircleFilter.masked(world, before, mask);
+        return QueryFilter.masked(world.kinds, view, before, mask);
     }
 
     /** Admits those that the filter before admits, with another circle left out, which may be gone, or 0 for none. */
-    public CircleFilter without(CircleFilter before, long circle) {
+    public QueryFilter without(QueryFilter before, long circle) {
         requireOpen();
         if (!Handle.mayBeOfCircle(circle)) {
             throw new IllegalArgumentException(WorldParts.goneCircle(circle));
         }
-        return CircleFilter.without(world, before, circle);
+        return QueryFilter.without(world.kinds, view, before, circle);
     }
 
     /** The same with a body left out. */
-    public CircleFilter withoutBody(CircleFilter before, long body) {
+    public QueryFilter withoutBody(QueryFilter before, long body) {
         requireOpen();
         if (body != 0 && !Handle.has(body, Handle.RIGID)) {
             throw new IllegalArgumentException(WorldParts.goneRigid(body));
         }
-        return CircleFilter.without(world, before, body);
+        return QueryFilter.without(world.kinds, view, before, body);
     }
 
     /** Answers on any device from now on, whether or not it is the faster way: for tests. */
@@ -90,7 +87,7 @@ public final class Searches {
 
     /** All circles of a query of these numbers and zeros; hits of paths may be null. */
     public int all(
-            CircleFilter filter,
+            QueryFilter filter,
             QueryShape shape,
             float a,
             float b,
@@ -103,22 +100,22 @@ public final class Searches {
     }
 
     /** The same for each query of a batch. */
-    public int all(CircleFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
+    public int all(QueryFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
         return (int) answer(Wanted.ALL, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, ends, to, hits);
     }
 
     /** The circle at a point, or the first on a path; its hit may be null. */
-    public long one(CircleFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
+    public long one(QueryFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
         return answer(Wanted.ONE, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, found, hit);
     }
 
     /** The same for each query of a batch. */
-    public int one(CircleFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
+    public int one(QueryFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
         return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
     }
 
     /** The piece or body nearest to a point, or 0. */
-    public long nearestOne(CircleFilter filter, float x, float y, float within, float[] hit) {
+    public long nearestOne(QueryFilter filter, float x, float y, float within, float[] hit) {
         QueryShape shape = QueryShape.NEAREST;
         found[0] = 0;
         answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, 1, null, found, hit);
@@ -126,7 +123,7 @@ public final class Searches {
     }
 
     /** Finds the circles nearest to a point, and their distances, or pieces or bodies, and their hits. */
-    public int nearest(CircleFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
+    public int nearest(QueryFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int)
                 answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, most, null, to, distances);
@@ -134,7 +131,7 @@ public final class Searches {
 
     /** The same for each of many points. */
     public int nearest(
-            CircleFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
+            QueryFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
         QueryShape shape = QueryShape.NEAREST;
         return (int) answer(
                 Wanted.NEAREST, filter, shape, true, points, n, 0, 0, 0, 0, 0, within, most, null, to, distances);
@@ -143,7 +140,7 @@ public final class Searches {
     /** A single query has the numbers a to e. Returns the number of circles found; of a single query for one circle, that circle. */
     private long answer(
             Wanted wanted,
-            CircleFilter filter,
+            QueryFilter filter,
             QueryShape shape,
             boolean isBatch,
             float[] queries,

@@ -2,13 +2,12 @@ package io.github.circles2d.world.search;
 
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.TerrainStep;
-import io.github.circles2d.world.queries.BoxSearch;
 import io.github.circles2d.world.queries.IdFilter;
 import io.github.circles2d.world.queries.TerrainSearch;
 import io.github.circles2d.world.shared.WorldParts;
 
 /** The terrain as it is now, to be searched. Pieces are on the host on every back end. */
-public final class TerrainView implements ThingView {
+public final class TerrainView implements View {
     private final WorldParts world;
     private final TerrainStep step;
     private final TerrainSearch search = new TerrainSearch();
@@ -24,7 +23,7 @@ public final class TerrainView implements ThingView {
     }
 
     @Override
-    public BoxSearch show() {
+    public TerrainSearch show() {
         world.terrain.makeRoom(world.settings.subSteps());
         world.terrain.refresh();
         step.kinds.update(world.kinds, world.kinds.version());
@@ -38,11 +37,12 @@ public final class TerrainView implements ThingView {
     }
 
     @Override
-    public boolean admits(CircleFilter filter, int piece) {
-        return filter.admitsKind(kindOf(piece));
+    public int find(long handle) {
+        return world.terrain.pieces.ids.find(handle);
     }
 
-    private int kindOf(int piece) {
+    @Override
+    public int kind(int piece) {
         return world.terrain.pieces.kindOf(piece);
     }
 
@@ -61,6 +61,6 @@ public final class TerrainView implements ThingView {
     }
 
     private boolean stops(int piece) {
-        return PairTable.get(world.kinds.responses(), kind, kindOf(piece)) == PairTable.SOLID;
+        return PairTable.get(world.kinds.responses(), kind, kind(piece)) == PairTable.SOLID;
     }
 }

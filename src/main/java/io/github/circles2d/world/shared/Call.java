@@ -1,6 +1,6 @@
 package io.github.circles2d.world.shared;
 
-import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.joints.JointForm;
@@ -212,7 +212,7 @@ public enum Call {
     RIGID(122, 6, (w, settings) -> {
         KindTable.check(w[1]);
         pose(w, 2, settings);
-        RigidRules.mass(real(w[5]));
+        RigidLimits.mass(real(w[5]));
     }),
 
     /** A rigid body goes. */

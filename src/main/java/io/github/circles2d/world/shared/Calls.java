@@ -37,6 +37,11 @@ public final class Calls {
         }
     }
 
+    /** Makes a call without words. */
+    public void make(Call call) {
+        make(call, 0, 0, 0, 0);
+    }
+
     /** Makes a call about nothing that has a handle. */
     public long make(Call call, int a, int b, int c, int d) {
         return make(call, 0, a, b, c, d, 0, 0, 0, 0);
@@ -47,14 +52,20 @@ public final class Calls {
         return make(call, floatToRawIntBits(a), floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
     }
 
-    /** Makes a call about what has a handle, by the words that follow. */
+    /** Makes a call about what has a handle, without further words. */
+    public void change(Call call, long handle) {
+        change(call, handle, 0, 0, 0);
+    }
+
+    /** The same with words that follow. */
     public long change(Call call, long handle, int b, int c, int d) {
         return make(call, handle, 0, b, c, d, 0, 0, 0, 0);
     }
 
     /** The same with floats. */
-    public long changeByFloats(Call call, long handle, float b, float c, float d) {
-        return change(call, handle, floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d));
+    public void changeByFloats(Call call, long handle, float b, float c, float d, float e) {
+        int fifth = floatToRawIntBits(e);
+        change(call, handle, floatToRawIntBits(b), floatToRawIntBits(c), floatToRawIntBits(d), fifth, 0, 0, 0);
     }
 
     /** The same with more words. */

@@ -49,17 +49,30 @@ public final class LastReading {
     /** Circles as of now: x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change. */
     public float[] circles() {
         if (!circlesCurrent) {
-            world.pending.settle();
             if (circles.length < CircleRow.STRIDE * world.handles.size()) {
                 circles = new float[CircleRow.STRIDE * world.handles.size()];
             }
-            world.clock.begin();
-            world.pipeline.readCircles(world.handles, circles);
-            world.clock.end();
+            readCircles(circles);
             circlesCurrent = true;
             number++;
         }
         return circles;
+    }
+
+    /** Reads circles as of now into an array that has room. */
+    public void readCircles(float[] to) {
+        world.pending.settle();
+        world.clock.begin();
+        world.pipeline.readCircles(world.handles, to);
+        world.clock.end();
+    }
+
+    /** Reads velocities likewise. */
+    public void readVelocities(float[] to) {
+        world.pending.settle();
+        world.clock.begin();
+        world.pipeline.readVelocities(world.handles, to);
+        world.clock.end();
     }
 
     /** Which state circles are in: a greater number whenever circles have changed. */
@@ -75,13 +88,10 @@ public final class LastReading {
     /** Velocities as of now: vx, vy of each, in ascending order of ids; may be longer; valid until the next change. */
     public float[] velocities() {
         if (!velocitiesCurrent) {
-            world.pending.settle();
             if (velocities.length < 2 * world.handles.size()) {
                 velocities = new float[2 * world.handles.size()];
             }
-            world.clock.begin();
-            world.pipeline.readVelocities(world.handles, velocities);
-            world.clock.end();
+            readVelocities(velocities);
             velocitiesCurrent = true;
         }
         return velocities;

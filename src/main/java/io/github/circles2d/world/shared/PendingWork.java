@@ -2,7 +2,6 @@ package io.github.circles2d.world.shared;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.joints.BrokenJoints;
-import io.github.circles2d.world.joints.JointLoads;
 import io.github.circles2d.world.joints.SavedJointStates;
 
 /** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
@@ -123,17 +122,17 @@ public final class PendingWork {
     }
 
     private void takeAwayBroken() {
-        boolean reports = world.joints.departures().reports();
+        boolean reports = world.joints.departures.reports();
         if (reports) {
             world.pipeline.saveJoints(jointStates);
-            world.joints.departures().ensure(broken.count);
+            world.joints.departures.ensure(broken.count);
         }
         world.guard.changing = true;
         for (int k = 0; k < broken.count; k++) {
             int joint = broken.id(k);
-            float force = reports ? JointLoads.force(jointStates, joint, world.settings.lastStep()) : 0f;
-            float torque = reports ? JointLoads.torque(jointStates, joint, world.settings.lastStep()) : 0f;
-            world.joints.departures().breakJoint(joint, force, torque);
+            float force = reports ? jointStates.force(joint, world.settings.lastStep()) : 0f;
+            float torque = reports ? jointStates.torque(joint, world.settings.lastStep()) : 0f;
+            world.joints.departures.breakJoint(joint, force, torque);
         }
         broken.count = 0;
         world.guard.changing = false;

@@ -67,10 +67,35 @@ public final class WorldParts {
     /** The id of the circle that has a handle. */
     public int circle(long handle) {
         int id = handles.find(handle);
-        if (id < 0) {
-            throw new IllegalArgumentException(goneCircle(handle));
-        }
-        return id;
+        return id >= 0 ? id : refuse(goneCircle(handle));
+    }
+
+    /** The id of the piece of terrain that has a handle. */
+    public int piece(long handle) {
+        int piece = terrain.pieces.ids.find(handle);
+        return piece >= 0 ? piece : refuse(gone("piece of terrain", handle, Handle.PIECE));
+    }
+
+    /** The id of the body of terrain that has a handle. */
+    public int body(long handle) {
+        int body = terrain.bodies.ids.find(handle);
+        return body >= 0 ? body : refuse(gone("body of terrain", handle, Handle.BODY));
+    }
+
+    /** The id of the rigid body that has a handle. */
+    public int rigid(long handle) {
+        int body = rigids.ids.find(handle);
+        return body >= 0 ? body : refuse(goneRigid(handle));
+    }
+
+    /** The id of the joint that has a handle. */
+    public int joint(long handle) {
+        int joint = joints.table.ids.find(handle);
+        return joint >= 0 ? joint : refuse(goneJoint(handle));
+    }
+
+    private static int refuse(String why) {
+        throw new IllegalArgumentException(why);
     }
 
     /** Why a handle of no circle is refused. */
@@ -79,57 +104,22 @@ public final class WorldParts {
                 ? ". Bodies has its calls (touching in place of contactsOf), and a kind its gravity scale, damping, greatest speed "
                         + "and surface"
                 : "";
-        return "no circle has the handle " + handle + Handle.reason(handle, 0) + instead;
-    }
-
-    /** The id of the piece of terrain that has a handle. */
-    public int piece(long handle) {
-        int piece = terrain.pieces.ids.find(handle);
-        if (piece < 0) {
-            throw new IllegalArgumentException(
-                    "no piece of terrain has the handle " + handle + Handle.reason(handle, Handle.PIECE));
-        }
-        return piece;
-    }
-
-    /** The id of the body of terrain that has a handle. */
-    public int body(long handle) {
-        int body = terrain.bodies.ids.find(handle);
-        if (body < 0) {
-            throw new IllegalArgumentException(
-                    "no body of terrain has the handle " + handle + Handle.reason(handle, Handle.BODY));
-        }
-        return body;
-    }
-
-    /** The id of the rigid body that has a handle. */
-    public int rigid(long handle) {
-        int body = rigids.ids.find(handle);
-        if (body < 0) {
-            throw new IllegalArgumentException(goneRigid(handle));
-        }
-        return body;
+        return gone("circle", handle, 0) + instead;
     }
 
     /** Why a handle of no body that is pushed is refused. */
     public static String goneRigid(long handle) {
-        return "no body has the handle " + handle + Handle.reason(handle, Handle.RIGID);
-    }
-
-    /** The id of the joint that has a handle. */
-    public int joint(long handle) {
-        int joint = joints.table.ids.find(handle);
-        if (joint < 0) {
-            throw new IllegalArgumentException(goneJoint(handle));
-        }
-        return joint;
+        return gone("body", handle, Handle.RIGID);
     }
 
     /** Why a handle of no joint is refused. */
     public static String goneJoint(long handle) {
-        return "no joint has the handle " + handle
-                + (Handle.has(handle, Handle.JOINT)
-                        ? ": it was removed or has broken, or is none of this world's"
-                        : Handle.reason(handle, Handle.JOINT));
+        return Handle.has(handle, Handle.JOINT)
+                ? "no joint has the handle " + handle + ": it was removed or has broken, or is none of this world's"
+                : gone("joint", handle, Handle.JOINT);
+    }
+
+    private static String gone(String what, long handle, int mark) {
+        return "no " + what + " has the handle " + handle + Handle.reason(handle, mark);
     }
 }

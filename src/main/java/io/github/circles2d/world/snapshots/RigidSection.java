@@ -2,7 +2,7 @@ package io.github.circles2d.world.snapshots;
 
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidExtras;
-import io.github.circles2d.world.bodies.RigidRules;
+import io.github.circles2d.world.bodies.RigidLimits;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.bodies.SavedRigids;
 import io.github.circles2d.world.circles.KindTable;
@@ -143,7 +143,7 @@ final class RigidSection {
         SavedRigids r = s.rigids;
         int ids = getInt(in);
         int outlines = getInt(in);
-        if (!(ids > 0 && ids <= RigidRules.MOST && ids <= in.remaining() && outlines >= 0 && outlines <= ids)) {
+        if (!(ids > 0 && ids <= RigidLimits.MOST && ids <= in.remaining() && outlines >= 0 && outlines <= ids)) {
             throw SnapshotCodec.refused("it cannot hold " + ids + " ids of bodies and " + outlines + " outlines");
         }
         r.setIds(ids);
@@ -186,7 +186,7 @@ final class RigidSection {
         for (int k = 0; k < r.outlineCount; k++) {
             SnapshotCodec.require(!isSame(in, at, count, r.outlines[k].words()), "two outlines are one");
         }
-        RigidRules.reach(known, s.parameters().bounds());
+        RigidLimits.reach(known, s.parameters().bounds());
         r.outlines[r.outlineCount] = known;
         ((Buffer) in).position(at + Integer.BYTES * count);
     }
@@ -247,8 +247,8 @@ final class RigidSection {
                 r.real(body, SavedRigids.OMEGA),
                 -Limits.ANGULAR_VELOCITY,
                 Limits.ANGULAR_VELOCITY);
-        RigidRules.mass(r.real(body, SavedRigids.MASS));
-        RigidRules.inertia(
+        RigidLimits.mass(r.real(body, SavedRigids.MASS));
+        RigidLimits.inertia(
                 r.real(body, SavedRigids.INERTIA), r.real(body, SavedRigids.MASS), r.outlines[r.outline[body]]);
         Limits.restitution(r.real(body, SavedRigids.RESTITUTION));
         Limits.force(r.real(body, SavedRigids.FORCE_X), r.real(body, SavedRigids.FORCE_Y));

@@ -360,7 +360,7 @@ public final class SnapshotCodec {
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
             float normalImpulse = getFloat(in);
-            require(normalImpulse > 0 && normalImpulse <= Limits.CACHED_IMPULSE, "an impulse is out of range");
+            require(normalImpulse >= 0 && normalImpulse <= Limits.CACHED_IMPULSE, "an impulse is out of range");
             s.lo[s.impulses] = id;
             s.hi[s.impulses] = (int) hi;
             s.normalImpulse[s.impulses++] = normalImpulse;

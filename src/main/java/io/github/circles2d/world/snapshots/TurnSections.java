@@ -237,10 +237,14 @@ final class TurnSections {
         return Limits.within(what, value, -most, most);
     }
 
-    /** Their ranges depend on the radii of their circles. All impulses belong to two circles that are there. */
+    /** Their ranges depend on the radii of their circles. All impulses belong to two circles that are there, whose contact acts. */
     static void checkImpulses(SavedState s) {
-        for (int k = 0; s.turns && k < s.impulses; k++) {
-            if (flagsOfImpulse(s, k) != 0) {
+        for (int k = 0; k < s.impulses; k++) {
+            float acting = s.turns
+                    ? ContactRows.actingImpulse(s.normalImpulse[k], s.rows, ContactRows.of(k), 1)
+                    : s.normalImpulse[k];
+            SnapshotCodec.require(acting > 0f, "an impulse is out of range");
+            if (s.turns && flagsOfImpulse(s, k) != 0) {
                 float r = Math.min(radius(s, s.lo[k]), radius(s, s.hi[k]));
                 for (int row = 0; row < ContactRows.COUNT; row++) {
                     ContactRows.check(row, s.rows[ContactRows.of(k) + row], r);

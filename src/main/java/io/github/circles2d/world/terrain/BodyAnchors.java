@@ -17,21 +17,6 @@ public final class BodyAnchors {
         this.bodies = bodies;
     }
 
-    /** Another number whenever a body is somewhere else than before. */
-    public int jumps() {
-        return bodies.jumps();
-    }
-
-    /** Whether a body moves in the next step. */
-    public boolean moves(int body) {
-        return bodies.moves(body);
-    }
-
-    /** Whether any does. */
-    public boolean anyMoves() {
-        return bodies.anyMoves();
-    }
-
     private void turn(int angle, float x, float y) {
         double cos = Rotation.cos(angle);
         double sin = Rotation.sin(angle);

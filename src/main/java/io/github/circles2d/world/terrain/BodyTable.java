@@ -104,30 +104,6 @@ public final class BodyTable extends BodyStates {
         return lastVx[id] != 0f || lastVy[id] != 0f || lastOmega[id] != 0f;
     }
 
-    public float x(int id) {
-        return (float) x[id];
-    }
-
-    public float y(int id) {
-        return (float) y[id];
-    }
-
-    public int angle(int id) {
-        return angle[id];
-    }
-
-    public float vx(int id) {
-        return vx[id];
-    }
-
-    public float vy(int id) {
-        return vy[id];
-    }
-
-    public float omega(int id) {
-        return omega[id];
-    }
-
     /** How fast a place of the world, so far from the pivot, has moved with the body in the last step. */
     public float lastVxAt(int id, double dy) {
         return (float) (lastVx[id] - lastOmega[id] * dy);
@@ -175,12 +151,13 @@ public final class BodyTable extends BodyStates {
         jumps++;
     }
 
-    int jumps() {
+    /** Another number whenever a body is somewhere else than before. */
+    public int jumps() {
         return jumps;
     }
 
     /** Whether it moves in the next step. */
-    boolean moves(int id) {
+    public boolean moves(int id) {
         return travels[id] || vx[id] != 0f || vy[id] != 0f || omega[id] != 0f;
     }
 

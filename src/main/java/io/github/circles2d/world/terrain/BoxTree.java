@@ -67,6 +67,10 @@ public abstract class BoxTree {
         }
     }
 
+    protected final long treeBytes() {
+        return 4L * (boxes.length + links.length) + 12L * order.length;
+    }
+
     /** Puts a thing at a place in the order, and says where its middle is. */
     protected final void put(int place, int thing, float x, float y) {
         middleX[place] = x;

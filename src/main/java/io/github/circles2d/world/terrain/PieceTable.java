@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.circles.IdTable;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.PieceRow;
+import io.github.circles2d.world.model.TerrainStep;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 
@@ -242,7 +243,7 @@ public final class PieceTable {
         changed(piece);
     }
 
-    void setKind(int piece, int kind) {
+    public void setKind(int piece, int kind) {
         traits[PieceRow.traits(piece) + PieceRow.KIND] = kind;
         names++;
         changed(piece);
@@ -407,17 +408,17 @@ public final class PieceTable {
         changedTo = Math.max(changedTo, piece + 1);
     }
 
-    int changedFrom() {
-        return changedFrom;
-    }
-
-    /** 0 if nothing has changed. */
-    int changedTo() {
-        return changedTo;
-    }
-
-    void published() {
-        changedFrom = Integer.MAX_VALUE;
-        changedTo = 0;
+    /** Tells a step of the rows. */
+    void publish(TerrainStep step) {
+        step.pieces = ids.end();
+        step.rows = rows;
+        step.traits = traits;
+        if (changedTo > 0) {
+            step.changedFrom = changedFrom;
+            step.changedTo = changedTo;
+            step.version++;
+            changedFrom = Integer.MAX_VALUE;
+            changedTo = 0;
+        }
     }
 }

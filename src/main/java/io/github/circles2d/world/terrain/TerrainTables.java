@@ -147,10 +147,6 @@ public final class TerrainTables {
         treeChanged(body);
     }
 
-    public void setKind(int piece, int kind) {
-        pieces.setKind(piece, kind);
-    }
-
     // ---- bodies
     // ------------------------------------------------------------------------------------------------------
 
@@ -249,11 +245,6 @@ public final class TerrainTables {
     // ---- steps
     // -------------------------------------------------------------------------------------------------------
 
-    /** Whether a body moves in the next step, which is made alone then. */
-    public boolean moves() {
-        return bodies.anyMoves();
-    }
-
     /** Makes room for {@link #begin} and {@link #refresh}. If there is none, nothing has changed. */
     public void makeRoom(int subSteps) {
         tree.ensure(pieces.ids.size());
@@ -345,15 +336,7 @@ public final class TerrainTables {
     }
 
     private void publish() {
-        step.pieces = pieces.ids.end();
-        step.rows = pieces.rows;
-        step.traits = pieces.traits;
-        if (pieces.changedTo() > 0) {
-            step.changedFrom = pieces.changedFrom();
-            step.changedTo = pieces.changedTo();
-            step.version++;
-            pieces.published();
-        }
+        pieces.publish(step);
         step.nodes = tree.nodes();
         step.boxes = tree.boxes;
         step.links = tree.links;

@@ -14,6 +14,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.KindField;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Pipeline;
 import java.util.List;
 import java.util.Map;
@@ -159,7 +160,7 @@ class BodiesAgreeTest {
                 }
                 each.rigids.add(BodyChanges.box(0.5f, 0.5f), 0.8f, 0.25f, 0, 0.2f, 0);
                 long crate = each.rigids.add(BodyChanges.box(0.5f, 0.5f), 11.75f, 1, 0, 0.2f, 0);
-                each.rigids.remove(crate);
+                each.calls.change(Call.REMOVE_RIGID, crate);
                 each.step(1 / 60f, 150);
                 assertThat(each.figures().awake()).isZero();
                 assertThat(each.rigidReads.awake()).isZero();
@@ -198,7 +199,7 @@ class BodiesAgreeTest {
             assertThat(launches(profiled)).isEqualTo(withoutReads(before));
             assertThat(other.hash()).isEqualTo(one.hash());
             for (Simulation simulation : each) {
-                simulation.rigids.setTorque(crate, 20);
+                simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, crate, 20, 0, 0, 0);
             }
             step(each, 30);
             assertThat(launches(profiled)).isNotEqualTo(withoutReads(before));

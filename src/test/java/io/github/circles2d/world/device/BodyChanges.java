@@ -10,6 +10,7 @@ import io.github.circles2d.world.joints.JointEndType;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.terrain.ChainPath;
 import java.util.ArrayList;
 import java.util.List;
@@ -61,8 +62,12 @@ final class BodyChanges {
         long body = bodies.get(random.nextInt(bodies.size()));
         switch (step % 5) {
             case 1 -> simulation.rigids.applyImpulse(body, between(-9, 9), between(-9, 9));
-            case 2 -> simulation.rigids.applyForce(body, between(-90, 90), between(-90, 90), between(-9, 9));
-            case 3 -> simulation.rigids.teleport(body, between(2, 10), between(2, 10), between(-3, 3));
+            case 2 ->
+                simulation.calls.changeByFloats(
+                        Call.RIGID_FORCE, body, between(-90, 90), between(-90, 90), between(-9, 9), 0);
+            case 3 ->
+                simulation.calls.changeByFloats(
+                        Call.TELEPORT_RIGID, body, between(2, 10), between(2, 10), between(-3, 3), 0);
             case 4 -> addBodies(1);
             default -> {}
         }
@@ -170,7 +175,7 @@ final class BodyChanges {
     }
 
     float[] poses() {
-        float[] poses = new float[3 * simulation.rigidReads.idLimit()];
+        float[] poses = new float[3 * simulation.rigidIds.limit()];
         simulation.rigidReads.readById(poses, null);
         return poses;
     }

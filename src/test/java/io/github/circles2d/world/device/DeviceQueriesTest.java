@@ -17,7 +17,7 @@ import io.github.circles2d.world.queries.BruteForce;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.RemoteSearch;
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.shared.Pipeline;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -223,8 +223,8 @@ class DeviceQueriesTest {
         return new BruteForce(circles, n);
     }
 
-    private CircleFilter filter(Simulation simulation, Integer mask) {
-        CircleFilter masked = mask == null ? null : simulation.searches.filter(null, mask);
+    private QueryFilter filter(Simulation simulation, Integer mask) {
+        QueryFilter masked = mask == null ? null : simulation.searches.filter(null, mask);
         return leftOut == 0 ? masked : simulation.searches.without(masked, leftOut);
     }
 

@@ -28,7 +28,7 @@ import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
-import io.github.circles2d.world.search.CircleFilter;
+import io.github.circles2d.world.search.QueryFilter;
 import io.github.circles2d.world.shared.Pipeline;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -591,7 +591,7 @@ final class OclgrindWorlds {
         long[] handles = new long[1000];
         float[] hits = new float[CastSearch.HIT_STRIDE * handles.length];
         int found = 0;
-        for (CircleFilter filter : new CircleFilter[] {null, simulation.searches.filter(null, 1)}) {
+        for (QueryFilter filter : new QueryFilter[] {null, simulation.searches.filter(null, 1)}) {
             found += switch (shape) {
                 case POINT -> simulation.searches.one(filter, shape, numbers, 2, handles, null);
                 case NEAREST -> simulation.searches.nearest(filter, numbers, 2, 100, 3, handles, hits);

@@ -5,6 +5,7 @@ import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.JointRow;
+import io.github.circles2d.world.shared.Call;
 import java.util.SplittableRandom;
 
 /** Random calls that add, change and remove joints. Equal worlds and numbers lead to the same calls. */
@@ -73,7 +74,7 @@ final class RandomJoints {
             }
             case 6 -> {
                 if (joint != 0) {
-                    simulation.joints.remove(joint);
+                    simulation.calls.change(Call.REMOVE_JOINT, joint);
                 }
             }
             default -> {
@@ -87,19 +88,23 @@ final class RandomJoints {
     private void set(long joint) {
         JointSetting setting = SETTINGS[random.nextInt(SETTINGS.length)];
         switch (setting) {
-            case LENGTH -> simulation.joints.set(setting, joint, 0.1f * width * between(0, 1), 0);
-            case LIMITS ->
-                simulation.joints.set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
+            case LENGTH -> set(setting, joint, 0.1f * width * between(0, 1), 0);
+            case LIMITS -> set(setting, joint, 0.05f * width * between(0, 1), 0.1f * width * between(0, 1));
             case ANCHOR ->
-                simulation.joints.set(
+                set(
                         setting,
                         joint,
                         at(simulation.settings().bounds().minX()),
                         at(simulation.settings().bounds().minY()));
-            case COLLIDING -> simulation.joints.set(setting, joint, random.nextInt(2), 0);
-            case BREAKING -> simulation.joints.set(setting, joint, between(0, 50), between(0, 5));
-            default -> simulation.joints.set(setting, joint, between(0, 5), between(0, 2));
+            case COLLIDING -> set(setting, joint, random.nextInt(2), 0);
+            case BREAKING -> set(setting, joint, between(0, 50), between(0, 5));
+            default -> set(setting, joint, between(0, 5), between(0, 2));
         }
+    }
+
+    private void set(JointSetting setting, long joint, float a, float b) {
+        simulation.calls.change(
+                Call.JOINT_SETTING, joint, setting.number, Float.floatToRawIntBits(a), Float.floatToRawIntBits(b));
     }
 
     private JointForm form(int[] forms, int count) {
@@ -118,8 +123,8 @@ final class RandomJoints {
     }
 
     private long anyJoint() {
-        int ids = simulation.joints.idLimit();
-        return ids == 0 ? 0 : simulation.joints.handle(random.nextInt(ids));
+        int ids = simulation.jointIds.limit();
+        return ids == 0 ? 0 : simulation.jointIds.handle(random.nextInt(ids));
     }
 
     private float at(float from) {

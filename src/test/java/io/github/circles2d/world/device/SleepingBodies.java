@@ -10,6 +10,7 @@ import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.shared.Call;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -109,7 +110,7 @@ final class SleepingBodies {
             case 3 -> circle(x, 5, between(0.1f, 0.3f), 0);
             case 4 -> {
                 bodies.remove(body);
-                simulation.rigids.remove(body);
+                simulation.calls.change(Call.REMOVE_RIGID, body);
                 body(0.5f, 0.5f, x, 4);
             }
             case 5 -> {
@@ -117,29 +118,33 @@ final class SleepingBodies {
                 simulation.circles.remove(circle);
             }
             case 6 -> simulation.circles.set(Commands.POSITION, circle, x, between(0.5f, 3));
-            case 7 -> simulation.rigids.teleport(body, x, between(0.5f, 3), between(-1, 1));
-            case 8 -> simulation.surroundings.setGravity(between(-1, 1), -10);
+            case 7 ->
+                simulation.calls.changeByFloats(Call.TELEPORT_RIGID, body, x, between(0.5f, 3), between(-1, 1), 0);
+            case 8 -> simulation.calls.makeOfFloats(Call.GRAVITY, between(-1, 1), -10, 0, 0);
             case 9 -> simulation.kinds.set(KindField.FRICTION, 0, Float.floatToRawIntBits(between(0.3f, 0.8f)));
-            case 10 -> simulation.rigids.setForce(body, between(-0.2f, 0.2f), between(-0.2f, 0.2f));
-            case 11 -> simulation.rigids.setTorque(body, between(-0.05f, 0.05f));
+            case 10 ->
+                simulation.calls.changeByFloats(
+                        Call.RIGID_LASTING_FORCE, body, between(-0.2f, 0.2f), between(-0.2f, 0.2f), 0, 0);
+            case 11 ->
+                simulation.calls.changeByFloats(Call.RIGID_LASTING_TORQUE, body, between(-0.05f, 0.05f), 0, 0, 0);
             case 12 -> simulation.circles.setForce(circle, between(-0.1f, 0.1f), between(-0.1f, 0.1f));
-            case 13 -> simulation.bodies.setVelocity(lift, 0, between(0, 0.05f));
-            case 14 -> simulation.bodies.setVelocity(lift, 0, 0);
-            case 15 -> simulation.surroundings.setBounds(0, between(-0.02f, 0.02f), 12, 8);
+            case 13 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, lift, 0, between(0, 0.05f), 0, 0);
+            case 14 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, lift, 0, 0, 0, 0);
+            case 15 -> simulation.calls.makeOfFloats(Call.BOUNDS, 0, between(-0.02f, 0.02f), 12, 8);
             case 16 -> simulation.circles.set(Commands.RADIUS, circle, between(0.1f, 0.3f), 0);
             case 17 -> circle(x, between(0.2f, 1), 0.2f, Float.POSITIVE_INFINITY);
-            case 18 -> simulation.circles.wakeAll();
+            case 18 -> simulation.calls.make(Call.WAKE_ALL);
             case 19 -> {
-                simulation.rigids.wake(body);
+                simulation.calls.change(Call.WAKE_RIGID, body);
                 simulation.circles.setKind(circle, random.nextInt(3));
             }
             case 20 -> simulation.bulk.explode(false, 0, x, 0.5f, 0.3f, 1, 0.5f);
-            case 21 -> simulation.rigids.setGroup(body, random.nextInt(2));
-            case 22 -> simulation.surroundings.setWallSurface(random.nextInt(4), between(0.4f, 0.8f), 0.05f, 0);
+            case 21 -> simulation.calls.change(Call.RIGID_GROUP, body, random.nextInt(2), 0, 0);
+            case 22 -> Twins.setWall(simulation, random.nextInt(4), between(0.4f, 0.8f), 0.05f, 0);
             default -> {
                 simulation.fields.setOwn(CircleField.GRAVITY_SCALE, circle, between(0.5f, 1.5f));
-                if (simulation.jointReads.contains(rod)) {
-                    simulation.joints.remove(rod);
+                if (simulation.jointIds.contains(rod)) {
+                    simulation.calls.change(Call.REMOVE_JOINT, rod);
                 }
             }
         }
@@ -153,7 +158,7 @@ final class SleepingBodies {
     String awake() {
         mostSleepers = Math.max(
                 mostSleepers, simulation.circles.size() - simulation.figures().awake());
-        mostSleepingBodies = Math.max(mostSleepingBodies, simulation.rigidReads.size() - simulation.rigidReads.awake());
+        mostSleepingBodies = Math.max(mostSleepingBodies, simulation.rigidIds.size() - simulation.rigidReads.awake());
         long[] ids = new long[simulation.circles.idLimit() / Long.SIZE + 1];
         simulation.readings.readAwakeById(ids);
         StringBuilder all = new StringBuilder(Arrays.toString(ids));
@@ -173,7 +178,7 @@ final class SleepingBodies {
     }
 
     float[] poses() {
-        float[] poses = new float[3 * simulation.rigidReads.idLimit()];
+        float[] poses = new float[3 * simulation.rigidIds.limit()];
         simulation.rigidReads.readById(poses, null);
         return poses;
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
-import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.changes.Bodies;
@@ -25,6 +24,8 @@ import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.reads.IdReads;
+import io.github.circles2d.world.shared.Call;
 import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.snapshots.SavedState;
 import io.github.circles2d.world.snapshots.SnapshotCodec;
@@ -140,7 +141,7 @@ final class Twins implements AutoCloseable {
 
     void setGravity(float x, float y) {
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setGravity(x, y);
+            simulation.calls.makeOfFloats(Call.GRAVITY, x, y, 0, 0);
         }
     }
 
@@ -163,13 +164,22 @@ final class Twins implements AutoCloseable {
     /** Gives a wall a friction. */
     void setWall(int wall, float friction) {
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setWallSurface(wall, friction, 0, 0);
+            setWall(simulation, wall, friction, 0, 0);
         }
+    }
+
+    static void setWall(Simulation simulation, int wall, float friction, float rolling, float belt) {
+        simulation.calls.make(
+                Call.WALL_SURFACE,
+                wall,
+                Float.floatToRawIntBits(friction),
+                Float.floatToRawIntBits(rolling),
+                Float.floatToRawIntBits(belt));
     }
 
     void wakeAll() {
         for (Simulation simulation : simulations) {
-            simulation.circles.wakeAll();
+            simulation.calls.make(Call.WAKE_ALL);
         }
     }
 
@@ -231,7 +241,7 @@ final class Twins implements AutoCloseable {
 
     void moveBody(long body, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            simulation.bodies.setVelocity(body, vx, vy);
+            simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, vx, vy, 0, 0);
         }
     }
 
@@ -326,7 +336,7 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             long body = simulation.bodies.add(x, y, 0.3f);
             simulation.pieces.addSegment(body, kind, -0.5f * length, 0, 0.5f * length, 0, 0);
-            simulation.bodies.setAngularVelocity(body, angularVelocity);
+            simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, angularVelocity, 0, 0, 0);
         }
     }
 
@@ -358,11 +368,11 @@ final class Twins implements AutoCloseable {
      * to where circles are, so the pairs that they test are compared if radii are alike, no circle is static, and the grid is not fitted.
      */
     void assertSameFigures() {
-        Figures expected = simulations[0].figures();
+        Simulation.Figures expected = simulations[0].figures();
         boolean fits = Arrays.stream(pipelines).anyMatch(each -> each instanceof JvmPipeline jvm && jvm.fitsGrid());
         boolean lookAlike = !fits && lookForPairsAlike();
         for (Simulation simulation : simulations) {
-            Figures figures = simulation.figures();
+            Simulation.Figures figures = simulation.figures();
             assertThat(figures.contacts()).isEqualTo(expected.contacts());
             assertThat(figures.greatestContacts()).isEqualTo(expected.greatestContacts());
             if (lookAlike) {
@@ -485,7 +495,7 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             Bounds now = simulation.settings().bounds();
             float less = 0.01f * (now.maxX() - now.minX());
-            simulation.surroundings.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
+            simulation.calls.makeOfFloats(Call.BOUNDS, now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
         }
     }
 
@@ -497,7 +507,7 @@ final class Twins implements AutoCloseable {
         float maxX = now.maxX() + between(random, -most, most);
         float maxY = now.maxY() + between(random, -most, most);
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setBounds(minX, minY, maxX, maxY);
+            simulation.calls.makeOfFloats(Call.BOUNDS, minX, minY, maxX, maxY);
         }
     }
 
@@ -541,7 +551,7 @@ final class Twins implements AutoCloseable {
 
     /** Number of pieces of terrain. */
     int pieces() {
-        return simulations[0].pieces.size();
+        return simulations[0].pieceIds.size();
     }
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
@@ -702,7 +712,7 @@ final class Twins implements AutoCloseable {
         float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 3);
         boolean ofKind = random.nextBoolean();
         for (Simulation simulation : simulations) {
-            simulation.surroundings.setWallSurface(wall, resistance + friction, 0.5f * resistance, belt);
+            setWall(simulation, wall, resistance + friction, 0.5f * resistance, belt);
             simulation.kinds.set(KindField.FRICTION, kind, ofKind ? friction : Float.NaN);
             simulation.kinds.set(KindField.ROLLING_RESISTANCE, kind, resistance);
             simulation.kinds.set(KindField.BELT_SPEED, kind, belt);
@@ -810,12 +820,12 @@ final class Twins implements AutoCloseable {
             case 8 -> simulation.kinds.set(KindField.ONE_WAY, kind, bend > 1 ? 1 : 0);
             case 9 -> {
                 if (piece != 0) {
-                    pieces.setKind(piece, kind);
+                    simulation.calls.change(Call.PIECE_KIND, piece, kind, 0, 0);
                 }
             }
             default -> {
                 if (!ground) {
-                    moveBody(bodies, change, body, x, y, angle, length, bend, velocity);
+                    moveBody(simulation, change, body, x, y, angle, length, bend, velocity);
                 }
             }
         }
@@ -823,14 +833,14 @@ final class Twins implements AutoCloseable {
 
     private static void remove(Simulation simulation, long body, long piece, boolean withBody) {
         if (withBody && body != simulation.bodies.ground()) {
-            simulation.bodies.remove(body);
+            simulation.calls.change(Call.REMOVE_BODY, body);
         } else if (piece != 0) {
-            simulation.pieces.remove(piece);
+            simulation.calls.change(Call.REMOVE_PIECE, piece);
         }
     }
 
     private static void moveBody(
-            Bodies bodies,
+            Simulation simulation,
             int change,
             long body,
             float x,
@@ -839,18 +849,22 @@ final class Twins implements AutoCloseable {
             float length,
             float bend,
             float velocity) {
+        Bodies bodies = simulation.bodies;
         switch (change) {
-            case 10 -> bodies.setVelocity(body, velocity, bend * velocity);
-            case 11 -> bodies.setAngularVelocity(body, 5 * velocity);
-            case 12 -> bodies.move(body, bodies.x(body) + 0.3f * length, bodies.y(body), angle);
-            default -> bodies.teleport(body, x, y, angle);
+            case 10 -> simulation.calls.changeByFloats(Call.BODY_VELOCITY, body, velocity, bend * velocity, 0, 0);
+            case 11 -> simulation.calls.changeByFloats(Call.BODY_ANGULAR_VELOCITY, body, 5 * velocity, 0, 0, 0);
+            case 12 -> {
+                float toX = bodies.x(body) + 0.3f * length;
+                simulation.calls.changeByFloats(Call.MOVE_BODY, body, toX, bodies.y(body), angle, 0);
+            }
+            default -> simulation.calls.changeByFloats(Call.TELEPORT_BODY, body, x, y, angle, 0);
         }
     }
 
     private long anyBody(SplittableRandom random) {
-        Bodies bodies = simulations[0].bodies;
-        long body = bodies.handle(random.nextInt(bodies.idLimit()));
-        return random.nextInt(3) == 0 || body == 0 ? bodies.ground() : body;
+        IdReads bodies = simulations[0].bodyIds;
+        long body = bodies.handle(random.nextInt(bodies.limit()));
+        return random.nextInt(3) == 0 || body == 0 ? simulations[0].bodies.ground() : body;
     }
 
     /** Adds a joint, changes or removes one; of a circle of a low id, so that it has many. Some calls are refused. */
@@ -870,13 +884,13 @@ final class Twins implements AutoCloseable {
 
     /** Number of joints. */
     int joints() {
-        return simulations[0].jointReads.size();
+        return simulations[0].jointIds.size();
     }
 
     /** 0 if there is none. */
     private long anyPiece(SplittableRandom random) {
-        Pieces pieces = simulations[0].pieces;
-        return pieces.idLimit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.idLimit()));
+        IdReads pieces = simulations[0].pieceIds;
+        return pieces.limit() == 0 ? 0 : pieces.handle(random.nextInt(pieces.limit()));
     }
 
     private static float surface(SplittableRandom random) {
@@ -934,7 +948,7 @@ final class Twins implements AutoCloseable {
             simulation.kinds.set(KindField.BELT_SPEED, kind, impulse);
             simulation.kinds.set(KindField.INERTIA, kind, inertia);
             simulation.kinds.set(KindField.ANGULAR_DAMPING, kind, resistance);
-            simulation.surroundings.setWallSurface(wall, resistance, resistance, impulse);
+            setWall(simulation, wall, resistance, resistance, impulse);
         }
     }
 
@@ -942,7 +956,7 @@ final class Twins implements AutoCloseable {
     private void grow(int id, float radius, int steps) {
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.growth.grow(handles[id], radius, steps);
+                simulation.calls.change(Call.GROW, handles[id], Float.floatToRawIntBits(radius), steps, 0);
             }
         }
     }

@@ -34,7 +34,7 @@ class JointScheduleTest {
             form.set(JointSetting.COLLIDING, 1, 0);
         }
         table.ensure(1, CIRCLES);
-        table.ensureSpring();
+        table.ensureSprings(1);
         return table.add(form, a, b);
     }
 

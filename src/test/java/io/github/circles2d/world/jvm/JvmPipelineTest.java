@@ -6,6 +6,8 @@ import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.model.KindField;
+import io.github.circles2d.world.shared.Call;
+import io.github.circles2d.world.shared.Calls;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -59,8 +61,8 @@ class JvmPipelineTest {
             if (grips) {
                 world.simulation.kinds.set(KindField.FRICTION, 0, 0.6f);
                 world.simulation.kinds.set(KindField.ROLLING_RESISTANCE, 0, 0.1f);
-                world.simulation.surroundings.setWallSurface(2, 0.6f, 0.1f, 0.5f);
-                world.simulation.surroundings.setWallSurface(1, 0.3f, 0, 0);
+                setWall(world.simulation.calls, 2, 0.6f, 0.1f, 0.5f);
+                setWall(world.simulation.calls, 1, 0.3f, 0, 0);
             }
             for (int step = 0; step < STEPS; step++) {
                 if (step % 3 == 1) {
@@ -84,6 +86,12 @@ class JvmPipelineTest {
             }
         }
         return hashes;
+    }
+
+    private static void setWall(Calls calls, int wall, float friction, float rolling, float belt) {
+        int rollingBits = Float.floatToRawIntBits(rolling);
+        calls.make(
+                Call.WALL_SURFACE, wall, Float.floatToRawIntBits(friction), rollingBits, Float.floatToRawIntBits(belt));
     }
 
     private static int[] permutation(int n, Random random) {

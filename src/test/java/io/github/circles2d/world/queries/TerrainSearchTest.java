@@ -281,9 +281,8 @@ class TerrainSearchTest {
             double truth = distance(rows, piece, x, y);
             assertThat(shape.distance(x, y)).isEqualTo(truth, within(2e-3));
             shape.normalFrom(x, y);
-            assertThat(distance(rows, piece, shape.surfaceX(), shape.surfaceY()))
-                    .isEqualTo(0, within(2e-3));
-            assertThat(Math.hypot(shape.surfaceX() - x, shape.surfaceY() - y)).isEqualTo(Math.abs(truth), within(2e-3));
+            assertThat(distance(rows, piece, shape.surfaceX, shape.surfaceY)).isEqualTo(0, within(2e-3));
+            assertThat(Math.hypot(shape.surfaceX - x, shape.surfaceY - y)).isEqualTo(Math.abs(truth), within(2e-3));
         }
     }
 

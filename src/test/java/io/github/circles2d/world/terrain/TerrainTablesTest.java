@@ -216,7 +216,7 @@ class TerrainTablesTest {
             begin();
             end();
         }
-        assertThat(tables.bodies.x(body)).isCloseTo(90_000.6f, within(0.01f));
+        assertThat((float) tables.bodies.x[body]).isCloseTo(90_000.6f, within(0.01f));
     }
 
     @Test
@@ -239,7 +239,7 @@ class TerrainTablesTest {
         begin();
         int first = serial(piece);
         assertThat(first).isNotEqualTo(serial);
-        tables.setKind(piece, 3);
+        tables.pieces.setKind(piece, 3);
         tables.travel(body, 5, 5, 0);
         begin();
         end();
@@ -268,8 +268,8 @@ class TerrainTablesTest {
         int version = step.version;
         assertThat(step.changedFrom).isZero();
         assertThat(step.changedTo).isEqualTo(10);
-        tables.setKind(4, 1);
-        tables.setKind(7, 1);
+        tables.pieces.setKind(4, 1);
+        tables.pieces.setKind(7, 1);
         begin();
         assertThat(step.version).isEqualTo(version + 1);
         assertThat(step.changedFrom).isEqualTo(4);

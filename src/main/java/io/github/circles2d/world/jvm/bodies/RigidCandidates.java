@@ -99,7 +99,7 @@ final class RigidCandidates {
         count = things.bodies;
         periodX = state.periodX;
         periodY = state.periodY;
-        tree.ensure(count);
+        tree.makeRoom(count);
         float[] wide = tree.box;
         for (int t = 0; t < count; t++) {
             int b = 4 * t;
@@ -169,52 +169,27 @@ final class RigidCandidates {
 
     private void look(float[] boxes, float minX, float minY, float maxX, float maxY, RigidTree.Found to) {
         to.count = 0;
-        if (!state.wraps) {
-            tree.find(boxes, minX, minY, maxX, maxY, to);
-            return;
+        for (int n = 0; n < state.images.count; n++) {
+            float ax = state.images.x[n];
+            float ay = state.images.y[n];
+            tree.find(boxes, minX + ax, minY + ay, maxX + ax, maxY + ay, to);
         }
-        int timesX = timesX();
-        int timesY = timesY();
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                tree.find(boxes, minX + ax, minY + ay, maxX + ax, maxY + ay, to);
-            }
-        }
-    }
-
-    private int timesX() {
-        return state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-    }
-
-    private int timesY() {
-        return state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
     }
 
     /** Whether the boxes of two bodies meet, or images of them. */
     boolean meet(int t, int other) {
-        int b = 4 * t;
-        if (!state.wraps) {
-            return meets(other, box[b], box[b + 1], box[b + 2], box[b + 3]);
-        }
-        int timesX = timesX();
-        int timesY = timesY();
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                if (meets(other, box[b] + ax, box[b + 1] + ay, box[b + 2] + ax, box[b + 3] + ay)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    private boolean meets(int other, float minX, float minY, float maxX, float maxY) {
+        int a = 4 * t;
         int b = 4 * other;
-        return box[b] <= maxX && box[b + 1] <= maxY && box[b + 2] >= minX && box[b + 3] >= minY;
+        boolean meet = false;
+        for (int n = 0; !meet && n < state.images.count; n++) {
+            float ax = state.images.x[n];
+            float ay = state.images.y[n];
+            meet = box[b] <= box[a + 2] + ax
+                    && box[b + 1] <= box[a + 3] + ay
+                    && box[b + 2] >= box[a] + ax
+                    && box[b + 3] >= box[a + 1] + ay;
+        }
+        return meet;
     }
 
     long bytes() {

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm.bodies;
 
+import static io.github.circles2d.world.bodies.RigidStep.BOTH;
 import static io.github.circles2d.world.bodies.RigidStep.CORNER_ON_LINE;
 import static io.github.circles2d.world.bodies.RigidStep.FEATURE;
 import static io.github.circles2d.world.bodies.RigidStep.SWAPPED;
@@ -41,23 +42,8 @@ final class RigidContacts {
 
     int[] b = new int[0];
 
-    /** The corner of A. */
-    int[] corner = new int[0];
-
-    /** The line of B, or its corner. */
-    int[] feature = new int[0];
-
-    boolean[] isLine = new boolean[0];
-
-    /** The form of the contact with the feature of the pair's first thing, and the feature of its second one. */
-    private int[] first = new int[0];
-
-    private int[] second = new int[0];
-
-    /** By how much the base of A lies beyond that of B. */
-    float[] ox = new float[0];
-
-    float[] oy = new float[0];
+    /** As {@link RigidFeatures} has found them. */
+    private int[] features = new int[0];
 
     /** The numbers of a contact, by {@link RigidRow}. */
     float[] rows = new float[0];
@@ -78,7 +64,7 @@ final class RigidContacts {
 
     private final Team.Work findFeatures = this::findFeatures;
     private final Team.Work fill = this::fill;
-    private final Team.Work keep = this::keep;
+    private final Team.Share keep = this::keep;
 
     RigidContacts(RigidPairs pairs, Team team) {
         this.pairs = pairs;
@@ -94,7 +80,6 @@ final class RigidContacts {
     }
 
     // ---- finding
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Finds the contacts of all pairs, measures them, and gives them what they had. */
     void find(RigidStep bodies, StepConstants constants) {
@@ -120,7 +105,11 @@ final class RigidContacts {
             pairCount += itsPairs;
             count += itsContacts;
         }
-        ensure();
+        if (pair.length < pairCount) {
+            pair = new int[pairCount + (pairCount >> 1)];
+            firstOf = new int[pair.length + 1];
+        }
+        grow(count);
         firstOf[pairCount] = count;
         team.together(fill);
     }
@@ -192,33 +181,18 @@ final class RigidContacts {
 
     /** An old contact and a pair, by their keys. */
     private int compare(int old, int t, int other) {
-        int at = RigidStep.KEYS * old;
-        int order = Integer.compare(step.contactKeys[at + RigidStep.TYPE], things.type[other]);
-        if (order == 0) {
-            order = Integer.compare(step.contactKeys[at + RigidStep.A], things.id[t]);
-        }
-        return order == 0 ? Integer.compare(step.contactKeys[at + RigidStep.B], things.id[other]) : order;
+        return RigidStep.compare(
+                step.contactKeys, RigidStep.KEYS * old, things.type[other], things.id[t], things.id[other]);
     }
 
-    private void ensure() {
-        if (pair.length < pairCount) {
-            pair = new int[pairCount + (pairCount >> 1)];
-        }
-        if (firstOf.length <= pairCount) {
-            firstOf = new int[pair.length + 1];
-        }
-        if (a.length < count) {
-            int n = count + (count >> 1);
-            a = new int[n];
-            b = new int[n];
-            corner = new int[n];
-            feature = new int[n];
-            isLine = new boolean[n];
-            first = new int[n];
-            second = new int[n];
-            ox = new float[n];
-            oy = new float[n];
-            rows = new float[RigidRow.of(n)];
+    /** Makes room for contacts, and keeps those that are there. */
+    private void grow(int needed) {
+        if (a.length < needed) {
+            int n = needed + (needed >> 1);
+            a = Arrays.copyOf(a, n);
+            b = Arrays.copyOf(b, n);
+            features = Arrays.copyOf(features, RigidFeatures.STRIDE * n);
+            rows = Arrays.copyOf(rows, RigidRow.of(n));
         }
     }
 
@@ -239,7 +213,14 @@ final class RigidContacts {
                 firstOf[p++] = c;
                 int begin = c;
                 while (f < of[at + 1]) {
-                    fill(c++, of[at], finders[worker].found, RigidFeatures.STRIDE * f++);
+                    int[] found = finders[worker].found;
+                    System.arraycopy(
+                            found,
+                            RigidFeatures.STRIDE * f++,
+                            features,
+                            RigidFeatures.STRIDE * c,
+                            RigidFeatures.STRIDE);
+                    place(c++, of[at]);
                 }
                 Arrays.fill(used, of[at + 2], of[at + 3], false);
                 take(begin, c, of[at + 2], of[at + 3]);
@@ -247,21 +228,42 @@ final class RigidContacts {
         }
     }
 
-    private void fill(int c, int p, int[] found, int at) {
-        int form = RigidFeatures.form(found[at + RigidFeatures.FIRST]);
-        boolean swapped = form == SWAPPED;
-        int t = swapped ? pairs.b[p] : pairs.a[p];
-        int other = swapped ? pairs.a[p] : pairs.b[p];
-        a[c] = t;
-        b[c] = other;
-        corner[c] = found[at + RigidFeatures.CORNER];
-        feature[c] = found[at + RigidFeatures.OTHER];
-        isLine[c] = swapped || form == CORNER_ON_LINE;
-        first[c] = found[at + RigidFeatures.FIRST];
-        second[c] = found[at + RigidFeatures.SECOND];
-        ox[c] = swapped ? -pairs.ox[p] : pairs.ox[p];
-        oy[c] = swapped ? -pairs.oy[p] : pairs.oy[p];
-        Arrays.fill(rows, RigidRow.of(c), RigidRow.of(c + 1), 0f);
+    /** Places a contact of a pair, whose features are known. */
+    private void place(int c, int p) {
+        boolean swapped = RigidFeatures.form(first(c)) == SWAPPED;
+        a[c] = swapped ? pairs.b[p] : pairs.a[p];
+        b[c] = swapped ? pairs.a[p] : pairs.b[p];
+        int row = RigidRow.of(c);
+        Arrays.fill(rows, row, row + RigidRow.STRIDE, 0f);
+        rows[row + RigidRow.OX] = swapped ? -pairs.ox[p] : pairs.ox[p];
+        rows[row + RigidRow.OY] = swapped ? -pairs.oy[p] : pairs.oy[p];
+    }
+
+    /** A number of a contact, by {@link RigidRow}. */
+    float value(int c, int which) {
+        return rows[RigidRow.of(c) + which];
+    }
+
+    /** The corner of A. */
+    int corner(int c) {
+        return features[RigidFeatures.STRIDE * c + RigidFeatures.CORNER];
+    }
+
+    /** The line of B, or its corner. */
+    int feature(int c) {
+        return features[RigidFeatures.STRIDE * c + RigidFeatures.OTHER];
+    }
+
+    boolean isLine(int c) {
+        return RigidFeatures.form(first(c)) != BOTH;
+    }
+
+    private int first(int c) {
+        return features[RigidFeatures.STRIDE * c + RigidFeatures.FIRST];
+    }
+
+    private int second(int c) {
+        return features[RigidFeatures.STRIDE * c + RigidFeatures.SECOND];
     }
 
     /** Whether two contacts of a pair share a corner or a line. */
@@ -274,7 +276,6 @@ final class RigidContacts {
     }
 
     // ---- impulses
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Measures the contacts of a pair, and gives them the impulses of the step before. */
     private void take(int from, int to, int old, int end) {
@@ -282,7 +283,7 @@ final class RigidContacts {
             measures.measure(c);
             for (int o = old; o < end; o++) {
                 int at = RigidStep.KEYS * o + RigidStep.B;
-                if (step.contactKeys[at + 1] == first[c] && step.contactKeys[at + 2] == second[c]) {
+                if (step.contactKeys[at + 1] == first(c) && step.contactKeys[at + 2] == second(c)) {
                     take(c, o);
                 }
             }
@@ -293,7 +294,7 @@ final class RigidContacts {
                 int at = RigidStep.KEYS * o + RigidStep.B;
                 if (!used[o]
                         && step.contactImpulses[RigidStep.IMPULSES * o + RigidStep.NORMAL] > 0f
-                        && shareFeature(step.contactKeys[at + 1], step.contactKeys[at + 2], first[c], second[c])) {
+                        && shareFeature(step.contactKeys[at + 1], step.contactKeys[at + 2], first(c), second(c))) {
                     take(c, o);
                 }
             }
@@ -313,7 +314,7 @@ final class RigidContacts {
         step.ensureContacts(count + rests.count);
         if (rests.count == 0) {
             step.contacts = count;
-            team.together(keep);
+            team.share(pairCount, 0, keep);
         } else {
             keepAmong(rests);
         }
@@ -333,9 +334,8 @@ final class RigidContacts {
         rests.keepBefore(step, rest, Integer.MAX_VALUE, 0, 0);
     }
 
-    private void keep(int worker) {
-        int end = team.part(pairCount, worker + 1);
-        for (int p = team.part(pairCount, worker); p < end; p++) {
+    private void keep(int worker, int from, int end) {
+        for (int p = from; p < end; p++) {
             int t = pairs.a[pair[p]];
             int other = pairs.b[pair[p]];
             for (int c = firstOf[p]; c < firstOf[p + 1]; c++) {
@@ -349,8 +349,8 @@ final class RigidContacts {
         step.contactKeys[at + RigidStep.TYPE] = things.type[other];
         step.contactKeys[at + RigidStep.A] = things.id[t];
         step.contactKeys[at + RigidStep.B] = things.id[other];
-        step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first[c];
-        step.contactKeys[at + RigidStep.FEATURE_OF_B] = second[c];
+        step.contactKeys[at + RigidStep.FORM_AND_FEATURE] = first(c);
+        step.contactKeys[at + RigidStep.FEATURE_OF_B] = second(c);
         int to = RigidStep.IMPULSES * place + RigidStep.NORMAL;
         step.contactImpulses[to] = rows[RigidRow.of(c) + RigidRow.IMPULSE];
         step.contactImpulses[to + 1] = rows[RigidRow.of(c) + RigidRow.GRIP];
@@ -360,7 +360,6 @@ final class RigidContacts {
     boolean probe(RigidStep of, int o) {
         int at = RigidStep.KEYS * o;
         int form = RigidFeatures.form(of.contactKeys[at + RigidStep.FORM_AND_FEATURE]);
-        int ofBody = of.contactKeys[at + RigidStep.FORM_AND_FEATURE] & FEATURE;
         int ofOther = of.contactKeys[at + RigidStep.FEATURE_OF_B];
         pairs.probe(
                 of.contactKeys[at + RigidStep.A],
@@ -368,47 +367,26 @@ final class RigidContacts {
                 of.contactKeys[at + RigidStep.B]);
         int t = pairs.a[pairs.count];
         int other = pairs.b[pairs.count];
-        int there = form == CORNER_ON_LINE ? things.lines[other] : things.corners[other];
-        if (ofOther < 0 || ofOther >= there) {
+        boolean line = form == CORNER_ON_LINE;
+        if (ofOther < 0 || ofOther >= (line ? things.lines[other] : things.corners[other])) {
             return false;
         }
         int c = count;
         grow(c + 1);
-        boolean swapped = form == SWAPPED;
-        boolean line = form == CORNER_ON_LINE;
-        int itsCorner = things.firstCorner[t] + ofBody;
-        a[c] = swapped ? other : t;
-        b[c] = swapped ? t : other;
-        corner[c] = swapped ? things.firstCorner[other] + ofOther : itsCorner;
-        feature[c] = swapped
-                ? things.firstLine[t] + ofBody
-                : (line ? things.firstLine[other] : things.firstCorner[other]) + ofOther;
-        isLine[c] = swapped || line;
-        ox[c] = swapped ? -pairs.ox[pairs.count] : pairs.ox[pairs.count];
-        oy[c] = swapped ? -pairs.oy[pairs.count] : pairs.oy[pairs.count];
-        Arrays.fill(rows, RigidRow.of(c), RigidRow.of(c + 1), 0f);
+        int ofA = (form == SWAPPED ? things.firstLine[t] : things.firstCorner[t])
+                + (of.contactKeys[at + RigidStep.FORM_AND_FEATURE] & FEATURE);
+        int ofB = (line ? things.firstLine[other] : things.firstCorner[other]) + ofOther;
+        int its = RigidFeatures.STRIDE * c;
+        features[its + RigidFeatures.CORNER] = form == SWAPPED ? ofB : ofA;
+        features[its + RigidFeatures.OTHER] = form == SWAPPED ? ofA : ofB;
+        features[its + RigidFeatures.FIRST] = of.contactKeys[at + RigidStep.FORM_AND_FEATURE];
+        features[its + RigidFeatures.SECOND] = ofOther;
+        place(c, pairs.count);
         measures.measure(c);
         int from = RigidStep.IMPULSES * o + RigidStep.NORMAL;
         rows[RigidRow.of(c) + RigidRow.IMPULSE] = of.contactImpulses[from];
         rows[RigidRow.of(c) + RigidRow.GRIP] = of.contactImpulses[from + 1];
         return true;
-    }
-
-    /** Makes room for contacts behind those that are there. */
-    private void grow(int needed) {
-        if (a.length < needed) {
-            int n = needed + (needed >> 1);
-            a = Arrays.copyOf(a, n);
-            b = Arrays.copyOf(b, n);
-            corner = Arrays.copyOf(corner, n);
-            feature = Arrays.copyOf(feature, n);
-            isLine = Arrays.copyOf(isLine, n);
-            first = Arrays.copyOf(first, n);
-            second = Arrays.copyOf(second, n);
-            ox = Arrays.copyOf(ox, n);
-            oy = Arrays.copyOf(oy, n);
-            rows = Arrays.copyOf(rows, RigidRow.of(n));
-        }
     }
 
     /** Leaves out contacts, before they have impulses of the step. */
@@ -445,13 +423,8 @@ final class RigidContacts {
         }
         System.arraycopy(a, from, a, to, n);
         System.arraycopy(b, from, b, to, n);
-        System.arraycopy(corner, from, corner, to, n);
-        System.arraycopy(feature, from, feature, to, n);
-        System.arraycopy(isLine, from, isLine, to, n);
-        System.arraycopy(first, from, first, to, n);
-        System.arraycopy(second, from, second, to, n);
-        System.arraycopy(ox, from, ox, to, n);
-        System.arraycopy(oy, from, oy, to, n);
+        int stride = RigidFeatures.STRIDE;
+        System.arraycopy(features, stride * from, features, stride * to, stride * n);
         System.arraycopy(rows, RigidRow.of(from), rows, RigidRow.of(to), RigidRow.of(n));
     }
 
@@ -460,6 +433,6 @@ final class RigidContacts {
         for (int worker = 0; worker < finders.length; worker++) {
             sum += finders[worker].bytes() + 4L * foundPairs[worker].length;
         }
-        return sum + (37L + 4L * RigidRow.STRIDE) * a.length + 8L * pair.length + used.length;
+        return sum + 4L * (2L + RigidFeatures.STRIDE + RigidRow.STRIDE) * a.length + 8L * pair.length + used.length;
     }
 }

@@ -44,8 +44,8 @@ final class RigidCover {
     /** By worker: whether it has found some contacts without impulse, or marked some. */
     private final boolean[] some;
 
-    private final Team.Work list = this::list;
-    private final Team.Work mark = this::mark;
+    private final Team.Share list = this::list;
+    private final Team.Share mark = this::mark;
 
     RigidCover(RigidContacts contacts, RigidThings things, Team team) {
         this.contacts = contacts;
@@ -66,7 +66,7 @@ final class RigidCover {
             lies = new byte[4 * n];
             plane = new float[PLANE_STRIDE * 4 * n];
         }
-        team.together(list);
+        team.share(things.count, 0, list);
         boolean idle = false;
         for (int worker = 0; worker < team.size(); worker++) {
             idle |= some[worker];
@@ -74,7 +74,7 @@ final class RigidCover {
         if (!idle) {
             return;
         }
-        team.together(mark);
+        team.share(contacts.count, 0, mark);
         for (int worker = 0; worker < team.size(); worker++) {
             if (some[worker]) {
                 contacts.removeMarked(gone);
@@ -84,9 +84,7 @@ final class RigidCover {
     }
 
     /** Lists the planes of a worker's things, and notes whether contacts have no impulse. */
-    private void list(int worker) {
-        int from = team.part(things.count, worker);
-        int end = team.part(things.count, worker + 1);
+    private void list(int worker, int from, int end) {
         Arrays.fill(head, from, end, -1);
         boolean idle = false;
         for (int c = 0; c < contacts.count; c++) {
@@ -97,7 +95,7 @@ final class RigidCover {
             if (!ofA && !ofB) {
                 continue;
             }
-            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine[c]) {
+            if (contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] > 0f && contacts.isLine(c)) {
                 if (ofA) {
                     add(2 * c, a, b);
                 }
@@ -135,10 +133,9 @@ final class RigidCover {
         return Tuning.COVER * things.thin[t];
     }
 
-    private void mark(int worker) {
+    private void mark(int worker, int from, int end) {
         boolean found = false;
-        int end = team.part(contacts.count, worker + 1);
-        for (int c = team.part(contacts.count, worker); c < end; c++) {
+        for (int c = from; c < end; c++) {
             gone[c] = contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] == 0f
                     && (isCovered(c, contacts.a[c]) || isCovered(c, contacts.b[c]));
             found |= gone[c];
@@ -149,8 +146,8 @@ final class RigidCover {
     /** Whether a thing has a pressed contact that is a plane over which what it meets by c is no higher. */
     private boolean isCovered(int c, int t) {
         boolean ownCorner = contacts.a[c] == t;
-        boolean meetsLine = ownCorner && contacts.isLine[c];
-        int its = ownCorner ? contacts.feature[c] : contacts.corner[c];
+        boolean meetsLine = ownCorner && contacts.isLine(c);
+        int its = ownCorner ? contacts.feature(c) : contacts.corner(c);
         if (head[t] < 0 || meetsLine && (things.isHollow(its) || things.type[contacts.b[c]] == RigidStep.BODY_WALL)) {
             return false;
         }
@@ -160,8 +157,8 @@ final class RigidCover {
         float ny = ownCorner ? contacts.rows[row + RigidRow.NY] : -contacts.rows[row + RigidRow.NY];
         // the place of the other thing, against that of this one
         float sign = ownCorner ? -1f : 1f;
-        float x = sign * (contacts.ox[c] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
-        float y = sign * (contacts.oy[c] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
+        float x = sign * (contacts.rows[row + RigidRow.OX] + (things.dx[contacts.a[c]] - things.dx[contacts.b[c]]));
+        float y = sign * (contacts.rows[row + RigidRow.OY] + (things.dy[contacts.a[c]] - things.dy[contacts.b[c]]));
         for (int side = head[t]; side >= 0; side = next[side]) {
             int at = PLANE_STRIDE * side;
             if (nx * plane[at] + ny * plane[at + 1] <= SAME
@@ -185,13 +182,9 @@ final class RigidCover {
     private boolean isCornerUnder(int of, int its, float atX, float atY, float slack) {
         float nx = plane[of];
         float ny = plane[of + 1];
-        float x = atX - plane[of + 2];
-        float y = atY - plane[of + 3];
+        float x = atX - plane[of + 2] + things.bentX(its, nx, ny);
+        float y = atY - plane[of + 3] + things.bentY(its, nx, ny);
         int at = RigidThings.corner(its);
-        if (things.isBent(its)) {
-            x += things.bentX(its, nx, ny);
-            y += things.bentY(its, nx, ny);
-        }
         return !isHigher(
                 x + things.turnedCorner[at],
                 y + things.turnedCorner[at + 1],
@@ -217,12 +210,8 @@ final class RigidCover {
     private boolean isAbove(int t, float nx, float ny, float px, float py, float slack) {
         for (int k = things.firstCorner[t]; k < things.firstCorner[t] + things.corners[t]; k++) {
             int at = RigidThings.corner(k);
-            float x = things.turnedCorner[at] - px;
-            float y = things.turnedCorner[at + 1] - py;
-            if (things.isBent(k)) {
-                x += things.bentX(k, -nx, -ny);
-                y += things.bentY(k, -nx, -ny);
-            }
+            float x = things.turnedCorner[at] - px + things.bentX(k, -nx, -ny);
+            float y = things.turnedCorner[at + 1] - py + things.bentY(k, -nx, -ny);
             if ((x * nx + y * ny) - things.turnedCorner[at + RADIUS] < -slack) {
                 return false;
             }

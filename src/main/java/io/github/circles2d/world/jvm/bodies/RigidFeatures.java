@@ -126,10 +126,8 @@ final class RigidFeatures {
         }
         float nx = things.turnedLine[line + NX];
         float ny = things.turnedLine[line + NY];
-        if (things.isBent(c)) {
-            rx += things.bentX(c, -nx, -ny);
-            ry += things.bentY(c, -nx, -ny);
-        }
+        rx += things.bentX(c, -nx, -ny);
+        ry += things.bentY(c, -nx, -ny);
         return rx * nx + ry * ny - things.turnedLine[line + THICKNESS];
     }
 

@@ -156,38 +156,34 @@ final class RigidJointEnds {
 
     /** How far the base of B is from that of A; of a joint that has no place at B without meaning. */
     float baseX(int e, int joint) {
-        float to = thing[e + 1] != NONE
-                ? things.x[thing[e + 1]]
-                : circle[e + 1] != NONE
-                        ? state.circle[circle[e + 1] + X]
-                        : joints.rows[JointRow.of(joint) + JointRow.ANCHOR_X];
-        float from = thing[e] != NONE ? things.x[thing[e]] : state.circle[circle[e] + X];
-        return state.wraps ? CircleMath.shortWay(to - from, state.periodX) : to - from;
+        float way = base(e + 1, joint, things.x, X, JointRow.ANCHOR_X) - base(e, joint, things.x, X, JointRow.ANCHOR_X);
+        return state.wraps ? CircleMath.shortWay(way, state.periodX) : way;
     }
 
     float baseY(int e, int joint) {
-        float to = thing[e + 1] != NONE
-                ? things.y[thing[e + 1]]
-                : circle[e + 1] != NONE
-                        ? state.circle[circle[e + 1] + Y]
-                        : joints.rows[JointRow.of(joint) + JointRow.ANCHOR_Y];
-        float from = thing[e] != NONE ? things.y[thing[e]] : state.circle[circle[e] + Y];
-        return state.wraps ? CircleMath.shortWay(to - from, state.periodY) : to - from;
+        float way = base(e + 1, joint, things.y, Y, JointRow.ANCHOR_Y) - base(e, joint, things.y, Y, JointRow.ANCHOR_Y);
+        return state.wraps ? CircleMath.shortWay(way, state.periodY) : way;
+    }
+
+    private float base(int e, int joint, float[] ofThings, int ofCircle, int ofAnchor) {
+        if (thing[e] != NONE) {
+            return ofThings[thing[e]];
+        }
+        return circle[e] != NONE ? state.circle[circle[e] + ofCircle] : joints.rows[JointRow.of(joint) + ofAnchor];
     }
 
     /** How far the place is from its base, at a boundary of sub-steps. */
     float wayX(int e, int boundary) {
-        if (thing[e] != NONE) {
-            return things.dx[thing[e]] + arm[0][e];
-        }
-        return circle[e] != NONE ? state.motion[circle[e] + DX] : joints.anchors[anchor(e, boundary) + AnchorRow.DX];
+        return thing[e] != NONE ? things.dx[thing[e]] + arm[0][e] : ofOthers(e, boundary, DX, AnchorRow.DX);
     }
 
     float wayY(int e, int boundary) {
-        if (thing[e] != NONE) {
-            return things.dy[thing[e]] + arm[1][e];
-        }
-        return circle[e] != NONE ? state.motion[circle[e] + DY] : joints.anchors[anchor(e, boundary) + AnchorRow.DY];
+        return thing[e] != NONE ? things.dy[thing[e]] + arm[1][e] : ofOthers(e, boundary, DY, AnchorRow.DY);
+    }
+
+    /** How a circle moves, or an anchor. */
+    private float ofOthers(int e, int boundary, int ofCircle, int ofAnchor) {
+        return circle[e] != NONE ? state.motion[circle[e] + ofCircle] : joints.anchors[anchor(e, boundary) + ofAnchor];
     }
 
     private int anchor(int e, int boundary) {
@@ -195,29 +191,22 @@ final class RigidJointEnds {
     }
 
     // ---- how they move
-    // ------------------------------------------------------------------------------------------------------
 
     float vx(int e, int boundary) {
         int t = thing[e];
-        if (t != NONE) {
-            return things.vx[t] - things.omega[t] * arm[1][e];
-        }
-        return circle[e] != NONE ? state.motion[circle[e] + VX] : joints.anchors[anchor(e, boundary) + AnchorRow.VX];
+        return t != NONE ? things.vx[t] - things.omega[t] * arm[1][e] : ofOthers(e, boundary, VX, AnchorRow.VX);
     }
 
     float vy(int e, int boundary) {
         int t = thing[e];
-        if (t != NONE) {
-            return things.vy[t] + things.omega[t] * arm[0][e];
-        }
-        return circle[e] != NONE ? state.motion[circle[e] + VY] : joints.anchors[anchor(e, boundary) + AnchorRow.VY];
+        return t != NONE ? things.vy[t] + things.omega[t] * arm[0][e] : ofOthers(e, boundary, VY, AnchorRow.VY);
     }
 
     /** The velocity as the sub-step began: without gravity and all impulses. */
     float begunX(int e, int boundary) {
         int t = thing[e];
         if (t != NONE) {
-            return (things.beforeX[t] - things.gainX[t]) - (things.beforeOmega[t] - things.gainOmega[t]) * arm[1][e];
+            return (things.beforeX[t] - things.gainX(t)) - (things.beforeOmega[t] - things.gainOmega(t)) * arm[1][e];
         }
         int c = circle[e];
         return c != NONE
@@ -228,7 +217,7 @@ final class RigidJointEnds {
     float begunY(int e, int boundary) {
         int t = thing[e];
         if (t != NONE) {
-            return (things.beforeY[t] - things.gainY[t]) + (things.beforeOmega[t] - things.gainOmega[t]) * arm[0][e];
+            return (things.beforeY[t] - things.gainY(t)) + (things.beforeOmega[t] - things.gainOmega(t)) * arm[0][e];
         }
         int c = circle[e];
         return c != NONE
@@ -272,7 +261,6 @@ final class RigidJointEnds {
     }
 
     // ---- what they get
-    // ------------------------------------------------------------------------------------------------------
 
     /** An impulse at the place, and an angular one. */
     void push(int e, float x, float y, float twist) {

@@ -28,7 +28,6 @@ final class RigidJoints {
 
     private final RigidPairs pairs;
     private final RigidThings things;
-    private final RigidPartners partners;
     private final RigidJointEnds ends;
     private final RigidJointVisits visits;
 
@@ -47,7 +46,6 @@ final class RigidJoints {
     RigidJoints(State state, RigidPairs pairs) {
         this.pairs = pairs;
         things = pairs.things;
-        partners = pairs.partners;
         ends = new RigidJointEnds(state, pairs);
         visits = new RigidJointVisits(ends);
     }
@@ -58,7 +56,10 @@ final class RigidJoints {
         joints = step;
         states = itsStates;
         count = 0;
-        partners.clear();
+        RigidKeys ofBodies = pairs.partners[RigidStep.BODY_BODY];
+        RigidKeys ofCircles = pairs.partners[RigidStep.BODY_CIRCLE];
+        ofBodies.count = 0;
+        ofCircles.count = 0;
         if (step == null) {
             return;
         }
@@ -76,7 +77,8 @@ final class RigidJoints {
                 }
             }
         }
-        partners.sort();
+        ofBodies.sort();
+        ofCircles.sort();
     }
 
     private void part(int joint) {
@@ -85,11 +87,11 @@ final class RigidJoints {
         int circleA = joints.traits[JointRow.traits(joint) + JointRow.A];
         int circleB = joints.traits[JointRow.traits(joint) + JointRow.B];
         if (bodyA != JointRow.NONE && bodyB != JointRow.NONE) {
-            partners.addBodies(bodyA, bodyB);
+            pairs.partners[RigidStep.BODY_BODY].add(Math.min(bodyA, bodyB), Math.max(bodyA, bodyB));
         } else if (bodyA != JointRow.NONE && circleB != JointRow.NONE) {
-            partners.addCircle(bodyA, circleB);
+            pairs.partners[RigidStep.BODY_CIRCLE].add(bodyA, circleB);
         } else if (bodyB != JointRow.NONE) {
-            partners.addCircle(bodyB, circleA);
+            pairs.partners[RigidStep.BODY_CIRCLE].add(bodyB, circleA);
         }
     }
 
@@ -170,7 +172,6 @@ final class RigidJoints {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     private int body(int joint, int side) {
         return joints.rigidBodies[2 * joint + side];
@@ -285,35 +286,41 @@ final class RigidJoints {
         return Sleep.loadOfJoint(sum(joint, JointState.SUM_X), sum(joint, JointState.SUM_Y), elastic);
     }
 
+    /** The first end behind another one where a joint holds a body, as twice a place in the order and the side; -1 if there is none. */
+    private int nextEnd(int after, int body) {
+        for (int end = after + 1; joints != null && end < 2 * joints.rigidCount; end++) {
+            int joint = joints.rigidOrder[end >> 1];
+            if (body(joint, end & 1) == body && isThere(joint)) {
+                return end;
+            }
+        }
+        return -1;
+    }
+
     /** Adds what joints give a body to what presses it. */
     void press(int t, WakingByBodies waking) {
-        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
-            int joint = joints.rigidOrder[n];
-            for (int side = 0; side < 2 && isThere(joint); side++) {
-                if (thing(joint, side) == t) {
-                    float sign = side == 0 ? -1f : 1f;
-                    waking.pull(
-                            t,
-                            sign * sum(joint, JointState.SUM_X),
-                            sign * sum(joint, JointState.SUM_Y),
-                            armX(joint, side, t),
-                            armY(joint, side, t),
-                            -sign * sum(joint, JointState.SUM_ANGULAR),
-                            load(joint));
-                }
-            }
+        for (int end = nextEnd(-1, things.id[t]); end >= 0; end = nextEnd(end, things.id[t])) {
+            int joint = joints.rigidOrder[end >> 1];
+            int side = end & 1;
+            float sign = side == 0 ? -1f : 1f;
+            waking.pull(
+                    t,
+                    sign * sum(joint, JointState.SUM_X),
+                    sign * sum(joint, JointState.SUM_Y),
+                    armX(joint, side, t),
+                    armY(joint, side, t),
+                    -sign * sum(joint, JointState.SUM_ANGULAR),
+                    load(joint));
         }
     }
 
     /** What woke a body reaches those that joints hold to it. */
     void passOn(int t, float speed, WakingByBodies waking) {
-        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
-            int joint = joints.rigidOrder[n];
-            for (int side = 0; side < 2 && isThere(joint); side++) {
-                int other = thing(joint, 1 - side);
-                if (thing(joint, side) == t && other != JointRow.NONE) {
-                    waking.passOn(other, speed, load(joint), 0f, things.ownW[other], things.ownW[t]);
-                }
+        for (int end = nextEnd(-1, things.id[t]); end >= 0; end = nextEnd(end, things.id[t])) {
+            int joint = joints.rigidOrder[end >> 1];
+            int other = thing(joint, 1 - (end & 1));
+            if (other != JointRow.NONE) {
+                waking.passOn(other, speed, load(joint), 0f, things.ownW[other], things.ownW[t]);
             }
         }
     }
@@ -321,10 +328,8 @@ final class RigidJoints {
     /** Whether a joint drives a body. */
     boolean drive(int body) {
         boolean drive = false;
-        for (int n = 0; joints != null && n < joints.rigidCount; n++) {
-            int joint = joints.rigidOrder[n];
-            boolean holds = body(joint, 0) == body || body(joint, 1) == body;
-            drive |= holds && isThere(joint) && drives(joint);
+        for (int end = nextEnd(-1, body); !drive && end >= 0; end = nextEnd(end, body)) {
+            drive = drives(joints.rigidOrder[end >> 1]);
         }
         return drive;
     }

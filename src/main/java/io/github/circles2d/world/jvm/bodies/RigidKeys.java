@@ -1,5 +1,6 @@
 package io.github.circles2d.world.jvm.bodies;
 
+import io.github.circles2d.world.jvm.state.HeapSort;
 import java.util.Arrays;
 
 /** Keys of pairs of a rigid body and something else: a body and an id, and the type where it is not known. */
@@ -14,6 +15,24 @@ final class RigidKeys {
             keys = Arrays.copyOf(keys, 2 * count);
         }
         keys[count++] = (long) body << BODY_SHIFT | other;
+    }
+
+    void addAll(RigidKeys from) {
+        if (count + from.count > keys.length) {
+            keys = Arrays.copyOf(keys, Math.max(2 * count, count + from.count));
+        }
+        System.arraycopy(from.keys, 0, keys, count, from.count);
+        count += from.count;
+    }
+
+    /** Sorts all. */
+    void sort() {
+        HeapSort.ascending(keys, count);
+    }
+
+    /** Whether a pair is among them, which have been sorted. */
+    boolean has(int body, int other) {
+        return count > 0 && Arrays.binarySearch(keys, 0, count, (long) body << BODY_SHIFT | other) >= 0;
     }
 
     static int body(long key) {

@@ -14,6 +14,9 @@ final class RigidMeasures {
     /** How far lines go on beyond their ends within a step, in half thicknesses. */
     private static final float GOES_ON = 0.25f;
 
+    /** The cosine of the angle by which a normal turns at most from one measure to the next if impulses are to stay. */
+    private static final float SAME_WAY = 0.98f;
+
     private final RigidContacts contacts;
     private final RigidThings things;
     private float h;
@@ -28,30 +31,39 @@ final class RigidMeasures {
         h = subStep;
     }
 
-    /** Finds normal, gap and arms of a contact. */
+    /**
+     * Finds normal, gap and arms of a contact. Impulses have acted along the normal before: if a corner leaves the end of a line, they would be taken
+     * back along another one, and stop what slides.
+     */
     void measure(int c) {
         int t = contacts.a[c];
         int other = contacts.b[c];
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        int at = RigidThings.corner(contacts.corner[c]);
+        float nx = rows[row + RigidRow.NX];
+        float ny = rows[row + RigidRow.NY];
+        int at = RigidThings.corner(contacts.corner(c));
         float px = things.turnedCorner[at];
         float py = things.turnedCorner[at + 1];
         float r = things.turnedCorner[at + BEND] + things.turnedCorner[at + RADIUS];
-        float x = contacts.ox[c] + (things.dx[t] - things.dx[other]);
-        float y = contacts.oy[c] + (things.dy[t] - things.dy[other]);
+        float x = contacts.rows[row + RigidRow.OX] + (things.dx[t] - things.dx[other]);
+        float y = contacts.rows[row + RigidRow.OY] + (things.dy[t] - things.dy[other]);
         int end = beyond(c, x, y);
         if (end != 0) {
             px += r * things.turnedCorner[at + end];
             py += r * things.turnedCorner[at + end + 1];
             r = 0f;
         }
-        if (!contacts.isLine[c]) {
+        if (!contacts.isLine(c)) {
             onCorner(c, x + px, y + py, r);
-        } else if (things.isHollow(contacts.feature[c])) {
+        } else if (things.isHollow(contacts.feature(c))) {
             inHollow(c, x + px, y + py, r);
         } else {
             onLine(c, x, y, px, py, r);
+        }
+        if (nx * rows[row + RigidRow.NX] + ny * rows[row + RigidRow.NY] < SAME_WAY) {
+            rows[row + RigidRow.IMPULSE] = 0f;
+            rows[row + RigidRow.GRIP] = 0f;
         }
         float armX = px - rows[row + RigidRow.NX] * r;
         float armY = py - rows[row + RigidRow.NY] * r;
@@ -63,38 +75,38 @@ final class RigidMeasures {
 
     /** The end of an arc with which it touches if it has turned so far that its cone has no normal of the contact; 0 if there is none. */
     private int beyond(int c, float x, float y) {
-        if (!things.isBent(contacts.corner[c])) {
+        if (!things.isBent(contacts.corner(c))) {
             return 0;
         }
-        int at = RigidThings.corner(contacts.corner[c]);
+        int at = RigidThings.corner(contacts.corner(c));
         float rx = x + things.turnedCorner[at];
         float ry = y + things.turnedCorner[at + 1];
-        if (contacts.isLine[c]) {
-            int line = RigidThings.line(contacts.feature[c]);
-            return things.isHollow(contacts.feature[c])
+        if (contacts.isLine(c)) {
+            int line = RigidThings.line(contacts.feature(c));
+            return things.isHollow(contacts.feature(c))
                     ? things.endOf(
                             contacts.a[c],
-                            contacts.corner[c],
+                            contacts.corner(c),
                             rx - things.turnedLine[line],
                             ry - things.turnedLine[line + 1])
                     : things.endOf(
                             contacts.a[c],
-                            contacts.corner[c],
+                            contacts.corner(c),
                             -things.turnedLine[line + NX],
                             -things.turnedLine[line + NY]);
         }
-        int to = RigidThings.corner(contacts.feature[c]);
+        int to = RigidThings.corner(contacts.feature(c));
         return things.endOf(
-                contacts.a[c], contacts.corner[c], things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
+                contacts.a[c], contacts.corner(c), things.turnedCorner[to] - rx, things.turnedCorner[to + 1] - ry);
     }
 
     /** (x, y): of A's corner, against the place of B. */
     private void onCorner(int c, float x, float y, float r) {
-        int to = RigidThings.corner(contacts.feature[c]);
+        int to = RigidThings.corner(contacts.feature(c));
         float rx = x - things.turnedCorner[to];
         float ry = y - things.turnedCorner[to + 1];
         float itsRadius = things.turnedCorner[to + BEND] + things.turnedCorner[to + RADIUS];
-        int end = things.isBent(contacts.feature[c]) ? things.endOf(contacts.b[c], contacts.feature[c], rx, ry) : 0;
+        int end = things.isBent(contacts.feature(c)) ? things.endOf(contacts.b[c], contacts.feature(c), rx, ry) : 0;
         if (end == 0) {
             atPoint(c, rx, ry, r + itsRadius);
         } else {
@@ -116,7 +128,7 @@ final class RigidMeasures {
     }
 
     private void inHollow(int c, float x, float y, float r) {
-        int line = RigidThings.line(contacts.feature[c]);
+        int line = RigidThings.line(contacts.feature(c));
         float rx = x - things.turnedLine[line];
         float ry = y - things.turnedLine[line + 1];
         float d = CircleMath.length(rx, ry);
@@ -131,7 +143,7 @@ final class RigidMeasures {
     private void onLine(int c, float x, float y, float px, float py, float r) {
         int t = contacts.a[c];
         int other = contacts.b[c];
-        int line = RigidThings.line(contacts.feature[c]);
+        int line = RigidThings.line(contacts.feature(c));
         float rx = x + px - things.turnedLine[line];
         float ry = y + py - things.turnedLine[line + 1];
         float lx = things.turnedLine[line + NX];

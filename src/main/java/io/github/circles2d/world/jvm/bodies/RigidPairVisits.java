@@ -6,7 +6,7 @@ import io.github.circles2d.world.model.Velocity;
 /**
  * Visits of pairs whose contacts neither bounce nor resist rolling, while {@link RigidVisits#areFixed}. The velocities of both things are in local
  * variables as long as a pair is visited, those of A and B of its first contact; contacts the other way round have their terms swapped, which
- * changes no bit then.
+ * changes no bit then. Each pass has a loop: one for both took two percent more of a pyramid's step.
  */
 final class RigidPairVisits {
     /** Floats from the arm of A to that of B. */

@@ -8,7 +8,7 @@ import static io.github.circles2d.world.bodies.RigidStep.BODY_WALL;
 import io.github.circles2d.world.bodies.OutlineShape;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
-import io.github.circles2d.world.jvm.state.HeapSort;
+import io.github.circles2d.world.jvm.pieces.PieceMeasure;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
@@ -31,8 +31,8 @@ final class RigidPairs {
     final RigidPieces pieces = new RigidPieces(things);
     private final RigidCandidates candidates;
 
-    /** Pairs that do not collide, since a joint holds both. */
-    final RigidPartners partners = new RigidPartners();
+    /** By type: pairs that do not collide, since a joint holds both; of two bodies that of the lower id first. Null of what joints do not hold. */
+    final RigidKeys[] partners = {new RigidKeys(), null, null, new RigidKeys()};
 
     private final Team team;
 
@@ -42,8 +42,8 @@ final class RigidPairs {
     /** By type, piece of the work as {@link Team#pieces} has them, and end: where its keys begin and end among those of its worker. */
     private final int[][] found = new int[BODY_CIRCLE + 1][];
 
-    /** Those of circles, sorted. */
-    private long[] keysOfCircles = new long[0];
+    /** Those of circles, which have been looked at as they lie in memory, in order. */
+    private final RigidKeys ofCircles = new RigidKeys();
 
     int count;
     private int awakeBodies;
@@ -74,9 +74,9 @@ final class RigidPairs {
     private StepConstants k;
     private TerrainStep terrain;
 
-    private final Team.Work fill = this::fill;
+    private final Team.Share fill = this::fill;
     private final Team.Work findNear = this::findNear;
-    private final Team.Work measure = this::measure;
+    private final Team.Share measure = this::measure;
 
     RigidPairs(State state, Team team) {
         this.state = state;
@@ -110,11 +110,10 @@ final class RigidPairs {
         }
         team.together(findNear);
         makePairs();
-        team.together(measure);
+        team.share(count, 0, measure);
     }
 
     // ---- bodies
-    // ------------------------------------------------------------------------------------------------------------
 
     private void addBodies() {
         if (thingOfBody.length < step.end) {
@@ -139,12 +138,11 @@ final class RigidPairs {
         things.bodies = things.count;
         ensureNear();
         candidates.ensure(things.bodies);
-        team.together(fill);
+        team.share(things.bodies, 0, fill);
     }
 
-    private void fill(int worker) {
-        int end = team.part(things.bodies, worker + 1);
-        for (int t = team.part(things.bodies, worker); t < end; t++) {
+    private void fill(int worker, int from, int end) {
+        for (int t = from; t < end; t++) {
             fillBody(t);
             near[t] = Tuning.MARGIN * things.thin[t] + 0.5f * way(t);
             findBox(t);
@@ -169,8 +167,8 @@ final class RigidPairs {
         things.restitution[t] = step.restitution[id];
         things.kind[t] = step.kind[id];
         takeSurface(t, KindSurface.of(step.kind[id]));
-        things.ownGainX[t] = 0f;
-        things.ownGainY[t] = 0f;
+        things.gainX[t] = 0f;
+        things.gainY[t] = 0f;
         if (things.ownW[t] > 0f) {
             float gx = k.gravityStepX;
             float gy = k.gravityStepY;
@@ -179,18 +177,15 @@ final class RigidPairs {
                 gx = state.kindMotion[row + KindMotion.GAIN_X];
                 gy = state.kindMotion[row + KindMotion.GAIN_Y];
             }
-            things.ownGainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
-            things.ownGainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
+            things.gainX[t] = Velocity.gain(gx, step.forceX(id), things.ownW[t], k.h);
+            things.gainY[t] = Velocity.gain(gy, step.forceY(id), things.ownW[t], k.h);
         }
-        things.ownGainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
+        things.gainOmega[t] = Velocity.gain(0f, step.torque(id), things.ownI[t], k.h);
         things.asleep[t] = step.isAsleep(id);
         if (things.asleep[t]) {
             things.w[t] = 0f;
             things.i[t] = 0f;
         }
-        things.gainX[t] = things.asleep[t] ? 0f : things.ownGainX[t];
-        things.gainY[t] = things.asleep[t] ? 0f : things.ownGainY[t];
-        things.gainOmega[t] = things.asleep[t] ? 0f : things.ownGainOmega[t];
         things.turn(t);
     }
 
@@ -228,14 +223,13 @@ final class RigidPairs {
     /** How far a body comes at most in a step. One that comes fast may be hit, and turn then: its other end gets twice as fast at most. */
     private float way(int t) {
         float speed = CircleMath.length(things.vx[t], things.vy[t]);
-        float gain = CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
-        float spin = (Math.abs(things.omega[t]) + Math.abs(things.ownGainOmega[t]) * k.subSteps) * things.reach[t];
+        float gain = CircleMath.length(things.gainX[t], things.gainY[t]);
+        float spin = (Math.abs(things.omega[t]) + Math.abs(things.gainOmega[t]) * k.subSteps) * things.reach[t];
         float way = k.dt * (speed + gain * k.subSteps + spin);
         return way > things.thin[t] ? 2f * way : way;
     }
 
     // ---- what is near
-    // ------------------------------------------------------------------------------------------------------
 
     private void findNear(int worker) {
         RigidSearch search = searches[worker];
@@ -268,7 +262,6 @@ final class RigidPairs {
     }
 
     // ---- what moves near to bodies that sleep
-    // ----------------------------------------------------------------------------
 
     /** Whether a wall moves near to a body. */
     boolean wallsMoveNear(int t) {
@@ -293,37 +286,20 @@ final class RigidPairs {
     /** Whether a piece that moves is near to a body, which meets it. */
     boolean piecesMoveNear(int t) {
         float m = 2f * Tuning.MARGIN * things.thin[t];
-        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        boolean near = false;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                near |= piecesMoveIn(
-                        t,
-                        candidates.box[4 * t] - m + ax,
-                        candidates.box[4 * t + 1] - m + ay,
-                        candidates.box[4 * t + 2] + m + ax,
-                        candidates.box[4 * t + 3] + m + ay);
-            }
-        }
-        return near;
-    }
-
-    private boolean piecesMoveIn(int t, float minX, float minY, float maxX, float maxY) {
-        float[] boxes = terrain.boxes;
-        for (int node = terrain.groundNodes; node < terrain.nodes; node++) {
-            int piece = terrain.links[2 * node + 1];
-            int n = 4 * node;
-            if (piece >= 0
-                    && terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0
-                    && boxes[n] <= maxX
-                    && boxes[n + 1] <= maxY
-                    && boxes[n + 2] >= minX
-                    && boxes[n + 3] >= minY
-                    && searches[0].meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                return true;
+        float[] box = candidates.box;
+        for (int n = 0; n < state.images.count; n++) {
+            float minX = box[4 * t] - m + state.images.x[n];
+            float minY = box[4 * t + 1] - m + state.images.y[n];
+            float maxX = box[4 * t + 2] + m + state.images.x[n];
+            float maxY = box[4 * t + 3] + m + state.images.y[n];
+            int node = terrain.find(terrain.groundNodes, minX, minY, maxX, maxY);
+            while (node >= 0) {
+                int traits = PieceRow.traits(terrain.piece(node));
+                if (terrain.traits[traits + PieceRow.MOTION] != 0
+                        && searches[0].meets(things.kind[t], terrain.traits[traits + PieceRow.KIND])) {
+                    return true;
+                }
+                node = terrain.find(node + 1, minX, minY, maxX, maxY);
             }
         }
         return false;
@@ -359,20 +335,12 @@ final class RigidPairs {
         for (int c = things.firstCorner[t]; c < things.firstCorner[t] + things.corners[t]; c++) {
             int at = RigidThings.corner(c);
             float r = things.turnedCorner[at + OutlineShape.RADIUS];
-            float left = 0f;
-            float low = 0f;
-            float right = 0f;
-            float high = 0f;
-            if (things.isBent(c)) {
-                left = things.bentX(c, -1f, 0f);
-                low = things.bentY(c, 0f, -1f);
-                right = things.bentX(c, 1f, 0f);
-                high = things.bentY(c, 0f, 1f);
-            }
-            minX = CircleMath.min(minX, (things.turnedCorner[at] + left) - r);
-            minY = CircleMath.min(minY, (things.turnedCorner[at + 1] + low) - r);
-            maxX = CircleMath.max(maxX, (things.turnedCorner[at] + right) + r);
-            maxY = CircleMath.max(maxY, (things.turnedCorner[at + 1] + high) + r);
+            float x = things.turnedCorner[at];
+            float y = things.turnedCorner[at + 1];
+            minX = CircleMath.min(minX, (x + things.bentX(c, -1f, 0f)) - r);
+            minY = CircleMath.min(minY, (y + things.bentY(c, 0f, -1f)) - r);
+            maxX = CircleMath.max(maxX, (x + things.bentX(c, 1f, 0f)) + r);
+            maxY = CircleMath.max(maxY, (y + things.bentY(c, 0f, 1f)) + r);
         }
         // an eighth more, and the rounding of coordinates
         float m = 2.25f * near[t] + 0x1p-20f * (Math.abs(things.x[t]) + Math.abs(things.y[t]) + things.reach[t]);
@@ -384,7 +352,6 @@ final class RigidPairs {
     }
 
     // ---- pairs
-    // -------------------------------------------------------------------------------------------------------------
 
     private void makePairs() {
         count = 0;
@@ -395,27 +362,12 @@ final class RigidPairs {
                 makePairs(type, from.keys, found[type][2 * piece], found[type][2 * piece + 1]);
             }
         }
-        int ofCircles = sortCircles();
-        makePairs(BODY_CIRCLE, keysOfCircles, 0, ofCircles);
-    }
-
-    /** Circles have been looked at as they lie in memory; returns the number of their keys. */
-    private int sortCircles() {
-        int many = 0;
+        ofCircles.count = 0;
         for (int worker = 0; worker < team.size(); worker++) {
-            many += searches[worker].keys[BODY_CIRCLE].count;
+            ofCircles.addAll(searches[worker].keys[BODY_CIRCLE]);
         }
-        if (keysOfCircles.length < many) {
-            keysOfCircles = new long[many + (many >> 1)];
-        }
-        int to = 0;
-        for (int worker = 0; worker < team.size(); worker++) {
-            RigidKeys from = searches[worker].keys[BODY_CIRCLE];
-            System.arraycopy(from.keys, 0, keysOfCircles, to, from.count);
-            to += from.count;
-        }
-        HeapSort.ascending(keysOfCircles, many);
-        return many;
+        ofCircles.sort();
+        makePairs(BODY_CIRCLE, ofCircles.keys, 0, ofCircles.count);
     }
 
     private void makePairs(int type, long[] keys, int from, int end) {
@@ -452,9 +404,8 @@ final class RigidPairs {
         }
     }
 
-    private void measure(int worker) {
-        int end = team.part(count, worker + 1);
-        for (int p = team.part(count, worker); p < end; p++) {
+    private void measure(int worker, int from, int end) {
+        for (int p = from; p < end; p++) {
             measurePair(p);
         }
     }
@@ -463,7 +414,7 @@ final class RigidPairs {
         int t = a[p];
         int other = b[p];
         if (things.type[other] == BODY_PIECE) {
-            placePiece(p, t, other);
+            placePiece(p, t, things.id[other]);
         } else {
             boolean near = state.wraps && things.type[other] != BODY_WALL;
             float x = things.x[t] - things.x[other];
@@ -477,22 +428,12 @@ final class RigidPairs {
         }
     }
 
-    private void placePiece(int p, int t, int other) {
-        int row = PieceRow.of(things.id[other]);
+    private void placePiece(int p, int t, int piece) {
+        int row = PieceRow.of(piece);
         float[] rows = terrain.rows;
-        boolean moves = terrain.traits[PieceRow.traits(things.id[other]) + PieceRow.MOTION] != 0;
-        float addX = moves ? -rows[row + PieceRow.PIVOT_X] : 0f;
-        float addY = moves ? -rows[row + PieceRow.PIVOT_Y] : 0f;
-        float x = things.x[t] - things.x[other];
-        float y = things.y[t] - things.y[other];
-        if (state.wraps) {
-            float midX = rows[row + PieceRow.MID_X];
-            float midY = rows[row + PieceRow.MID_Y];
-            x = CircleMath.shortWay(things.x[t] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
-            y = CircleMath.shortWay(things.y[t] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
-        }
-        ox[p] = x + addX;
-        oy[p] = y + addY;
+        boolean moves = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION] != 0;
+        ox[p] = PieceMeasure.offsetX(state, things.x[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_X] : 0f);
+        oy[p] = PieceMeasure.offsetY(state, things.y[t], rows, row) + (moves ? -rows[row + PieceRow.PIVOT_Y] : 0f);
     }
 
     /** The thing of a body. */
@@ -587,7 +528,7 @@ final class RigidPairs {
     }
 
     long bytes() {
-        long sum = things.bytes() + candidates.bytes() + partners.bytes();
+        long sum = things.bytes() + candidates.bytes() + partners[BODY_BODY].bytes() + partners[BODY_CIRCLE].bytes();
         for (RigidSearch each : searches) {
             sum += each.bytes();
         }
@@ -595,7 +536,7 @@ final class RigidPairs {
             sum += each == null ? 0 : 4L * each.length;
         }
         return sum
-                + 8L * keysOfCircles.length
+                + ofCircles.bytes()
                 + 20L * a.length
                 + 4L * (near.length + thingOfBody.length + thingOfPiece.length + thingOfCircle.length);
     }

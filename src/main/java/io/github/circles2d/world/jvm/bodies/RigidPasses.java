@@ -9,7 +9,6 @@ import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.jvm.threads.Team;
-import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointStep;
@@ -63,8 +62,8 @@ public final class RigidPasses {
     private TerrainStep terrain;
     private int subStep;
 
-    private final Team.Work gain = this::gain;
-    private final Team.Work move = this::move;
+    private final Team.Share gain = this::gain;
+    private final Team.Share move = this::move;
 
     /** No worker gets less than a least share of what is by circle, but for what is left over. */
     public RigidPasses(State state, Team team, int leastShare) {
@@ -169,11 +168,10 @@ public final class RigidPasses {
     }
 
     // ---- passes
-    // ------------------------------------------------------------------------------------------------------------
 
     /** What drives bodies, and the impulses of the sub-step before. */
     public void integrateVelocities() {
-        team.together(gain);
+        team.share(things.bodies, 0, gain);
         for (int t = things.bodies; t < things.count; t++) {
             if (things.type[t] != BODY_CIRCLE) {
                 setBefore(t);
@@ -183,14 +181,13 @@ public final class RigidPasses {
         visits.warmStart();
     }
 
-    private void gain(int worker) {
+    private void gain(int worker, int from, int end) {
         float[] motion = state.kindMotion;
         float[] surfaces = k.turning ? state.turning.surfaces : null;
-        int end = team.part(things.bodies, worker + 1);
-        for (int t = team.part(things.bodies, worker); t < end; t++) {
-            things.vx[t] += things.gainX[t];
-            things.vy[t] += things.gainY[t];
-            things.omega[t] += things.gainOmega[t];
+        for (int t = from; t < end; t++) {
+            things.vx[t] += things.gainX(t);
+            things.vy[t] += things.gainY(t);
+            things.omega[t] += things.gainOmega(t);
             if (motion != null) {
                 int row = KindMotion.of(things.kind[t]);
                 float factor = motion[row + KindMotion.DAMPING_FACTOR];
@@ -230,13 +227,12 @@ public final class RigidPasses {
     /** Moves bodies, and what moves along with time; circles have moved. Measures contacts. */
     public void integratePositions(int sub) {
         subStep = sub;
-        team.together(move);
+        team.share(things.count, 0, move);
         visits.measure();
     }
 
-    private void move(int worker) {
-        int end = team.part(things.count, worker + 1);
-        for (int t = team.part(things.count, worker); t < end; t++) {
+    private void move(int worker, int from, int end) {
+        for (int t = from; t < end; t++) {
             switch (things.type[t]) {
                 case BODY_PIECE -> pairs.pieces.pose(t, terrain, subStep + 1, k);
                 case BODY_WALL -> pairs.pieces.poseWall(t, subStep + 1, k);
@@ -280,7 +276,6 @@ public final class RigidPasses {
     }
 
     // ---- circles
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Takes the velocities of circles as they are; before: also those without impulses. */
     private void takeCircles(boolean before) {
@@ -355,7 +350,6 @@ public final class RigidPasses {
     }
 
     // ---- end
-    // ---------------------------------------------------------------------------------------------------------------
 
     /** Ends the step: bodies take what they have become. */
     public void end() {
@@ -372,8 +366,7 @@ public final class RigidPasses {
             step.restY[id] = CircleMath.lostByRounding(things.y[t], things.dy[t], y);
             step.x[id] = x;
             step.y[id] = y;
-            keepInsideX(id);
-            keepInsideY(id);
+            keepInside(id);
             step.angle[id] = Surface.turn(things.angle[t], things.turned[t], 1f, 1f);
             step.vx[id] = Velocity.limitSpeed(things.vx[t]);
             step.vy[id] = Velocity.limitSpeed(things.vy[t]);
@@ -421,24 +414,15 @@ public final class RigidPasses {
         }
     }
 
-    private void keepInsideX(int id) {
-        float at = step.x[id];
-        float kept = k.arena.edgeX() == AxisEdge.WRAP
-                ? k.arena.placeX(at)
-                : CircleMath.clamp(at, k.bounds.minX(), k.bounds.maxX());
-        if (kept != at) {
-            step.x[id] = kept;
+    private void keepInside(int id) {
+        float x = k.arena.placeX(CircleMath.clamp(step.x[id], k.bounds.minX(), k.bounds.maxX()));
+        float y = k.arena.placeY(CircleMath.clamp(step.y[id], k.bounds.minY(), k.bounds.maxY()));
+        if (x != step.x[id]) {
+            step.x[id] = x;
             step.restX[id] = 0f;
         }
-    }
-
-    private void keepInsideY(int id) {
-        float at = step.y[id];
-        float kept = k.arena.edgeY() == AxisEdge.WRAP
-                ? k.arena.placeY(at)
-                : CircleMath.clamp(at, k.bounds.minY(), k.bounds.maxY());
-        if (kept != at) {
-            step.y[id] = kept;
+        if (y != step.y[id]) {
+            step.y[id] = y;
             step.restY[id] = 0f;
         }
     }
@@ -449,16 +433,12 @@ public final class RigidPasses {
             return;
         }
         step.touchesStay = false;
-        float[] rows = contacts.rows;
         for (int p = 0; p < contacts.pairCount; p++) {
             int hardest = -1;
             float most = 0f;
             for (int c = contacts.firstOf[p]; c < contacts.firstOf[p + 1]; c++) {
-                float its = rows[RigidRow.of(c) + RigidRow.MOST];
-                if (its > most) {
-                    most = its;
-                    hardest = c;
-                }
+                hardest = contacts.value(c, RigidRow.MOST) > most ? c : hardest;
+                most = Math.max(most, contacts.value(c, RigidRow.MOST));
             }
             if (hardest >= 0) {
                 tell(pairs.a[contacts.pair[p]], pairs.b[contacts.pair[p]], hardest);
@@ -467,23 +447,18 @@ public final class RigidPasses {
     }
 
     private void tell(int body, int other, int c) {
-        step.ensureTouches(step.touches + 1);
-        int at = RigidStep.TOUCH_KEYS * step.touches;
-        step.touchKeys[at + RigidStep.TYPE] = things.type[other];
-        step.touchKeys[at + RigidStep.A] = things.id[body];
-        step.touchKeys[at + RigidStep.B] = things.id[other];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
         boolean isA = contacts.a[c] == body;
         float side = isA ? -1f : 1f;
-        int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to] = things.x[body] + (things.dx[body] + rows[row + (isA ? RigidRow.AX : RigidRow.BX)]);
-        step.touchValues[to + 1] = things.y[body] + (things.dy[body] + rows[row + (isA ? RigidRow.AY : RigidRow.BY)]);
-        step.touchValues[to + 2] = side * rows[row + RigidRow.NX];
-        step.touchValues[to + 3] = side * rows[row + RigidRow.NY];
-        step.touchValues[to + 4] = rows[row + RigidRow.MOST];
-        step.touchValues[to + 5] = rows[row + RigidRow.APPROACH] + 0f; // never -0
-        step.touches++;
+        step.addTouch(
+                things.type[other],
+                things.id[body],
+                things.id[other],
+                things.x[body] + (things.dx[body] + contacts.value(c, isA ? RigidRow.AX : RigidRow.BX)),
+                things.y[body] + (things.dy[body] + contacts.value(c, isA ? RigidRow.AY : RigidRow.BY)),
+                side * contacts.value(c, RigidRow.NX),
+                side * contacts.value(c, RigidRow.NY),
+                contacts.value(c, RigidRow.MOST),
+                contacts.value(c, RigidRow.APPROACH) + 0f); // never -0
     }
 
     public long bytes() {

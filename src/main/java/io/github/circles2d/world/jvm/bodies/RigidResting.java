@@ -60,7 +60,6 @@ final class RigidResting {
     }
 
     // ---- of a thing
-    // --------------------------------------------------------------------------------------------------------
 
     /** Lists the contacts by their things. */
     private void list(RigidStep step) {
@@ -114,7 +113,6 @@ final class RigidResting {
     }
 
     // ---- what stays
-    // --------------------------------------------------------------------------------------------------------
 
     /** Takes what is to stay, since the step writes over it; it gets another scale if the length of steps does. */
     void take(RigidStep step, float scale) {
@@ -137,7 +135,7 @@ final class RigidResting {
     /** Gives back what comes before a pair, from one on; returns the first that does not. */
     int keepBefore(RigidStep step, int from, int type, int a, int b) {
         int rest = from;
-        while (rest < count && isBefore(rest, type, a, b)) {
+        while (rest < count && RigidStep.compare(keys, RigidStep.KEYS * rest, type, a, b) < 0) {
             System.arraycopy(
                     keys, RigidStep.KEYS * rest, step.contactKeys, RigidStep.KEYS * step.contacts, RigidStep.KEYS);
             System.arraycopy(
@@ -150,13 +148,6 @@ final class RigidResting {
             rest++;
         }
         return rest;
-    }
-
-    private boolean isBefore(int rest, int type, int a, int b) {
-        int at = RigidStep.KEYS * rest;
-        int order = Integer.compare(keys[at + RigidStep.TYPE], type);
-        order = order == 0 ? Integer.compare(keys[at + RigidStep.A], a) : order;
-        return (order == 0 ? Integer.compare(keys[at + RigidStep.B], b) : order) < 0;
     }
 
     /** Tells a step of the pairs. */

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm.bodies;
 /** The table of a contact of rigid bodies: where its numbers lie in {@link RigidContacts#rows}. */
 final class RigidRow {
     /** Floats of a contact. */
-    static final int STRIDE = 25;
+    static final int STRIDE = 27;
 
     /** The normal, from B to A. */
     static final int NX = 0;
@@ -55,6 +55,11 @@ final class RigidRow {
 
     /** What a visit without bias aims at: to come as near as the gap lets. */
     static final int NEAR = 24;
+
+    /** By how much the base of A lies beyond that of B. */
+    static final int OX = 25;
+
+    static final int OY = 26;
 
     private RigidRow() {}
 

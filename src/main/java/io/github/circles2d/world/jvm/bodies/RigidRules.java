@@ -83,20 +83,16 @@ final class RigidRules {
 
     /** One over the effective mass of A alone along the normal. */
     float massOfA(int c) {
-        int t = contacts.a[c];
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float arm =
-                rows[row + RigidRow.AX] * rows[row + RigidRow.NY] - rows[row + RigidRow.AY] * rows[row + RigidRow.NX];
-        return things.ownW[t] + things.ownI[t] * arm * arm;
+        return inverseMass(contacts.a[c], RigidRow.of(c), RigidRow.AX);
     }
 
     float massOfB(int c) {
-        int t = contacts.b[c];
+        return inverseMass(contacts.b[c], RigidRow.of(c), RigidRow.BX);
+    }
+
+    private float inverseMass(int t, int row, int armX) {
         float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        float arm =
-                rows[row + RigidRow.BX] * rows[row + RigidRow.NY] - rows[row + RigidRow.BY] * rows[row + RigidRow.NX];
+        float arm = rows[row + armX] * rows[row + RigidRow.NY] - rows[row + armX + 1] * rows[row + RigidRow.NX];
         return things.ownW[t] + things.ownI[t] * arm * arm;
     }
 
@@ -150,12 +146,21 @@ final class RigidRules {
     }
 
     float normalSpeed(int c) {
-        int a = contacts.a[c];
-        int b = contacts.b[c];
+        return normalSpeed(c, things.vx, things.vy, things.omega);
+    }
+
+    /** Before impulses. */
+    float speedBefore(int c) {
+        return normalSpeed(c, things.beforeX, things.beforeY, things.beforeOmega);
+    }
+
+    private float normalSpeed(int c, float[] vx, float[] vy, float[] omega) {
         float[] rows = contacts.rows;
         int row = RigidRow.of(c);
-        return speedX(rows, row, things.vx, things.omega, a, b) * rows[row + RigidRow.NX]
-                + speedY(rows, row, things.vy, things.omega, a, b) * rows[row + RigidRow.NY];
+        int a = contacts.a[c];
+        int b = contacts.b[c];
+        return speedX(rows, row, vx, omega, a, b) * rows[row + RigidRow.NX]
+                + speedY(rows, row, vy, omega, a, b) * rows[row + RigidRow.NY];
     }
 
     static float speedX(float[] rows, int row, float[] vx, float[] omega, int a, int b) {
@@ -164,16 +169,6 @@ final class RigidRules {
 
     static float speedY(float[] rows, int row, float[] vy, float[] omega, int a, int b) {
         return (vy[a] + omega[a] * rows[row + RigidRow.AX]) - (vy[b] + omega[b] * rows[row + RigidRow.BX]);
-    }
-
-    /** Along the normal, before impulses. */
-    float speedBefore(int c) {
-        float[] rows = contacts.rows;
-        int row = RigidRow.of(c);
-        int a = contacts.a[c];
-        int b = contacts.b[c];
-        return speedX(rows, row, things.beforeX, things.beforeOmega, a, b) * rows[row + RigidRow.NX]
-                + speedY(rows, row, things.beforeY, things.beforeOmega, a, b) * rows[row + RigidRow.NY];
     }
 
     /** Solves with bias along the normal, where contacts bounce, too; before: the speed before impulses. Returns what the impulse gains. */
@@ -234,7 +229,7 @@ final class RigidRules {
         int a = contacts.a[c];
         int b = contacts.b[c];
         int falls = things.w[a] == 0f ? b : a;
-        float fall = things.gainX[falls] * rows[row + RigidRow.NX] + things.gainY[falls] * rows[row + RigidRow.NY];
+        float fall = things.gainX(falls) * rows[row + RigidRow.NX] + things.gainY(falls) * rows[row + RigidRow.NY];
         float half = Bounce.halfFall(fall, things.w[b], things.w[a]);
         return CircleMath.max(-e * before + (1f + e) * half, LEAST_BOUNCE);
     }

@@ -22,7 +22,7 @@ final class RigidSearch {
     private final State state;
     private final RigidThings things;
     private final RigidCandidates candidates;
-    private final RigidPartners partners;
+    private final RigidKeys[] partners;
     private final RigidTree.Found found = new RigidTree.Found();
 
     /** By type: the keys of pairs. Those of a body are in order. */
@@ -33,7 +33,7 @@ final class RigidSearch {
     private StepConstants k;
     private TerrainStep terrain;
 
-    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidPartners partners) {
+    RigidSearch(State state, RigidThings things, RigidCandidates candidates, RigidKeys[] partners) {
         this.state = state;
         this.things = things;
         this.candidates = candidates;
@@ -54,7 +54,7 @@ final class RigidSearch {
     }
 
     private void add(int type, int body, int other) {
-        if (!partners.has(type, body, other)) {
+        if (partners[type] == null || !partners[type].has(body, other)) {
             keys[type].add(body, other);
         }
     }
@@ -124,34 +124,16 @@ final class RigidSearch {
     }
 
     private void findPieces(int t, float minX, float minY, float maxX, float maxY) {
-        if (!state.wraps) {
-            walk(t, minX, minY, maxX, maxY);
-            return;
-        }
-        int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                float ax = u == 0 ? 0f : u * state.periodX;
-                float ay = v == 0 ? 0f : v * state.periodY;
-                walk(t, minX + ax, minY + ay, maxX + ax, maxY + ay);
-            }
-        }
-    }
-
-    private void walk(int t, float minX, float minY, float maxX, float maxY) {
-        float[] boxes = terrain.boxes;
-        int node = 0;
-        while (node < terrain.nodes) {
-            int n = 4 * node;
-            if (boxes[n] <= maxX && boxes[n + 1] <= maxY && boxes[n + 2] >= minX && boxes[n + 3] >= minY) {
-                int piece = terrain.links[2 * node + 1];
-                if (piece >= 0 && meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+        for (int n = 0; n < state.images.count; n++) {
+            float ax = state.images.x[n];
+            float ay = state.images.y[n];
+            int node = terrain.find(0, minX + ax, minY + ay, maxX + ax, maxY + ay);
+            while (node >= 0) {
+                int piece = terrain.piece(node);
+                if (meets(things.kind[t], terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
                     add(BODY_PIECE, things.id[t], piece);
                 }
-                node++;
-            } else {
-                node = terrain.links[2 * node];
+                node = terrain.find(node + 1, minX + ax, minY + ay, maxX + ax, maxY + ay);
             }
         }
     }

@@ -10,7 +10,6 @@ import io.github.circles2d.world.bodies.RigidExtras;
 import io.github.circles2d.world.bodies.RigidStep;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.jvm.pieces.PieceMeasure;
-import io.github.circles2d.world.jvm.state.HeapSort;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.BodyRow;
 import io.github.circles2d.world.model.CircleMath;
@@ -40,9 +39,32 @@ public final class RigidSensing {
 
     private static final float ROUNDING = 0x1p-20f;
 
+    /** Ids of some, and where they are as the step begins. */
+    private static final class Begun {
+        private int[] id = new int[16];
+        private float[] x = new float[16];
+        private float[] y = new float[16];
+        private int[] angle = new int[16];
+        private int count;
+
+        private void add(int itsId, float atX, float atY, int itsAngle) {
+            if (count == id.length) {
+                id = Arrays.copyOf(id, 2 * count);
+                x = Arrays.copyOf(x, 2 * count);
+                y = Arrays.copyOf(y, 2 * count);
+                angle = Arrays.copyOf(angle, 2 * count);
+            }
+            id[count] = itsId;
+            x[count] = atX;
+            y[count] = atY;
+            angle[count++] = itsAngle;
+        }
+    }
+
     private final State state;
     private final RigidTree tree = new RigidTree();
     private final RigidTree.Found found = new RigidTree.Found();
+    private final float[] circleBox = new float[4];
     private final SensedShape a = new SensedShape();
     private final SensedShape b = new SensedShape();
     private final SensedGap gap = new SensedGap();
@@ -66,21 +88,13 @@ public final class RigidSensing {
     private final boolean[] meetsBodies = new boolean[PairTable.KINDS];
     private boolean someLook;
 
-    /** Ids of the bodies and circles that take part, and where they are as the step begins. */
-    private int[] bodies = new int[0];
+    /** The bodies and circles that take part. */
+    private final Begun bodies = new Begun();
 
-    private float[] bodyX = new float[0];
-    private float[] bodyY = new float[0];
-    private int[] bodyAngle = new int[0];
-    private int bodyCount;
-    private int[] circles = new int[0];
+    private final Begun circles = new Begun();
 
     /** By id of a circle: which of these it is. */
     private int[] circleAt = new int[0];
-
-    private float[] circleX = new float[0];
-    private float[] circleY = new float[0];
-    private int circleCount;
 
     /** Whether circles may sense bodies in the step. */
     private boolean withCircles;
@@ -128,14 +142,14 @@ public final class RigidSensing {
     /** The same, but circles are noted as the step ends. */
     public void beginWithoutCircles(RigidStep of, StepInput input) {
         step = of;
-        bodyCount = 0;
-        circleCount = 0;
+        bodies.count = 0;
+        circles.count = 0;
         withCircles = false;
         if (step.listener == null || !state.filtering || !learn(input)) {
             return;
         }
         noteBodies();
-        if (bodyCount == 0) {
+        if (bodies.count == 0) {
             return;
         }
         someLook = false;
@@ -165,20 +179,10 @@ public final class RigidSensing {
 
     private void noteBodies() {
         Arrays.fill(many, 0);
-        if (bodies.length < step.end) {
-            int n = step.room();
-            bodies = new int[n];
-            bodyX = new float[n];
-            bodyY = new float[n];
-            bodyAngle = new int[n];
-        }
         for (int id = 0; id < step.end; id++) {
             if (step.outline[id] != null && senses[step.kind[id]]) {
                 many[step.kind[id]]++;
-                bodies[bodyCount] = id;
-                bodyX[bodyCount] = step.x[id];
-                bodyY[bodyCount] = step.y[id];
-                bodyAngle[bodyCount++] = step.angle[id];
+                bodies.add(id, step.x[id], step.y[id], step.angle[id]);
             }
         }
     }
@@ -198,16 +202,8 @@ public final class RigidSensing {
         if (circleAt.length < state.slotOf.length) {
             circleAt = Arrays.copyOf(circleAt, state.slotOf.length);
         }
-        if (circleCount == circles.length) {
-            int n = Math.max(16, 2 * circleCount);
-            circles = Arrays.copyOf(circles, n);
-            circleX = Arrays.copyOf(circleX, n);
-            circleY = Arrays.copyOf(circleY, n);
-        }
-        circles[circleCount] = id;
-        circleAt[id] = circleCount;
-        circleX[circleCount] = x;
-        circleY[circleCount++] = y;
+        circleAt[id] = circles.count;
+        circles.add(id, x, y, 0);
     }
 
     private boolean meetsBodies(int kind) {
@@ -221,13 +217,13 @@ public final class RigidSensing {
     }
 
     public int boxCount() {
-        return bodyCount;
+        return bodies.count;
     }
 
     /** The step ends: adds what is sensed to its touches. Terrain is null if there is none. */
     public void end(StepConstants constants, TerrainStep ground) {
-        boolean alone = !someLook && circleCount == 0 && ground == null;
-        if (bodyCount == 0 || alone) {
+        boolean alone = !someLook && circles.count == 0 && ground == null;
+        if (bodies.count == 0 || alone) {
             return;
         }
         k = constants;
@@ -236,15 +232,15 @@ public final class RigidSensing {
         near[BODY_PIECE].count = 0;
         near[BODY_CIRCLE].count = 0;
         findBoxes();
-        for (int n = 0; n < bodyCount; n++) {
-            if (looks[step.kind[bodies[n]]]) {
+        for (int n = 0; n < bodies.count; n++) {
+            if (looks[step.kind[bodies.id[n]]]) {
                 findBodies(n);
             }
             if (terrain != null) {
                 findPieces(n);
             }
         }
-        for (int n = 0; n < circleCount; n++) {
+        for (int n = 0; n < circles.count; n++) {
             findBodiesNear(n);
         }
         tell(BODY_BODY);
@@ -253,7 +249,6 @@ public final class RigidSensing {
     }
 
     // ---- what is near
-    // ------------------------------------------------------------------------------------------------------
 
     private float way(float from, float to, float period) {
         float way = to - from;
@@ -261,57 +256,47 @@ public final class RigidSensing {
     }
 
     private void findBoxes() {
-        tree.ensure(bodyCount);
-        for (int n = 0; n < bodyCount; n++) {
-            OutlineShape outline = step.outline[bodies[n]];
+        tree.makeRoom(bodies.count);
+        for (int n = 0; n < bodies.count; n++) {
+            OutlineShape outline = step.outline[bodies.id[n]];
             float r = outline.reach() + MARGIN * outline.halfThickness();
-            setBox(4 * n, bodyX[n], bodyY[n], wayX(n), wayY(n), r);
+            setBox(tree.box, 4 * n, bodies.x[n], bodies.y[n], wayX(n), wayY(n), r);
         }
-        tree.build(bodyCount);
+        tree.build(bodies.count);
     }
 
-    private void setBox(int at, float x, float y, float wayX, float wayY, float r) {
+    private static void setBox(float[] to, int at, float x, float y, float wayX, float wayY, float r) {
         float m = r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY) + r);
-        tree.box[at] = x + Math.min(wayX, 0f) - m;
-        tree.box[at + 1] = y + Math.min(wayY, 0f) - m;
-        tree.box[at + 2] = x + Math.max(wayX, 0f) + m;
-        tree.box[at + 3] = y + Math.max(wayY, 0f) + m;
+        to[at] = x + Math.min(wayX, 0f) - m;
+        to[at + 1] = y + Math.min(wayY, 0f) - m;
+        to[at + 2] = x + Math.max(wayX, 0f) + m;
+        to[at + 3] = y + Math.max(wayY, 0f) + m;
     }
 
     private float wayX(int n) {
-        return way(bodyX[n], step.x[bodies[n]], state.periodX);
+        return way(bodies.x[n], step.x[bodies.id[n]], state.periodX);
     }
 
     private float wayY(int n) {
-        return way(bodyY[n], step.y[bodies[n]], state.periodY);
+        return way(bodies.y[n], step.y[bodies.id[n]], state.periodY);
     }
 
-    /** Looks for a body at an image of it. */
-    private interface Look {
-        void at(int n, float byX, float byY);
-    }
-
-    private final Look lookAtBodies = this::findBodiesAt;
-    private final Look lookAtPieces = this::findPiecesAt;
-    private final Look lookFromCircle = this::findBodiesNearAt;
-
-    private void atImages(int n, Look look) {
-        int timesX = state.wraps && state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-        int timesY = state.wraps && state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-        for (int u = -timesX; u <= timesX; u++) {
-            for (int v = -timesY; v <= timesY; v++) {
-                look.at(n, u == 0 ? 0f : u * state.periodX, v == 0 ? 0f : v * state.periodY);
-            }
+    /** Finds those that meet a box or one of its images. */
+    private void look(float[] of, int at) {
+        found.count = 0;
+        for (int n = 0; n < state.images.count; n++) {
+            float byX = state.images.x[n];
+            float byY = state.images.y[n];
+            tree.find(tree.box, of[at] + byX, of[at + 1] + byY, of[at + 2] + byX, of[at + 3] + byY, found);
         }
     }
 
     private void findBodies(int n) {
-        found.count = 0;
-        atImages(n, lookAtBodies);
-        int kind = step.kind[bodies[n]];
+        look(tree.box, 4 * n);
+        int kind = step.kind[bodies.id[n]];
         for (int f = 0; f < found.count; f++) {
-            int id = bodies[n];
-            int other = bodies[found.box[f]];
+            int id = bodies.id[n];
+            int other = bodies.id[found.box[f]];
             int itsKind = step.kind[other];
             if (id != other
                     && senses(kind, itsKind)
@@ -322,84 +307,55 @@ public final class RigidSensing {
         }
     }
 
-    private void findBodiesAt(int n, float byX, float byY) {
-        float[] box = tree.box;
-        tree.find(box, box[4 * n] + byX, box[4 * n + 1] + byY, box[4 * n + 2] + byX, box[4 * n + 3] + byY, found);
-    }
-
     private void findPieces(int n) {
-        atImages(n, lookAtPieces);
-    }
-
-    private void findPiecesAt(int n, float byX, float byY) {
-        float[] boxes = terrain.boxes;
-        float minX = tree.box[4 * n] + byX;
-        float minY = tree.box[4 * n + 1] + byY;
-        float maxX = tree.box[4 * n + 2] + byX;
-        float maxY = tree.box[4 * n + 3] + byY;
-        int kind = step.kind[bodies[n]];
-        int node = 0;
-        while (node < terrain.nodes) {
-            int at = 4 * node;
-            if (boxes[at] <= maxX && boxes[at + 1] <= maxY && boxes[at + 2] >= minX && boxes[at + 3] >= minY) {
-                int piece = terrain.links[2 * node + 1];
-                if (piece >= 0 && senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
-                    near[BODY_PIECE].add(bodies[n], piece);
+        int kind = step.kind[bodies.id[n]];
+        for (int image = 0; image < state.images.count; image++) {
+            float minX = tree.box[4 * n] + state.images.x[image];
+            float minY = tree.box[4 * n + 1] + state.images.y[image];
+            float maxX = tree.box[4 * n + 2] + state.images.x[image];
+            float maxY = tree.box[4 * n + 3] + state.images.y[image];
+            int node = terrain.find(0, minX, minY, maxX, maxY);
+            while (node >= 0) {
+                int piece = terrain.piece(node);
+                if (senses(kind, terrain.traits[PieceRow.traits(piece) + PieceRow.KIND])) {
+                    near[BODY_PIECE].add(bodies.id[n], piece);
                 }
-                node++;
-            } else {
-                node = terrain.links[2 * node];
+                node = terrain.find(node + 1, minX, minY, maxX, maxY);
             }
         }
     }
 
     private void findBodiesNear(int n) {
-        int id = circles[n];
-        found.count = 0;
-        atImages(n, lookFromCircle);
+        int id = circles.id[n];
+        float r = state.circle[CircleRow.of(state.slotOf[id]) + CircleRow.RADIUS];
+        setBox(circleBox, 0, circles.x[n], circles.y[n], circleWayX(n), circleWayY(n), (1f + MARGIN) * r);
+        look(circleBox, 0);
         int kind = state.fields.getInt(CircleField.KIND, id);
         int group = step.extras.areThere() ? state.fields.getInt(CircleField.GROUP, id) : 0;
         for (int f = 0; f < found.count; f++) {
-            int body = bodies[found.box[f]];
+            int body = bodies.id[found.box[f]];
             if (senses(kind, step.kind[body]) && !step.isOfGroup(body, group)) {
                 near[BODY_CIRCLE].add(body, id);
             }
         }
     }
 
-    private void findBodiesNearAt(int n, float byX, float byY) {
-        float wayX = circleWayX(n);
-        float wayY = circleWayY(n);
-        float r = state.circle[CircleRow.of(state.slotOf[circles[n]]) + CircleRow.RADIUS];
-        float x = circleX[n];
-        float y = circleY[n];
-        float m = (1f + MARGIN) * r + ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(wayX) + Math.abs(wayY));
-        tree.find(
-                tree.box,
-                x + Math.min(wayX, 0f) - m + byX,
-                y + Math.min(wayY, 0f) - m + byY,
-                x + Math.max(wayX, 0f) + m + byX,
-                y + Math.max(wayY, 0f) + m + byY,
-                found);
-    }
-
     private float circleWayX(int n) {
-        int s = CircleRow.of(state.slotOf[circles[n]]);
-        return way(circleX[n], state.circle[s + CircleRow.X], state.periodX);
+        int s = CircleRow.of(state.slotOf[circles.id[n]]);
+        return way(circles.x[n], state.circle[s + CircleRow.X], state.periodX);
     }
 
     private float circleWayY(int n) {
-        int s = CircleRow.of(state.slotOf[circles[n]]);
-        return way(circleY[n], state.circle[s + CircleRow.Y], state.periodY);
+        int s = CircleRow.of(state.slotOf[circles.id[n]]);
+        return way(circles.y[n], state.circle[s + CircleRow.Y], state.periodY);
     }
 
     // ---- touches
-    // -----------------------------------------------------------------------------------------------------------
 
     /** Tells of the pairs of a type that touch, in order. */
     private void tell(int type) {
         RigidKeys pairs = near[type];
-        HeapSort.ascending(pairs.keys, pairs.count);
+        pairs.sort();
         long before = -1;
         for (int p = 0; p < pairs.count; p++) {
             long key = pairs.keys[p];
@@ -411,10 +367,10 @@ public final class RigidSensing {
     }
 
     private void tell(int type, int id, int other) {
-        int n = Arrays.binarySearch(bodies, 0, bodyCount, id);
+        int n = Arrays.binarySearch(bodies.id, 0, bodies.count, id);
         OutlineShape outline = step.outline[id];
         a.takeBody(outline);
-        a.put(0, 0, wayX(n), wayY(n), bodyAngle[n], step.angle[id] - bodyAngle[n]);
+        a.put(0, 0, wayX(n), wayY(n), bodies.angle[n], step.angle[id] - bodies.angle[n]);
         double length = outline.halfThickness();
         boolean touched = step.listener.touched(type + SENSED, id, other);
         if (type == BODY_PIECE) {
@@ -424,24 +380,24 @@ public final class RigidSensing {
                 return;
             }
         } else if (type == BODY_BODY) {
-            int m = Arrays.binarySearch(bodies, 0, bodyCount, other);
+            int m = Arrays.binarySearch(bodies.id, 0, bodies.count, other);
             length += step.outline[other].halfThickness();
             b.takeBody(step.outline[other]);
             b.put(
-                    way(bodyX[n], bodyX[m], state.periodX),
-                    way(bodyY[n], bodyY[m], state.periodY),
+                    way(bodies.x[n], bodies.x[m], state.periodX),
+                    way(bodies.y[n], bodies.y[m], state.periodY),
                     wayX(m),
                     wayY(m),
-                    bodyAngle[m],
-                    step.angle[other] - bodyAngle[m]);
+                    bodies.angle[m],
+                    step.angle[other] - bodies.angle[m]);
         } else {
             float r = state.circle[CircleRow.of(state.slotOf[other]) + CircleRow.RADIUS];
             int m = circleAt[other];
             length += r;
             b.takeDisc(r);
             b.put(
-                    way(bodyX[n], circleX[m], state.periodX),
-                    way(bodyY[n], circleY[m], state.periodY),
+                    way(bodies.x[n], circles.x[m], state.periodX),
+                    way(bodies.y[n], circles.y[m], state.periodY),
                     circleWayX(m),
                     circleWayY(m),
                     0,
@@ -465,14 +421,8 @@ public final class RigidSensing {
         float[] rows = terrain.rows;
         int row = PieceRow.of(piece);
         int shape = terrain.traits[PieceRow.traits(piece) + PieceRow.SHAPE];
-        float ox = bodyX[n] - rows[row + PieceRow.X];
-        float oy = bodyY[n] - rows[row + PieceRow.Y];
-        if (state.wraps) {
-            float midX = rows[row + PieceRow.MID_X];
-            float midY = rows[row + PieceRow.MID_Y];
-            ox = CircleMath.shortWay(bodyX[n] - midX, state.periodX) + (midX - rows[row + PieceRow.X]);
-            oy = CircleMath.shortWay(bodyY[n] - midY, state.periodY) + (midY - rows[row + PieceRow.Y]);
-        }
+        float ox = PieceMeasure.offsetX(state, bodies.x[n], rows, row);
+        float oy = PieceMeasure.offsetY(state, bodies.y[n], rows, row);
         int motion = terrain.traits[PieceRow.traits(piece) + PieceRow.MOTION];
         if (motion == 0) {
             b.takePiece(rows, row, shape, 0, 0);
@@ -515,15 +465,9 @@ public final class RigidSensing {
     }
 
     // ---- of a touch
-    // --------------------------------------------------------------------------------------------------------
 
     /** Adds the touch that has been found: its point and normal, and how fast both approach there. */
     private void add(int type, int id, int n, int other, double length) {
-        step.ensureTouches(step.touches + 1);
-        int at = RigidStep.TOUCH_KEYS * step.touches;
-        step.touchKeys[at + RigidStep.TYPE] = type + SENSED;
-        step.touchKeys[at + RigidStep.A] = id;
-        step.touchKeys[at + RigidStep.B] = other;
         boolean apart = gap.isApart && gap.least > COINCIDENT * length;
         if (!apart) {
             gap.nearToPlace();
@@ -542,14 +486,16 @@ public final class RigidSensing {
         double ux = (a.goX - spin * (py - a.nowY)) - (b.goX - itsSpin * (py - b.nowY));
         double uy = (a.goY + spin * (px - a.nowX)) - (b.goY + itsSpin * (px - b.nowX));
         double speed = Math.max((ux * nx + uy * ny) / k.dt, 0);
-        int to = RigidStep.TOUCH_VALUES * step.touches;
-        step.touchValues[to + RigidStep.TOUCH_X] = (float) (bodyX[n] + px);
-        step.touchValues[to + RigidStep.TOUCH_Y] = (float) (bodyY[n] + py);
-        step.touchValues[to + RigidStep.TOUCH_NX] = (float) nx + 0f;
-        step.touchValues[to + RigidStep.TOUCH_NY] = (float) ny + 0f;
-        step.touchValues[to + RigidStep.TOUCH_IMPULSE] = 0f;
-        step.touchValues[to + RigidStep.TOUCH_SPEED] = (float) speed + 0f;
-        step.touches++;
+        step.addTouch(
+                type + SENSED,
+                id,
+                other,
+                (float) (bodies.x[n] + px),
+                (float) (bodies.y[n] + py),
+                (float) nx + 0f,
+                (float) ny + 0f,
+                0f,
+                (float) speed + 0f);
     }
 
     public long bytes() {
@@ -560,8 +506,7 @@ public final class RigidSensing {
                 + near[BODY_BODY].bytes()
                 + near[BODY_PIECE].bytes()
                 + near[BODY_CIRCLE].bytes()
-                + 16L * bodies.length
-                + 12L * circles.length
+                + 16L * (bodies.id.length + circles.id.length)
                 + 4L * circleAt.length;
     }
 }

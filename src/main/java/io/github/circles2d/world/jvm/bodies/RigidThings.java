@@ -62,24 +62,21 @@ final class RigidThings {
     float[] rolling = new float[0];
     float[] belt = new float[0];
 
-    /** Speed by gravity and forces in a sub-step. */
+    /** Speed by gravity and forces in a sub-step, also of a body that sleeps, which does not take it. */
     float[] gainX = new float[0];
 
     float[] gainY = new float[0];
     float[] gainOmega = new float[0];
     int[] kind = new int[0];
 
-    /** The same of a body, also of one that sleeps. */
-    float[] ownGainX = new float[0];
-
-    float[] ownGainY = new float[0];
-    float[] ownGainOmega = new float[0];
-
     /** Of a body: whether it sleeps. */
     boolean[] asleep = new boolean[0];
 
     /** Of a piece that lets pass what comes from behind. */
     boolean[] oneWay = new boolean[0];
+
+    /** Those that {@link #add} sets to 0. */
+    private float[][] zeroAtFirst = {};
 
     int[] firstCorner = new int[0];
     int[] corners = new int[0];
@@ -130,36 +127,14 @@ final class RigidThings {
         id[t] = itsId;
         x[t] = atX;
         y[t] = atY;
-        dx[t] = 0f;
-        dy[t] = 0f;
         angle[t] = 0;
-        turned[t] = 0f;
+        for (float[] each : zeroAtFirst) {
+            each[t] = 0f;
+        }
         cos[t] = 1f;
-        sin[t] = 0f;
-        vx[t] = 0f;
-        vy[t] = 0f;
-        omega[t] = 0f;
-        beforeX[t] = 0f;
-        beforeY[t] = 0f;
-        beforeOmega[t] = 0f;
-        w[t] = 0f;
-        i[t] = 0f;
-        ownW[t] = 0f;
-        ownI[t] = 0f;
-        thin[t] = 0f;
         reach[t] = Float.POSITIVE_INFINITY;
-        restitution[t] = 0f;
-        friction[t] = 0f;
-        rolling[t] = 0f;
-        belt[t] = 0f;
-        gainX[t] = 0f;
-        gainY[t] = 0f;
-        gainOmega[t] = 0f;
-        ownGainX[t] = 0f;
-        ownGainY[t] = 0f;
-        ownGainOmega[t] = 0f;
-        asleep[t] = false;
         kind[t] = 0;
+        asleep[t] = false;
         oneWay[t] = false;
         shape[t] = null;
         firstCorner[t] = cornerCount;
@@ -199,9 +174,6 @@ final class RigidThings {
         gainX = Arrays.copyOf(gainX, n);
         gainY = Arrays.copyOf(gainY, n);
         gainOmega = Arrays.copyOf(gainOmega, n);
-        ownGainX = Arrays.copyOf(ownGainX, n);
-        ownGainY = Arrays.copyOf(ownGainY, n);
-        ownGainOmega = Arrays.copyOf(ownGainOmega, n);
         asleep = Arrays.copyOf(asleep, n);
         kind = Arrays.copyOf(kind, n);
         oneWay = Arrays.copyOf(oneWay, n);
@@ -210,6 +182,30 @@ final class RigidThings {
         corners = Arrays.copyOf(corners, n);
         firstLine = Arrays.copyOf(firstLine, n);
         lines = Arrays.copyOf(lines, n);
+        zeroAtFirst = new float[][] {
+            dx,
+            dy,
+            turned,
+            sin,
+            vx,
+            vy,
+            omega,
+            beforeX,
+            beforeY,
+            beforeOmega,
+            w,
+            i,
+            ownW,
+            ownI,
+            thin,
+            restitution,
+            friction,
+            rolling,
+            belt,
+            gainX,
+            gainY,
+            gainOmega
+        };
     }
 
     private void ensure(int moreCorners, int moreLines) {
@@ -228,6 +224,19 @@ final class RigidThings {
     /** Whether contacts move or turn a thing. */
     boolean gives(int t) {
         return w[t] > 0f || i[t] > 0f;
+    }
+
+    /** What a thing takes of {@link #gainX}. */
+    float gainX(int t) {
+        return asleep[t] ? 0f : gainX[t];
+    }
+
+    float gainY(int t) {
+        return asleep[t] ? 0f : gainY[t];
+    }
+
+    float gainOmega(int t) {
+        return asleep[t] ? 0f : gainOmega[t];
     }
 
     /** Gives the last thing the outline of a body. */
@@ -284,15 +293,18 @@ final class RigidThings {
         return corner[corner(c) + OutlineShape.BEND] > 0f;
     }
 
-    /** The point of a bent core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
+    /** The point of a core that is farthest in a direction, which is a unit: by how much its x differs from that of the corner. */
     float bentX(int c, float nx, float ny) {
-        int end = endOf(c, nx, ny);
-        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? nx : turnedCorner[corner(c) + end]);
+        return isBent(c) ? bent(c, endOf(c, nx, ny), nx) : 0f;
     }
 
     float bentY(int c, float nx, float ny) {
-        int end = endOf(c, nx, ny);
-        return turnedCorner[corner(c) + OutlineShape.BEND] * (end == 0 ? ny : turnedCorner[corner(c) + end + 1]);
+        return isBent(c) ? bent(c, endOf(c, nx, ny) + 1, ny) : 0f;
+    }
+
+    private float bent(int c, int end, float along) {
+        int at = corner(c);
+        return turnedCorner[at + OutlineShape.BEND] * (end < OutlineShape.FROM_X ? along : turnedCorner[at + end]);
     }
 
     /** The end of a cone that is nearer to a direction beyond it, as the number of an element; 0 if the cone has the direction. */
@@ -446,6 +458,6 @@ final class RigidThings {
     }
 
     long bytes() {
-        return 141L * type.length + 8L * (corner.length + line.length);
+        return 129L * type.length + 8L * (corner.length + line.length);
     }
 }

@@ -66,11 +66,12 @@ final class RigidVisits {
     /** By worker: whether it has met some. */
     private final boolean[] minusZero;
 
-    private final Team.Work measure = this::measure;
-    private final Team.Work visit = this::visit;
-    private final Team.Work begin = this::begin;
-    private final Team.Work warmStart = this::warmStart;
-    private final Team.Work lookAhead = this::lookAhead;
+    private final Team.Share begin = this::begin;
+    private final Team.Share findPlain = this::findPlain;
+    private final Team.Share measure = this::measure;
+    private final Team.Share warmStart = this::warmStart;
+    private final Team.Share lookAhead = this::lookAhead;
+    private final Team.Share visit = this::visitOfColour;
 
     RigidVisits(
             RigidContacts contacts, RigidPairs pairs, RigidRules rules, RigidOrder order, Team team, int leastShare) {
@@ -111,35 +112,29 @@ final class RigidVisits {
             plain = new boolean[2 * order.firstWithCircle];
             mayBounce = new boolean[2 * order.firstWithCircle];
         }
-        team.together(begin);
+        team.share(contacts.count, 0, begin);
+        team.share(order.firstWithCircle, 0, findPlain);
     }
 
-    private void begin(int worker) {
-        int end = team.part(contacts.count, worker + 1);
-        for (int c = team.part(contacts.count, worker); c < end; c++) {
+    private void begin(int worker, int from, int end) {
+        for (int c = from; c < end; c++) {
             rules.begin(c);
         }
-        int endPair = team.part(order.firstWithCircle, worker + 1);
-        for (int p = team.part(order.firstWithCircle, worker); p < endPair; p++) {
+    }
+
+    private void findPlain(int worker, int from, int end) {
+        for (int p = from; p < end; p++) {
             plain[p] = ofPairs.has(contacts.firstOf[p], contacts.firstOf[p + 1]);
         }
     }
 
     /** Measures contacts as their things have moved. */
     void measure() {
-        if (contacts.count < leastShare * team.size()) {
-            measure(0, contacts.count);
-        } else {
-            team.together(measure);
-        }
+        team.share(contacts.count, leastShare, measure);
     }
 
-    private void measure(int worker) {
-        measure(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
-    }
-
-    private void measure(int begin, int end) {
-        for (int c = begin; c < end; c++) {
+    private void measure(int worker, int from, int end) {
+        for (int c = from; c < end; c++) {
             contacts.measures.measure(c);
             rules.setMasses(c);
         }
@@ -151,16 +146,12 @@ final class RigidVisits {
         if (contacts.count < leastShare * team.size()) {
             warmStart(0, 0, things.count);
         } else {
-            team.together(warmStart);
+            team.share(things.count, 0, warmStart);
         }
         gripsMinusZero = false;
         for (int worker = 0; worker < team.size(); worker++) {
             gripsMinusZero |= minusZero[worker];
         }
-    }
-
-    private void warmStart(int worker) {
-        warmStart(worker, team.part(things.count, worker), team.part(things.count, worker + 1));
     }
 
     /** The same for some things: each gets its impulses in the order of the contacts. */
@@ -214,24 +205,15 @@ final class RigidVisits {
     }
 
     // ---- pairs that see each other as they are
-    // -----------------------------------------------------------------------------
 
     void solve() {
         relaxes = false;
-        if (contacts.count < leastShare * team.size()) {
-            lookAhead(0, order.firstWithCircle);
-        } else {
-            team.together(lookAhead);
-        }
+        team.share(order.firstWithCircle, leastShare / 2, lookAhead); // a pair has two contacts, or one
         passByColours();
     }
 
-    private void lookAhead(int worker) {
-        lookAhead(team.part(order.firstWithCircle, worker), team.part(order.firstWithCircle, worker + 1));
-    }
-
     /** Looks at how contacts come together, before impulses. */
-    private void lookAhead(int from, int end) {
+    private void lookAhead(int worker, int from, int end) {
         float[] rows = contacts.rows;
         for (int p = from; p < end; p++) {
             boolean bounces = false;
@@ -264,15 +246,15 @@ final class RigidVisits {
                 from = order.begin(colour);
                 to = order.end(colour);
                 visit(done, from);
-                team.together(visit);
+                team.share(to - from, 0, visit);
                 done = to;
             }
         }
         visit(done, order.count);
     }
 
-    private void visit(int worker) {
-        visit(from + team.part(to - from, worker), from + team.part(to - from, worker + 1));
+    private void visitOfColour(int worker, int begin, int end) {
+        visit(from + begin, from + end);
     }
 
     private void visit(int begin, int end) {
@@ -445,7 +427,6 @@ final class RigidVisits {
     }
 
     // ---- circles, which see bodies as they were
-    // ----------------------------------------------------------------------------
 
     /** A pass over the contacts of circles. */
     void passOverCircles(boolean withoutBias) {

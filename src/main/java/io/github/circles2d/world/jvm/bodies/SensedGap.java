@@ -202,7 +202,6 @@ final class SensedGap {
     }
 
     // ---- crossings
-    // ---------------------------------------------------------------------------------------------------------
 
     private boolean cross(int e, int f) {
         boolean isArc = a.edges[e + RADIUS] > 0;

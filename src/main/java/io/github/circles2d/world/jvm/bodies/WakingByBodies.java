@@ -91,7 +91,6 @@ public final class WakingByBodies {
     }
 
     // ---- contacts of the step with circles
-    // ----------------------------------------------------------------------------------
 
     /** The number of contacts; those with circles come last. */
     public int count() {
@@ -122,23 +121,23 @@ public final class WakingByBodies {
     }
 
     public float nx(int c) {
-        return contacts.rows[RigidRow.of(c) + RigidRow.NX];
+        return contacts.value(c, RigidRow.NX);
     }
 
     public float ny(int c) {
-        return contacts.rows[RigidRow.of(c) + RigidRow.NY];
+        return contacts.value(c, RigidRow.NY);
     }
 
     public float gap(int c) {
-        return contacts.rows[RigidRow.of(c) + RigidRow.GAP];
+        return contacts.value(c, RigidRow.GAP);
     }
 
     public float impulse(int c) {
-        return contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE];
+        return contacts.value(c, RigidRow.IMPULSE);
     }
 
     public float grip(int c) {
-        return contacts.rows[RigidRow.of(c) + RigidRow.GRIP];
+        return contacts.value(c, RigidRow.GRIP);
     }
 
     /** How fast the body comes at the point. */
@@ -149,10 +148,8 @@ public final class WakingByBodies {
     /** How fast A comes to B, or B to A. */
     private float approach(int c, boolean ofA) {
         int t = ofA ? contacts.a[c] : contacts.b[c];
-        float armX = ofA ? contacts.rows[RigidRow.of(c) + RigidRow.AX] : contacts.rows[RigidRow.of(c) + RigidRow.BX];
-        float armY = ofA ? contacts.rows[RigidRow.of(c) + RigidRow.AY] : contacts.rows[RigidRow.of(c) + RigidRow.BY];
-        float x = things.vx[t] - things.omega[t] * armY;
-        float y = things.vy[t] + things.omega[t] * armX;
+        float x = things.vx[t] - things.omega[t] * contacts.value(c, ofA ? RigidRow.AY : RigidRow.BY);
+        float y = things.vy[t] + things.omega[t] * contacts.value(c, ofA ? RigidRow.AX : RigidRow.BX);
         if (things.type[t] == RigidStep.BODY_CIRCLE) { // a thing does not know it yet
             int s = CircleRow.of(state.slotOf[things.id[t]]);
             x = state.motion[s + CircleRow.VX];
@@ -164,13 +161,16 @@ public final class WakingByBodies {
             x = things.vx[t];
             y = things.vy[t];
         }
-        float speed = x * contacts.rows[RigidRow.of(c) + RigidRow.NX] + y * contacts.rows[RigidRow.of(c) + RigidRow.NY];
-        return (ofA ? -1f : 1f) * speed + (turnsFar ? spin * things.reach[t] : 0f);
+        return (ofA ? -1f : 1f) * (x * nx(c) + y * ny(c)) + (turnsFar ? spin * things.reach[t] : 0f);
     }
 
     /** One over the effective mass of the body alone. */
     public float inverseMass(int c) {
-        return isA(c) ? rules.massOfB(c) : rules.massOfA(c);
+        return inverseMass(c, !isA(c));
+    }
+
+    private float inverseMass(int c, boolean ofA) {
+        return ofA ? rules.massOfA(c) : rules.massOfB(c);
     }
 
     public float restitution(int c) {
@@ -178,7 +178,6 @@ public final class WakingByBodies {
     }
 
     // ---- contacts that stay
-    // ------------------------------------------------------------------------------------------------
 
     /** The first contact at rest of a circle, as an entry; -1 behind the last one. */
     public int firstOf(int circle) {
@@ -195,7 +194,6 @@ public final class WakingByBodies {
     }
 
     // ---- who wakes
-    // ---------------------------------------------------------------------------------------------------------
 
     /** Before circles are looked at; contacts have been found. */
     public void begin(RigidStep ofStep, StepConstants constants) {
@@ -325,7 +323,7 @@ public final class WakingByBodies {
     }
 
     private float gain(int t) {
-        return CircleMath.length(things.ownGainX[t], things.ownGainY[t]);
+        return CircleMath.length(things.gainX[t], things.gainY[t]);
     }
 
     private float gainOfStep(int t) {
@@ -351,37 +349,21 @@ public final class WakingByBodies {
         borders[id] = true;
         look(id);
         press(c, asA);
-        float own = asA ? rules.massOfA(c) : rules.massOfB(c);
-        if (things.gives(other)) {
-            float its = asA ? rules.massOfB(c) : rules.massOfA(c);
-            push(
-                    id,
-                    hit(
-                            t,
-                            own,
-                            its,
-                            approach(c, !asA),
-                            contacts.rows[RigidRow.of(c) + RigidRow.GAP],
-                            restitution(c),
-                            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]));
-        } else {
-            push(id, strong(t)); // it moves by itself
-        }
+        float own = inverseMass(c, asA);
+        float its = inverseMass(c, !asA);
+        boolean gives = things.gives(other); // else it moves by itself
+        push(id, gives ? hit(t, own, its, approach(c, !asA), gap(c), restitution(c), impulse(c)) : strong(t));
     }
 
     /** Adds what presses a body at a contact. */
     private void press(int c, boolean asA) {
         int t = asA ? contacts.a[c] : contacts.b[c];
         float side = asA ? 1f : -1f;
-        float x = side
-                * (contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]
-                        - contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
-        float y = side
-                * (contacts.rows[RigidRow.of(c) + RigidRow.NY] * contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]
-                        + contacts.rows[RigidRow.of(c) + RigidRow.NX] * contacts.rows[RigidRow.of(c) + RigidRow.GRIP]);
-        float armX = asA ? contacts.rows[RigidRow.of(c) + RigidRow.AX] : contacts.rows[RigidRow.of(c) + RigidRow.BX];
-        float armY = asA ? contacts.rows[RigidRow.of(c) + RigidRow.AY] : contacts.rows[RigidRow.of(c) + RigidRow.BY];
-        add(t, x, y, armX * y - armY * x, contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE]);
+        float x = side * (nx(c) * impulse(c) - ny(c) * grip(c));
+        float y = side * (ny(c) * impulse(c) + nx(c) * grip(c));
+        float armX = contacts.value(c, asA ? RigidRow.AX : RigidRow.BX);
+        float armY = contacts.value(c, asA ? RigidRow.AY : RigidRow.BY);
+        add(t, x, y, armX * y - armY * x, impulse(c));
     }
 
     private void add(int t, float x, float y, float spin, float load) {
@@ -401,18 +383,25 @@ public final class WakingByBodies {
     /** Adds the contacts that stay. */
     private void pressByResting(int id) {
         for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
-            int c = measure(e);
+            int c = measureScaled(e);
             if (c >= 0) {
-                scale(c);
-                press(c, things.type[contacts.a[c]] == RigidStep.BODY_BODY && things.id[contacts.a[c]] == id);
+                press(c, isBody(contacts.a[c], id));
             }
         }
     }
 
-    /** This step goes on from other impulses if its length is another one. */
-    private void scale(int c) {
-        contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] *= k.warmScale;
-        contacts.rows[RigidRow.of(c) + RigidRow.GRIP] *= k.warmScale;
+    private boolean isBody(int t, int id) {
+        return things.type[t] == RigidStep.BODY_BODY && things.id[t] == id;
+    }
+
+    /** The same as {@link #measure}; this step goes on from other impulses if its length is another one. */
+    private int measureScaled(int entry) {
+        int c = measure(entry);
+        if (c >= 0) {
+            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE] *= k.warmScale;
+            contacts.rows[RigidRow.of(c) + RigidRow.GRIP] *= k.warmScale;
+        }
+        return c;
     }
 
     private void judge(int id) {
@@ -425,12 +414,12 @@ public final class WakingByBodies {
 
     private float outOfBalance(int id, int t) {
         RigidExtras of = bodies.extras;
-        float gainX = things.ownGainX[t];
-        float gainY = things.ownGainY[t];
+        float gainX = things.gainX[t];
+        float gainY = things.gainY[t];
         float gain = gain(t);
         float thin = things.thin[t];
         float reach = things.reach[t];
-        float spinGain = reach * things.ownGainOmega[t];
+        float spinGain = reach * things.gainOmega[t];
         float knownX = of.real(id, RigidExtras.DRIFT_X);
         float knownY = of.real(id, RigidExtras.DRIFT_Y);
         float knownSpin = reach * of.real(id, RigidExtras.KNOWN_SPIN);
@@ -454,14 +443,13 @@ public final class WakingByBodies {
         rest = balanced ? Sleep.ASLEEP : rest - 1;
         bodies.setRest(id, rest, offset, strict ? gainX * k.inverseH : knownX, strict ? gainY * k.inverseH : knownY);
         bodies.setSpinOfRest(
-                id, strict ? things.ownGainOmega[t] * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
+                id, strict ? things.gainOmega[t] * k.inverseH : of.real(id, RigidExtras.KNOWN_SPIN), spinOffset);
         return !balanced && Sleep.losesPatience(strict, gain, b, Sleep.ASLEEP - rest)
                 ? Sleep.imbalanceOfStep(b, k.subSteps, thin, k.dt)
                 : 0f;
     }
 
     // ---- by joints
-    // ---------------------------------------------------------------------------------------------------------
 
     boolean isLookedAt(int t) {
         return looked[things.id[t]] == step;
@@ -486,7 +474,6 @@ public final class WakingByBodies {
     }
 
     // ---- rings
-    // -------------------------------------------------------------------------------------------------------------
 
     private void addWoken(int id) {
         woken = withRoom(woken, wokenCount);
@@ -509,23 +496,13 @@ public final class WakingByBodies {
         for (int n = ringFrom; n < wokenCount; n++) {
             int id = woken[n];
             for (int e = resting.firstOfBody(bodies, id); e >= 0; e = resting.next(e)) {
-                int c = measure(e);
-                if (c < 0) {
-                    continue;
-                }
-                scale(c);
-                boolean asA = things.type[contacts.a[c]] == RigidStep.BODY_BODY && things.id[contacts.a[c]] == id;
-                int other = asA ? contacts.b[c] : contacts.a[c];
-                float own = asA ? rules.massOfA(c) : rules.massOfB(c);
-                if (things.type[other] == RigidStep.BODY_BODY) {
-                    passOn(speed[id], c, !asA, own);
-                } else if (things.type[other] == RigidStep.BODY_CIRCLE) {
-                    circles.reachFromBody(
-                            things.id[other],
-                            speed[id],
-                            contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
-                            contacts.rows[RigidRow.of(c) + RigidRow.GAP],
-                            own);
+                int c = measureScaled(e);
+                boolean asA = c >= 0 && isBody(contacts.a[c], id);
+                int type = c < 0 ? -1 : things.type[asA ? contacts.b[c] : contacts.a[c]];
+                if (type == RigidStep.BODY_BODY) {
+                    passOn(speed[id], c, !asA, inverseMass(c, asA));
+                } else if (type == RigidStep.BODY_CIRCLE) {
+                    circles.reachFromBody(circle(c), speed[id], impulse(c), gap(c), inverseMass(c, asA));
                 }
             }
             joints.passOn(pairs.bodyThing(id), speed[id], this);
@@ -535,9 +512,8 @@ public final class WakingByBodies {
     /** What woke a circle reaches bodies. */
     public void passOnFrom(int circle, float itsSpeed) {
         for (int e = resting.firstOfCircle(bodies, circle); e >= 0; e = resting.next(e)) {
-            int c = measure(e);
+            int c = measureScaled(e);
             if (c >= 0) {
-                scale(c);
                 boolean bodyIsA = !isA(c);
                 passOn(itsSpeed, c, bodyIsA, things.ownW[bodyIsA ? contacts.b[c] : contacts.a[c]]);
             }
@@ -547,14 +523,7 @@ public final class WakingByBodies {
     /** To the body that is A, or B, of a contact. */
     private void passOn(float itsSpeed, int c, boolean toA, float its) {
         int t = toA ? contacts.a[c] : contacts.b[c];
-        float own = toA ? rules.massOfA(c) : rules.massOfB(c);
-        passOn(
-                t,
-                itsSpeed,
-                contacts.rows[RigidRow.of(c) + RigidRow.IMPULSE],
-                contacts.rows[RigidRow.of(c) + RigidRow.GAP],
-                own,
-                its);
+        passOn(t, itsSpeed, impulse(c), gap(c), inverseMass(c, toA), its);
     }
 
     /** What woke the other end of a contact or joint reaches a body, if that sleeps. */

@@ -27,6 +27,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.AnchorRow;
 import io.github.circles2d.world.model.CircleMath;
@@ -34,15 +35,12 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
 import io.github.circles2d.world.model.JointSpring;
-import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 
 /** The joint of a visit: what it is, where its ends are, and how they move. */
-final class JointView {
+final class JointView extends VisitedJoint {
     private final State state;
-    JointStep joints;
-    StepConstants k;
 
     /** By place in the order, {@link JointWork}. */
     float[] work;
@@ -52,30 +50,12 @@ final class JointView {
     // ---- rows of the joint and of its circles
 
     int o;
-    int row;
-    int traits;
-    int kept;
     int a;
 
     /** Negative if it has none. */
     int b;
 
-    private int form;
     private int still;
-
-    // ---- what it has measured
-
-    /** Velocity of B against A, and that as the sub-step began. */
-    float vx;
-
-    float vy;
-    float begunX;
-    float begunY;
-
-    /** Inverse masses of both, as the visit sees them, and the effective mass. */
-    float inverse;
-
-    float mass;
 
     /** Angular velocities of both, and what an angular impulse adds to them, as the visit sees them. */
     float omegaA;
@@ -88,20 +68,15 @@ final class JointView {
         this.state = state;
     }
 
-    void begin(JointStep step, StepConstants constants, float[] itsWork, int[] itsSlots) {
-        joints = step;
-        k = constants;
+    void begin(JointStep step, JointStates itsStates, StepConstants constants, float[] itsWork, int[] itsSlots) {
+        begin(step, itsStates, constants);
         work = itsWork;
         slots = itsSlots;
     }
 
     void take(int place) {
-        int joint = joints.order[place];
+        takeJoint(joints.order[place]);
         o = JointWork.of(place);
-        row = JointRow.of(joint);
-        traits = JointRow.traits(joint);
-        kept = JointState.of(joint);
-        form = joints.traits[traits + JointRow.FORM];
         a = CircleRow.of(slots[JointWork.slots(place) + JointWork.A]);
         b = CircleRow.of(slots[JointWork.slots(place) + JointWork.B]);
         still = slots[JointWork.slots(place) + JointWork.STILL];
@@ -124,8 +99,8 @@ final class JointView {
             work[o + BASE_Y] = state.differenceY(CircleRow.slot(a), CircleRow.slot(b));
             radius = CircleMath.min(radius, state.circle[b + RADIUS]);
         } else {
-            work[o + BASE_X] = across(joints.rows[row + JointRow.ANCHOR_X] - state.circle[a + X], state.periodX);
-            work[o + BASE_Y] = across(joints.rows[row + JointRow.ANCHOR_Y] - state.circle[a + Y], state.periodY);
+            work[o + BASE_X] = across(value(JointRow.ANCHOR_X) - state.circle[a + X], state.periodX);
+            work[o + BASE_Y] = across(value(JointRow.ANCHOR_Y) - state.circle[a + Y], state.periodY);
         }
         work[o + PUSH] = JointMath.greatestPush(radius, k.inverseH);
     }
@@ -163,33 +138,9 @@ final class JointView {
         return b >= 0;
     }
 
-    int linear() {
-        return form & JointRow.LINEAR;
-    }
-
-    int angular() {
-        return form & JointRow.ANGULAR;
-    }
-
-    boolean has(int flag) {
-        return (form & flag) != 0;
-    }
-
     /** Whether it turns circles. */
     boolean turns() {
         return angular() != 0 || has(JointRow.ACROSS);
-    }
-
-    private int spring() {
-        return JointSpring.of(joints.traits[traits + JointRow.SPRING]);
-    }
-
-    float ofSpring(int word) {
-        return joints.springs[spring() + word];
-    }
-
-    private boolean hasExactSpring() {
-        return ofSpring(JointSpring.EXACT) != 0f;
     }
 
     /** Whether its linear part is an exact spring, whose impulses are not kept. */
@@ -250,20 +201,14 @@ final class JointView {
                 turned(b));
         float cos = JointMath.cosOfUnits(turn);
         float sin = JointMath.sinOfUnits(turn);
-        float directionX = joints.rows[row + JointRow.DIRECTION_X];
-        float directionY = joints.rows[row + JointRow.DIRECTION_Y];
+        float directionX = value(JointRow.DIRECTION_X);
+        float directionY = value(JointRow.DIRECTION_Y);
         return (cos * directionX - sin * directionY) * y - (sin * directionX + cos * directionY) * x;
     }
 
     /** How far A has turned against B, in radians. */
     float turnedAway() {
-        return JointMath.turnedAway(
-                angle(a),
-                joints.traits[traits + JointRow.REFERENCE_A],
-                turned(a),
-                angle(b),
-                joints.traits[traits + JointRow.REFERENCE_B],
-                turned(b));
+        return turnedAway(angle(a), turned(a), angle(b), turned(b));
     }
 
     private int angle(int circle) {
@@ -284,10 +229,7 @@ final class JointView {
         if (linear() == JointRow.POINT) {
             return has(JointRow.RIGID) ? CircleMath.length(work[o + NORMAL_X], work[o + NORMAL_Y]) : 0f;
         }
-        float d = work[o + DISTANCE];
-        float strain = has(JointRow.RIGID) ? Math.abs(d - joints.rows[row + JointRow.LENGTH]) : 0f;
-        strain = has(JointRow.LOWER) ? CircleMath.max(joints.rows[row + JointRow.MIN_LENGTH] - d, strain) : strain;
-        return has(JointRow.UPPER) ? CircleMath.max(d - joints.rows[row + JointRow.MAX_LENGTH], strain) : strain;
+        return strain(work[o + DISTANCE]);
     }
 
     // ---- how they move

@@ -9,17 +9,11 @@ import static io.github.circles2d.world.model.JointState.ACROSS;
 import static io.github.circles2d.world.model.JointState.ANGULAR;
 import static io.github.circles2d.world.model.JointState.AXIAL;
 import static io.github.circles2d.world.model.JointState.LOWER;
-import static io.github.circles2d.world.model.JointState.SUM_ANGULAR;
-import static io.github.circles2d.world.model.JointState.SUM_X;
-import static io.github.circles2d.world.model.JointState.SUM_Y;
 import static io.github.circles2d.world.model.JointState.UPPER;
 
 import io.github.circles2d.world.jvm.state.JointStates;
-import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.JointMath;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.JointSpring;
-import io.github.circles2d.world.model.Softness;
 import io.github.circles2d.world.model.Velocity;
 
 /**
@@ -89,31 +83,12 @@ final class JointVisits {
 
     /** Along the line from A to B, with or without bias. */
     private void along(boolean biased) {
-        float[] q = states.rows;
-        int kept = view.kept;
         float nx = view.work[view.o + NORMAL_X];
         float ny = view.work[view.o + NORMAL_Y];
-        float d = view.work[view.o + DISTANCE];
-        float v = CircleMath.dot(nx, ny, view.vx, view.vy);
-        float sum = 0f;
-        if (view.has(JointRow.RIGID) || biased && view.has(JointRow.ELASTIC)) {
-            float change = biased ? solveLength(v, d) : relaxAxis(AXIAL, v);
-            sum += change;
-            v += view.inverse * change;
-        }
-        if (view.has(JointRow.LOWER)) {
-            float before = q[kept + LOWER];
-            float next = limit(biased, before, v, d - view.joints.rows[view.row + JointRow.MIN_LENGTH]);
-            q[kept + LOWER] = next;
-            sum += next - before;
-            v += view.inverse * (next - before);
-        }
-        if (view.has(JointRow.UPPER)) {
-            float before = q[kept + UPPER];
-            float next = limit(biased, before, -1f * v, view.joints.rows[view.row + JointRow.MAX_LENGTH] - d);
-            q[kept + UPPER] = next;
-            sum -= next - before;
-        }
+        boolean exact = view.isLinearExact();
+        float springMass = exact ? view.springMass() : 0f;
+        float most = view.work[view.o + PUSH];
+        float sum = view.along(biased, exact, springMass, nx, ny, view.work[view.o + DISTANCE], most);
         push.x = nx * sum;
         push.y = ny * sum;
         if (view.has(JointRow.ACROSS)) {
@@ -121,31 +96,14 @@ final class JointVisits {
         }
     }
 
-    private float solveLength(float v, float d) {
-        float nx = view.work[view.o + NORMAL_X];
-        float ny = view.work[view.o + NORMAL_Y];
-        float begun = CircleMath.dot(nx, ny, view.begunX, view.begunY);
-        float change = solveAxis(AXIAL, v, begun, d - view.joints.rows[view.row + JointRow.LENGTH]);
-        if (view.isLinearExact()) {
-            states.rows[view.kept + SUM_X] += nx * change;
-            states.rows[view.kept + SUM_Y] += ny * change;
-        }
-        return change;
-    }
-
-    private float limit(boolean biased, float before, float v, float gap) {
-        return biased
-                ? JointMath.solvedLimit(
-                        before, view.mass, v, gap, view.k.inverseH, view.k.jointSoftness, view.work[view.o + PUSH])
-                : JointMath.relaxedLimit(before, view.mass, v, gap, view.k.inverseH);
-    }
-
     private void across(boolean biased) {
         float before = states.rows[view.kept + ACROSS];
         float m = view.acrossMass();
         float v = view.speedAcross();
-        float next =
-                biased ? hold(before, m, v, view.work[view.o + DIRECTION]) : JointMath.relaxedImpulse(before, m, v);
+        float[] w = view.work;
+        float next = biased
+                ? JointMath.heldImpulse(before, m, v, w[view.o + DIRECTION], view.k.jointSoftness, w[view.o + PUSH])
+                : JointMath.relaxedImpulse(before, m, v);
         states.rows[view.kept + ACROSS] = next;
         float change = next - before;
         push.x -= view.work[view.o + NORMAL_Y] * change;
@@ -153,69 +111,30 @@ final class JointVisits {
         push.both = -0.5f * view.work[view.o + DISTANCE] * change;
     }
 
-    private float hold(float before, float m, float v, float c) {
-        return JointMath.heldImpulse(before, m, v, c, view.k.jointSoftness, view.work[view.o + PUSH]);
-    }
-
-    /** One axis with bias; returns how much its impulse has changed. An exact spring keeps none. */
-    private float solveAxis(int which, float v, float begun, float c) {
-        float before = states.rows[view.kept + which];
-        if (view.isLinearExact()) {
-            return exact(view.springMass(), v, begun, c);
-        }
-        float next = view.has(JointRow.RIGID) ? hold(before, view.mass, v, c) : implicit(before, view.mass, v, c);
-        states.rows[view.kept + which] = next;
-        return next - before;
-    }
-
-    private float exact(float m, float v, float begun, float c) {
-        return JointMath.springImpulse(
-                m,
-                v,
-                begun,
-                c,
-                view.ofSpring(JointSpring.NOW),
-                view.ofSpring(JointSpring.BEGUN),
-                view.ofSpring(JointSpring.WAY));
-    }
-
-    private float implicit(float before, float m, float v, float c) {
-        return JointMath.solvedImpulse(
-                before,
-                m,
-                v,
-                c,
-                view.ofSpring(JointSpring.MASS_SCALE),
-                view.ofSpring(JointSpring.BIAS_RATE),
-                view.ofSpring(JointSpring.IMPULSE_SCALE));
-    }
-
     private void solvePoint() {
-        float[] q = states.rows;
-        float beforeX = q[view.kept + AXIAL];
-        float beforeY = q[view.kept + ACROSS];
-        float changeX = solveAxis(AXIAL, view.vx, view.begunX, view.work[view.o + NORMAL_X]);
-        float changeY = solveAxis(ACROSS, view.vy, view.begunY, view.work[view.o + NORMAL_Y]);
+        float[] w = view.work;
         if (view.isLinearExact()) {
-            float share = Velocity.shareWithin(changeX, changeY, greatestImpulse());
+            float m = view.springMass();
+            float changeX = view.exact(m, view.vx, view.begunX, w[view.o + NORMAL_X]);
+            float changeY = view.exact(m, view.vy, view.begunY, w[view.o + NORMAL_Y]);
+            float share = Velocity.shareWithin(changeX, changeY, view.greatestImpulse());
             push.x = changeX * share;
             push.y = changeY * share;
-            q[view.kept + SUM_X] += push.x;
-            q[view.kept + SUM_Y] += push.y;
+            view.addToSums(push.x, push.y, 0f);
         } else {
+            float beforeX = states.rows[view.kept + AXIAL];
+            float beforeY = states.rows[view.kept + ACROSS];
+            view.solveAxis(AXIAL, view.vx, w[view.o + NORMAL_X], w[view.o + PUSH]);
+            view.solveAxis(ACROSS, view.vy, w[view.o + NORMAL_Y], w[view.o + PUSH]);
             keepWithin(beforeX, beforeY);
         }
-    }
-
-    private float greatestImpulse() {
-        return view.joints.rows[view.row + JointRow.MAX_FORCE] * view.k.h;
     }
 
     /** Cuts a force that is too great, and gives the change. */
     private void keepWithin(float beforeX, float beforeY) {
         float[] q = states.rows;
         int kept = view.kept;
-        float share = Velocity.shareWithin(q[kept + AXIAL], q[kept + ACROSS], greatestImpulse());
+        float share = Velocity.shareWithin(q[kept + AXIAL], q[kept + ACROSS], view.greatestImpulse());
         q[kept + AXIAL] *= share;
         q[kept + ACROSS] *= share;
         push.x = q[kept + AXIAL] - beforeX;
@@ -223,36 +142,11 @@ final class JointVisits {
     }
 
     private void solveTurning() {
-        if (view.angular() == 0 || view.angular() == JointRow.TURN_SPEED) {
-            return;
+        if (view.angular() != 0 && view.angular() != JointRow.TURN_SPEED) {
+            float turnMass = JointMath.jointMass(view.turnA + view.turnB);
+            float omega = view.omegaA - view.omegaB;
+            twist(view.solveTurning(view.isAngularExact(), turnMass, omega, view.turnedAway()));
         }
-        float away = view.turnedAway();
-        float before = states.rows[view.kept + ANGULAR];
-        Softness soft = view.k.jointSoftness;
-        float turnMass = JointMath.jointMass(view.turnA + view.turnB);
-        float omega = view.omegaA - view.omegaB;
-        if (view.angular() == JointRow.TURN_RIGID) {
-            giveTwist(
-                    before,
-                    JointMath.solvedImpulse(
-                            before, turnMass, omega, away, soft.massScale, soft.biasRate, soft.impulseScale));
-        } else if (view.isAngularExact()) {
-            twist(heldTwist(exact(turnMass, omega, omega, away)));
-            states.rows[view.kept + SUM_ANGULAR] += push.twist;
-        } else {
-            giveTwist(before, implicit(before, turnMass, omega, away));
-        }
-    }
-
-    private float heldTwist(float impulse) {
-        float limit = view.joints.rows[view.row + JointRow.MAX_TORQUE] * view.k.h;
-        return CircleMath.clamp(impulse, -limit, limit);
-    }
-
-    private void giveTwist(float before, float next) {
-        float held = heldTwist(next);
-        states.rows[view.kept + ANGULAR] = held;
-        twist(held - before);
     }
 
     private void twist(float impulse) {
@@ -268,59 +162,30 @@ final class JointVisits {
         begin(place);
         view.measure(sub + 1);
         view.look(sub + 1);
-        relaxTurning();
+        if (view.relaxesTurning()) {
+            twist(view.relaxTurning(JointMath.jointMass(view.turnA + view.turnB), view.omegaA - view.omegaB));
+        }
         if (view.linear() == JointRow.AXIAL) {
             along(false);
         } else if (view.linear() == JointRow.DRAG || view.linear() == JointRow.POINT && view.has(JointRow.RIGID)) {
             float beforeX = states.rows[view.kept + AXIAL];
             float beforeY = states.rows[view.kept + ACROSS];
-            relaxAxis(AXIAL, view.vx);
-            relaxAxis(ACROSS, view.vy);
+            view.relaxAxis(AXIAL, view.vx);
+            view.relaxAxis(ACROSS, view.vy);
             keepWithin(beforeX, beforeY);
         }
-    }
-
-    private void relaxTurning() {
-        if (view.angular() == 0) {
-            return;
-        }
-        float before = states.rows[view.kept + ANGULAR];
-        float turnMass = JointMath.jointMass(view.turnA + view.turnB);
-        float omega = view.omegaA - view.omegaB;
-        if (view.angular() == JointRow.TURN_RIGID) {
-            giveTwist(before, JointMath.relaxedImpulse(before, turnMass, omega));
-        } else if (view.angular() == JointRow.TURN_SPEED) {
-            float speed = view.joints.rows[view.row + JointRow.SPEED];
-            giveTwist(before, JointMath.relaxedImpulse(before, turnMass, omega - speed));
-        }
-    }
-
-    /** One axis without bias; returns how much its impulse has changed. */
-    private float relaxAxis(int which, float v) {
-        float before = states.rows[view.kept + which];
-        float next = JointMath.relaxedImpulse(before, view.mass, v);
-        states.rows[view.kept + which] = next;
-        return next - before;
     }
 
     /** Behind the relaxing pass of a joint: adds up the impulses that it keeps, and gives them, as the next sub-step begins with them. */
     void end(int place) {
         begin(place);
         all();
-        float[] q = states.rows;
-        q[view.kept + SUM_X] += push.x;
-        q[view.kept + SUM_Y] += push.y;
-        q[view.kept + SUM_ANGULAR] += push.twist;
+        view.addToSums(push.x, push.y, push.twist);
     }
 
     /** Whether a joint breaks by what it did in the step. */
     boolean breaks(int place) {
         begin(place);
-        float[] q = states.rows;
-        float force = CircleMath.length(q[view.kept + SUM_X], q[view.kept + SUM_Y]);
-        float torque = Math.abs(q[view.kept + SUM_ANGULAR]);
-        return view.has(JointRow.BREAKABLE)
-                && (force > view.joints.rows[view.row + JointRow.BREAK_FORCE] * view.k.dt
-                        || torque > view.joints.rows[view.row + JointRow.BREAK_TORQUE] * view.k.dt);
+        return view.breaks();
     }
 }

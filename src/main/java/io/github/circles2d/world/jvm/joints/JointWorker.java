@@ -8,7 +8,6 @@ import io.github.circles2d.world.jvm.state.JointStates;
 import io.github.circles2d.world.jvm.state.State;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.JointRow;
-import io.github.circles2d.world.model.JointState;
 import io.github.circles2d.world.model.JointStep;
 import io.github.circles2d.world.model.StepConstants;
 
@@ -40,7 +39,7 @@ final class JointWorker {
         k = constants;
         work = itsWork;
         slots = itsSlots;
-        view.begin(step, constants, itsWork, itsSlots);
+        view.begin(step, states, constants, itsWork, itsSlots);
     }
 
     /**
@@ -64,23 +63,8 @@ final class JointWorker {
         slots[at + JointWork.KIND] = kind(place);
         work[JointWork.of(place) + JointWork.SHARE_A] = 1f;
         work[JointWork.of(place) + JointWork.SHARE_B] = 1f;
-        float[] q = states.rows;
-        int kept = JointState.of(joint);
-        q[kept + JointState.AXIAL] *= k.warmScale;
-        q[kept + JointState.ACROSS] *= k.warmScale;
-        q[kept + JointState.LOWER] *= k.warmScale;
-        q[kept + JointState.UPPER] *= k.warmScale;
-        q[kept + JointState.ANGULAR] *= k.warmScale;
-        if (view.isLinearExact()) {
-            q[kept + JointState.AXIAL] = 0f;
-            q[kept + JointState.ACROSS] = view.linear() == JointRow.POINT ? 0f : q[kept + JointState.ACROSS];
-        }
-        if (view.isAngularExact()) {
-            q[kept + JointState.ANGULAR] = 0f;
-        }
-        q[kept + JointState.SUM_X] = 0f;
-        q[kept + JointState.SUM_Y] = 0f;
-        q[kept + JointState.SUM_ANGULAR] = 0f;
+        boolean exact = view.isLinearExact();
+        view.scale(exact, exact && view.linear() == JointRow.POINT, view.isAngularExact());
         return true;
     }
 

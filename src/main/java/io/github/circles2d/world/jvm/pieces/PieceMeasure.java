@@ -77,7 +77,15 @@ public final class PieceMeasure {
 
     /** The base of a circle against (X, Y) of a piece. */
     static float offsetX(State state, int slot, float[] rows, int row) {
-        float x = state.circle[CircleRow.of(slot) + X];
+        return offsetX(state, state.circle[CircleRow.of(slot) + X], rows, row);
+    }
+
+    static float offsetY(State state, int slot, float[] rows, int row) {
+        return offsetY(state, state.circle[CircleRow.of(slot) + Y], rows, row);
+    }
+
+    /** A coordinate of anything, likewise. */
+    public static float offsetX(State state, float x, float[] rows, int row) {
         float at = rows[row + PieceRow.X];
         if (!state.wraps) {
             return x - at;
@@ -86,8 +94,7 @@ public final class PieceMeasure {
         return CircleMath.shortWay(x - mid, state.periodX) + (mid - at);
     }
 
-    static float offsetY(State state, int slot, float[] rows, int row) {
-        float y = state.circle[CircleRow.of(slot) + Y];
+    public static float offsetY(State state, float y, float[] rows, int row) {
         float at = rows[row + PieceRow.Y];
         if (!state.wraps) {
             return y - at;

@@ -12,6 +12,7 @@ import io.github.circles2d.world.jvm.state.PieceContactRow;
 import io.github.circles2d.world.jvm.state.PieceContacts;
 import io.github.circles2d.world.jvm.state.Sleepers;
 import io.github.circles2d.world.jvm.state.State;
+import io.github.circles2d.world.jvm.state.WrapImages;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -241,21 +242,12 @@ public final class PieceSearch {
 
         /** Finds the pieces whose boxes meet a box around a place or one of its images. */
         private void walkAll(float x, float y, float m, int from, int to, TerrainStep terrain) {
-            if (!state.wraps) {
-                walk(x - m, y - m, x + m, y + m, from, to, terrain);
-                return;
-            }
-            int timesX = state.periodX < Float.POSITIVE_INFINITY ? 1 : 0;
-            int timesY = state.periodY < Float.POSITIVE_INFINITY ? 1 : 0;
-            for (int u = -timesX; u <= timesX; u++) {
-                for (int v = -timesY; v <= timesY; v++) {
-                    float ax = u == 0 ? x : x + u * state.periodX;
-                    float ay = v == 0 ? y : y + v * state.periodY;
-                    // an image is off by a rounding
-                    float mx = u == 0 ? m : m + Math.abs(ax) * 0x1p-22f + state.periodX * 0x1p-22f;
-                    float my = v == 0 ? m : m + Math.abs(ay) * 0x1p-22f + state.periodY * 0x1p-22f;
-                    walk(ax - mx, ay - my, ax + mx, ay + my, from, to, terrain);
-                }
+            for (int n = 0; n < state.images.count; n++) {
+                float ax = x + state.images.x[n];
+                float ay = y + state.images.y[n];
+                float mx = m + WrapImages.rounding(state.images.x[n], x);
+                float my = m + WrapImages.rounding(state.images.y[n], y);
+                walk(ax - mx, ay - my, ax + mx, ay + my, from, to, terrain);
             }
         }
 

@@ -70,10 +70,14 @@ public final class PieceVisits {
         return contacts.count[slot] > 0;
     }
 
-    /** Whether a piece presses a circle. */
-    public boolean press(int slot) {
+    private float acting(int row) {
+        return ContactRows.actingImpulse(contacts.rows[row + IMPULSE], contacts.rows, row + ROWS, 1);
+    }
+
+    /** Whether the contact of a circle and a piece acts. */
+    public boolean act(int slot) {
         for (int c = contacts.first[slot]; c < contacts.first[slot] + contacts.count[slot]; c++) {
-            if (contacts.rows[PieceContactRow.of(c) + IMPULSE] > 0f) {
+            if (acting(PieceContactRow.of(c)) > 0f) {
                 return true;
             }
         }
@@ -100,7 +104,7 @@ public final class PieceVisits {
             if (rows[row + ALLOWED] < -Tuning.JAMMED * r) {
                 rows[row + IMPULSE] = 0f;
             }
-            if (measure.isConstraint(c) && rows[row + IMPULSE] > 0f) {
+            if (measure.isConstraint(c) && acting(row) > 0f) {
                 m[s + VX] += rows[row + NX] * rows[row + IMPULSE];
                 m[s + VY] += rows[row + NY] * rows[row + IMPULSE];
                 if (k.turning && ContactRows.any(rows, row + ROWS, 1)) {
@@ -295,7 +299,6 @@ public final class PieceVisits {
         int row = PieceContactRow.of(c);
         state.turning.spin[s + SURFACE_SPEED] = otherRows.surfaceSpeed;
         otherRows.give(contacts.rows, row + ROWS, 1);
-        state.motion[s + VX] += -1f * contacts.rows[row + NY] * otherRows.gain;
-        state.motion[s + VY] += contacts.rows[row + NX] * otherRows.gain;
+        otherRows.push(state.motion, s + VX, contacts.rows[row + NX], contacts.rows[row + NY]);
     }
 }

@@ -42,15 +42,21 @@ public final class WallRows {
         return hold(slot, X) | hold(slot, Y);
     }
 
-    /** Whether some wall presses. One that does not holds nothing. */
-    private boolean press(int slot) {
+    /** {@link ContactRows#actingImpulse} of the nearer wall of an axis. */
+    public float acting(int slot, int axis, float normalImpulse) {
+        return ContactRows.actingImpulse(normalImpulse, state.turning.wallRows, at(slot, axis), ContactRows.OF_WALL);
+    }
+
+    /** Whether some wall acts. */
+    private boolean act(int slot) {
         int s = CircleRow.of(slot);
-        return state.traits[s + WALL_X] != 0f || state.traits[s + WALL_Y] != 0f;
+        return acting(slot, X, Math.abs(state.traits[s + WALL_X])) > 0f
+                || acting(slot, Y, Math.abs(state.traits[s + WALL_Y])) > 0f;
     }
 
     /** The warm start of both axes. */
     public void start(int slot, float sideX, float sideY) {
-        if (press(slot)) {
+        if (act(slot)) {
             start(slot, X, sideX);
             start(slot, Y, sideY);
         }
@@ -58,7 +64,7 @@ public final class WallRows {
 
     /** Before {@link WallVisits#leave}. */
     public void leave(int slot) {
-        if (press(slot)) {
+        if (act(slot)) {
             state.turning.forget(slot);
         }
     }
@@ -67,7 +73,8 @@ public final class WallRows {
         if (!hold(slot, axis)) {
             return;
         }
-        if (Walls.wallImpulse(state.traits[CircleRow.of(slot) + WALL_X + axis], side) > 0f) {
+        float normalImpulse = Walls.wallImpulse(state.traits[CircleRow.of(slot) + WALL_X + axis], side);
+        if (acting(slot, axis, normalImpulse) > 0f) {
             take(slot, axis, side);
             rows.warmStart();
             give(slot, axis, side);
@@ -98,7 +105,7 @@ public final class WallRows {
 
     /** The speed against the wall along the tangent, of a velocity along the wall. */
     private float along(int axis, float side, float v) {
-        return tangent(axis, side) * (v - state.turning.surfaces[surface(axis, side) + KindSurface.BELT]);
+        return Walls.tangentAlong(axis, side) * (v - state.turning.surfaces[surface(axis, side) + KindSurface.BELT]);
     }
 
     private void take(int slot, int axis, float side) {
@@ -121,15 +128,10 @@ public final class WallRows {
         int s = CircleRow.of(slot);
         state.turning.spin[s + SURFACE_SPEED] = rows.surfaceSpeed;
         rows.give(state.turning.wallRows, at(slot, axis), ContactRows.OF_WALL);
-        state.motion[s + VX + other(axis)] += tangent(axis, side) * rows.gain;
+        rows.pushAtWall(state.motion, s + VX, axis, side);
     }
 
     private static int other(int axis) {
         return Y - axis;
-    }
-
-    /** The part of the tangent along a wall. */
-    private static float tangent(int axis, float side) {
-        return axis == X ? side : -side;
     }
 }

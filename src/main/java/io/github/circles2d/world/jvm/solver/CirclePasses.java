@@ -157,25 +157,29 @@ final class CirclePasses {
             }
             room[slot] = 0f;
             boolean near = pieces != null && pieces.any(slot);
+            float actingX = turning == null ? wallX : walls.rows.acting(slot, X, Math.abs(wallX));
+            float actingY = turning == null ? wallY : walls.rows.acting(slot, Y, Math.abs(wallY));
             load[s + LOADED] = Branchless.choose(
-                    Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + LOADED_NEXT]);
-            if (near && pieces.press(slot)) {
+                    Branchless.isNotZero(actingX) | Branchless.isNotZero(actingY), 1f, load[s + LOADED_NEXT]);
+            if (near && pieces.act(slot)) {
                 load[s + LOADED] = 1f;
             }
 
             float r = circle[s + RADIUS];
             float sideX = Walls.wallSide(circle[s + X], minX, maxX);
             float sideY = Walls.wallSide(circle[s + Y], minY, maxY);
+            float impulseX = Walls.wallImpulse(wallX, sideX);
+            float impulseY = Walls.wallImpulse(wallY, sideY);
             if (turning != null) {
                 turning.start(slot, k);
                 walls.rows.start(slot, sideX, sideY);
                 nextX = m[s + VX];
                 nextY = m[s + VY];
+                impulseX = walls.rows.acting(slot, X, impulseX);
+                impulseY = walls.rows.acting(slot, Y, impulseY);
             }
             float gapX = Walls.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
             float gapY = Walls.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
-            float impulseX = Walls.wallImpulse(wallX, sideX);
-            float impulseY = Walls.wallImpulse(wallY, sideY);
             int clear = Constraints.staysClear(gapX, impulseX, sideX * nextX, sideX * vx, h, inverseH)
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {

@@ -88,6 +88,13 @@ final class PairRows {
         return hold;
     }
 
+    /** {@link ContactRows#actingImpulse}; rows: null if there are none. */
+    static float acting(PairRows rows, int c, float normalImpulse) {
+        return rows == null
+                ? normalImpulse
+                : ContactRows.actingImpulse(normalImpulse, rows.values, of(c) + IMPULSES, 1);
+    }
+
     /** Whether some row does something. */
     boolean act(int c) {
         float[] v = values;

@@ -37,6 +37,31 @@ import io.github.circles2d.world.model.Tuning;
  * <p>A is the circle of the lower id, B the other; the normal points from A to B. a and b are where their rows begin.
  */
 final class PairVisits {
+    /** Contacts that the relaxing pass works on at a time, by what is still to do with them. */
+    private static final class Block {
+        private static final int SIZE = 256;
+
+        /** Those to visit; once they are, those of them that carry, unless the visits have done all. */
+        private final int[] listed = new int[SIZE];
+
+        /** Number of those that carry. */
+        private int carrying;
+
+        /** Those that got an impulse and do not keep it: {@link Touches} takes it. */
+        private final int[] unkept = new int[SIZE];
+
+        private int unkeptCount;
+
+        private void begin() {
+            carrying = 0;
+            unkeptCount = 0;
+        }
+
+        private void addUnkept(int c) {
+            unkept[unkeptCount++] = c;
+        }
+    }
+
     private final State state;
     private final Contacts contacts;
 
@@ -46,7 +71,7 @@ final class PairVisits {
     /** The rows behind the normal one; null if circles cannot rotate. */
     private PairRows rows;
 
-    private final RelaxedBlock block = new RelaxedBlock();
+    private final Block block = new Block();
 
     private final LikeBodies like;
 
@@ -130,7 +155,8 @@ final class PairVisits {
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addToSums(cross, rows, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
-            if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
+            float acting = PairRows.acting(rows, c, impulse);
+            if (Constraints.carries(acting, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
         }
@@ -271,8 +297,8 @@ final class PairVisits {
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
         boolean sums = cross == null && touches == null && !last;
-        for (int begin = from; begin < to; begin += RelaxedBlock.SIZE) {
-            int end = Math.min(to, begin + RelaxedBlock.SIZE);
+        for (int begin = from; begin < to; begin += Block.SIZE) {
+            int end = Math.min(to, begin + Block.SIZE);
             int open = measureAll(begin, end);
             block.begin();
             if (cross == null) {
@@ -380,7 +406,8 @@ final class PairVisits {
                 next = 0f;
             }
             q[o + NORMAL_IMPULSE] = next;
-            int carries = Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
+            float acting = PairRows.acting(rows, c, next);
+            int carries = Constraints.carries(acting, separation, after, q[o + RESTITUTION_THRESHOLD]);
             if (!sums) {
                 listed[carrying] = c;
                 carrying -= carries;
@@ -435,7 +462,7 @@ final class PairVisits {
             }
             q[o + NORMAL_IMPULSE] = next;
             listed[carrying] = c;
-            carrying -= Constraints.carries(next, separation, after, threshold);
+            carrying -= Constraints.carries(PairRows.acting(rows, c, next), separation, after, threshold);
         }
         block.carrying = carrying;
     }
@@ -475,11 +502,12 @@ final class PairVisits {
     /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
     private void storeImpulses() {
         for (int n = 0; n < block.carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(block.listed[n]) + NORMAL_IMPULSE];
-            if (impulse > 0f) {
-                contacts.storeImpulse(block.listed[n], impulse);
+            int c = block.listed[n];
+            float impulse = contacts.contact[ContactRow.of(c) + NORMAL_IMPULSE];
+            if (PairRows.acting(rows, c, impulse) > 0f) {
+                contacts.storeImpulse(c, impulse);
                 if (rows != null) {
-                    rows.store(block.listed[n]);
+                    rows.store(c);
                 }
             }
         }

@@ -117,6 +117,9 @@ public final class State implements ContactEvents.Sleepers {
 
     public float periodY;
 
+    /** Within a step: where things are seen again. */
+    public final WrapImages images = new WrapImages();
+
     /** Within a step: whether pairs have to be filtered. */
     public boolean filtering;
 
@@ -961,6 +964,7 @@ public final class State implements ContactEvents.Sleepers {
         wraps = next.wraps();
         periodX = next.periodX();
         periodY = next.periodY();
+        images.set(periodX, periodY);
     }
 
     public long hash() {

@@ -19,11 +19,21 @@ public final class Team implements AutoCloseable {
         public void run(int worker);
     }
 
+    /** What each worker does with the items from one to before another, which are its share. */
+    public interface Share {
+        public void run(int worker, int from, int end);
+    }
+
     /** Rounds in which items are dealt out. More would share them more evenly, but short loops cost more. */
     public static final int ROUNDS = 8;
 
     private final int most;
     private final Crew crew;
+
+    // the items that are shared out, and what is done with them
+    private int items;
+    private Share share;
+    private final Work doShare = worker -> share.run(worker, part(items, worker), part(items, worker + 1));
 
     /** Ends the threads; null where there are none. */
     private final Cleaner.Cleanable cleanable;
@@ -125,6 +135,17 @@ public final class Team implements AutoCloseable {
             stage.run(0);
         } else {
             crew.all(stage);
+        }
+    }
+
+    /** Shares out so many items; one worker takes all of less than so many for each. */
+    public void share(int n, int least, Share work) {
+        if (n < least * size) {
+            work.run(0, 0, n);
+        } else {
+            items = n;
+            share = work;
+            together(doShare);
         }
     }
 

@@ -5,14 +5,14 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
 
 /** What rigid bodies may be. */
-public final class RigidRules {
+public final class RigidLimits {
     /** Most bodies of a world. */
     public static final int MOST = 65_536;
 
     /** The least moment of inertia, by that of the outline. */
     private static final float LEAST_INERTIA = 1e-3f;
 
-    private RigidRules() {}
+    private RigidLimits() {}
 
     /** Refuses more bodies than a world may have. */
     public static void room(int bodies, int more) {
