@@ -476,7 +476,27 @@ final class BodyRows {
                 overCrates = Math.min(overCrates, scene.bodies.vx(box));
             }
         }
+        double overLines;
+        try (Scene scene = new Scene(0, 0, 10, 1 / 60.0)) {
+            float[] flat = new float[2 * 81];
+            for (int k = 0; k <= 80; k++) {
+                flat[2 * k] = 80 - k;
+            }
+            scene.world.terrain().addChain(Chain.of(flat));
+            long plank = scene.box(2, 0.1, 0, 0.5, 0.1, ROUNDING, 1);
+            scene.run(60);
+            scene.bodies.setVelocity(plank, 20, 0);
+            scene.run(220);
+            overLines = scene.bodies.vx(plank);
+        }
         return List.of(
+                RowFigure.share(
+                        "D21",
+                        "a plank slides over 73 joints of a flat chain: speed, m/s",
+                        20,
+                        Double.NaN,
+                        0.001,
+                        overLines),
                 RowFigure.share("D21", "slides over 60 tiles: least speed, m/s", 4.7, -0.22, 0.01, overTiles),
                 RowFigure.share("D21", "slides over 12 loose crates: least speed, m/s", 3, 0.68, 0.01, overCrates));
     }

@@ -139,12 +139,12 @@ final class RigidContact {
         return new float[] {offset[0] + (a.way[0] - b.way[0]), offset[1] + (a.way[1] - b.way[1])};
     }
 
-    /** Finds the normal, the gap and the point. Impulses end if the normal turns far. */
+    /** Finds the normal, the gap and the point. Impulses end if they come apart and the normal turns far. */
     void measure() {
         float beforeX = nx;
         float beforeY = ny;
         measureNormal();
-        if (beforeX * nx + beforeY * ny < SAME_WAY) {
+        if (gap > 0f && beforeX * nx + beforeY * ny < SAME_WAY) {
             impulse = 0f;
             grip = 0f;
         }

@@ -18,6 +18,10 @@ final class RigidPair {
     /** And of discs and bent corners. */
     private static final float NO_GAP = 1e-5f;
 
+    // of lines that cross
+    private static final float LEAST_SINE = 0.05f;
+    private static final float GREATEST_SINE = 0.45f;
+
     /** How deep a body in front of a one-way piece may be in it, in half thicknesses. */
     private static final float ROUNDED = 1e-4f;
 
@@ -248,6 +252,7 @@ final class RigidPair {
 
     /** A contact by which two bodies leave each other whose lines cross. */
     private void leaveCrossed(float x, float y) {
+        float greatestSine = contacts.isEmpty() ? 2f : GREATEST_SINE;
         RigidContact best = null;
         float shallowest = Float.NEGATIVE_INFINITY;
         for (boolean swapped : new boolean[] {false, true}) {
@@ -257,7 +262,7 @@ final class RigidPair {
             float ty = swapped ? -y : y;
             for (int l = 0; l < o.lines.size(); l++) {
                 float[] line = o.lines.get(l);
-                if (t.lines.stream().noneMatch(other -> cross(line, other, tx, ty))) {
+                if (t.lines.stream().noneMatch(other -> cross(line, other, tx, ty, greatestSine))) {
                     continue;
                 }
                 int deepest = -1;
@@ -294,8 +299,9 @@ final class RigidPair {
     }
 
     /** Whether each of two lines has its ends on both sides of the other one; (x, y): from the place of the first to that of the second. */
-    private static boolean cross(float[] first, float[] second, float x, float y) {
-        if (RigidThing.isHollow(first) || RigidThing.isHollow(second)) {
+    private static boolean cross(float[] first, float[] second, float x, float y, float greatestSine) {
+        float sine = Math.abs(first[2] * second[3] - first[3] * second[2]);
+        if (RigidThing.isHollow(first) || RigidThing.isHollow(second) || sine < LEAST_SINE || sine > greatestSine) {
             return false;
         }
         float dx = x + second[0] - first[0];

@@ -11,6 +11,12 @@ import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
  * least way from being apart, if only the line had no ends.
  */
 final class RigidCrossing {
+    /** The sine of the least angle of lines that cross: of nearly parallel ones rounding decides. */
+    private static final float LEAST_SINE = 0.05f;
+
+    /** The sine of the greatest angle of long bodies that cross, and hold each other by their ends. */
+    private static final float GREATEST_SINE = 0.45f;
+
     private final RigidThings things;
 
     /** The corner and the line of the last find, by number of all, and whether the line is the first thing's. */
@@ -19,13 +25,15 @@ final class RigidCrossing {
     int line;
     boolean swapped;
     private float least;
+    private float greatestSine;
 
     RigidCrossing(RigidThings things) {
         this.things = things;
     }
 
-    /** Whether lines of a thing cross those of another one, from whose place it is (x, y) away. */
-    boolean find(int t, int other, float x, float y) {
+    /** Whether lines of a thing cross those of another one, from whose place it is (x, y) away; touch: the two have contacts. */
+    boolean find(int t, int other, float x, float y, boolean touch) {
+        greatestSine = touch ? GREATEST_SINE : 2f;
         corner = -1;
         least = Float.NEGATIVE_INFINITY;
         cornersOnLines(t, other, x, y, false);
@@ -58,6 +66,10 @@ final class RigidCrossing {
             int at = RigidThings.line(m);
             float mx = lines[at + NX];
             float my = lines[at + NY];
+            float sine = Math.abs(nx * my - ny * mx);
+            if (sine < LEAST_SINE || sine > greatestSine) {
+                continue;
+            }
             float rx = x + lines[at] - lines[to];
             float ry = y + lines[at + 1] - lines[to + 1];
             float endX = rx - lines[at + LENGTH] * my;

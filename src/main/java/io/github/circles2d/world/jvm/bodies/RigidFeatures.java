@@ -155,7 +155,8 @@ final class RigidFeatures {
         cornersOf(t, other, atX, atY);
         swapped = true;
         cornersOf(other, t, -atX, -atY);
-        if (things.shape[other] != null && (count == from || areOpposed(from)) && crossing.find(t, other, atX, atY)) {
+        boolean touch = count > from;
+        if (things.shape[other] != null && (!touch || areOpposed(from)) && crossing.find(t, other, atX, atY, touch)) {
             count = from;
             swapped = crossing.swapped;
             add(swapped ? other : t, swapped ? t : other, crossing.corner, crossing.line, true);

@@ -32,8 +32,8 @@ final class RigidMeasures {
     }
 
     /**
-     * Finds normal, gap and arms of a contact. Impulses have acted along the normal before: if a corner leaves the end of a line, they would be taken
-     * back along another one, and stop what slides.
+     * Finds normal, gap and arms of a contact. Impulses have acted along the normal before: if a corner goes beyond the end of a line, they would be
+     * taken back along another one, and slow down what slides.
      */
     void measure(int c) {
         int t = contacts.a[c];
@@ -61,7 +61,7 @@ final class RigidMeasures {
         } else {
             onLine(c, x, y, px, py, r);
         }
-        if (nx * rows[row + RigidRow.NX] + ny * rows[row + RigidRow.NY] < SAME_WAY) {
+        if (rows[row + RigidRow.GAP] > 0f && nx * rows[row + RigidRow.NX] + ny * rows[row + RigidRow.NY] < SAME_WAY) {
             rows[row + RigidRow.IMPULSE] = 0f;
             rows[row + RigidRow.GRIP] = 0f;
         }
