@@ -240,7 +240,8 @@ final class RigidSleep {
                 length(x - (short) body.turned / Sleep.PARTS * gain, y - (body.turned >> 16) / Sleep.PARTS * gain),
                 Math.abs(spin - body.spinOffset / Sleep.PARTS * gain));
         float byLoad = Sleep.SHARE_OF_LOAD * max(by.load() - Sleep.FREE_WEIGHTS * gain, 0f);
-        float most = strict ? Sleep.STRICT * gain : Sleep.FLOOR * gain + min(byLoad, Sleep.MOST_BY_LOAD * gain);
+        float most = gain > 0f ? min(byLoad, Sleep.MOST_BY_LOAD * gain) : byLoad;
+        most = strict ? Sleep.STRICT * gain : Sleep.FLOOR * gain + most;
         if (!(b > most + Sleep.ROUNDING * t.thin / k.dt())) {
             body.restSteps = -1;
             return 0f;
