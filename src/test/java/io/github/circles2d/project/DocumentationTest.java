@@ -336,7 +336,7 @@ class DocumentationTest {
                 words += read(page.toString()).trim().split("\\s+").length;
             }
         }
-        assertThat(words).isLessThanOrEqualTo(87_500);
+        assertThat(words).isLessThanOrEqualTo(87_600);
     }
 
     @Test
