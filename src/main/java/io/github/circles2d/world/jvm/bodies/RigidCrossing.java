@@ -7,8 +7,8 @@ import static io.github.circles2d.world.bodies.OutlineShape.RADIUS;
 import static io.github.circles2d.world.bodies.OutlineShape.THICKNESS;
 
 /**
- * Finds how two bodies leave each other whose lines cross, like an X, with no corner of one inside the other: by the corner and the line that are the
- * least way from being apart, if only the line had no ends.
+ * Finds how two bodies leave each other whose lines cross, like an X: by the corner and the line that are the least way from being apart, as if
+ * the line had no ends. The bodies have no contact, or long ones hold each other by their ends.
  */
 final class RigidCrossing {
     /** The sine of the least angle of lines that cross: of nearly parallel ones rounding decides. */
