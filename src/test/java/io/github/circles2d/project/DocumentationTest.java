@@ -327,16 +327,21 @@ class DocumentationTest {
         assertThat(read(page).trim().split("\\s+")).hasSizeLessThanOrEqualTo(words);
     }
 
-    /** All pages that somebody writes; programs write those with the figures of one machine. */
+    /** All that people write: of the pages that the benchmarks generate, the templates instead. */
     @Test
     void thePagesTogetherHaveFewWords() throws IOException {
-        long words = 0;
-        for (Path page : pages()) {
-            if (!page.getFileName().toString().startsWith("benchmarks-")) {
-                words += read(page.toString()).trim().split("\\s+").length;
-            }
+        List<Path> written = new ArrayList<>(pages());
+        assertThat(written.removeIf(page -> page.toString().matches("docs/(benchmarks.*|broad-phases|physics)\\.md")))
+                .isTrue();
+        try (Stream<Path> files = Files.list(Path.of("bench/src/main/resources/io/github/circles2d/bench"))) {
+            files.filter(file -> file.toString().endsWith(".md")).forEach(written::add);
         }
-        assertThat(words).isLessThanOrEqualTo(87_600);
+        assertThat(written).contains(Path.of("bench/src/main/resources/io/github/circles2d/bench/page.md"));
+        long words = 0;
+        for (Path page : written) {
+            words += read(page.toString()).trim().split("\\s+").length;
+        }
+        assertThat(words).isLessThanOrEqualTo(68_783);
     }
 
     @Test
@@ -369,7 +374,7 @@ class DocumentationTest {
                 count++;
             }
         }
-        assertThat(count).as("names in " + page).isGreaterThan(10);
+        assertThat(count).as("names in " + page).isGreaterThan(5);
     }
 
     @ParameterizedTest
