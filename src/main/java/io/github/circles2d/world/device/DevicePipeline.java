@@ -185,7 +185,7 @@ public final class DevicePipeline implements Pipeline {
         loaded = features;
         readBackWith(loading);
         if (steps) {
-            stages = stagesOf.computeIfAbsent(variant, key -> newStages(loading));
+            stages = stagesOf.computeIfAbsent(variant, key -> newStages(key, loading));
             queue.use(stages, reader);
             stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
             ready.use(stages, loading);
@@ -193,9 +193,9 @@ public final class DevicePipeline implements Pipeline {
         bind(loading);
     }
 
-    private Stages newStages(StageKernels loading) {
+    private Stages newStages(Readiness variant, StageKernels loading) {
         HostBodies bodies = loaded.bodies() ? hostBodies : null;
-        return new Stages(session, loading, arrays, parameters, bodies, bodyArrays);
+        return new Stages(session, loading, Plans.ofSomeSteps(variant), arrays, parameters, bodies, bodyArrays);
     }
 
     /** Reads back what circles with the features that are loaded have besides. */
@@ -260,6 +260,7 @@ public final class DevicePipeline implements Pipeline {
                 && silent != null
                 && has(silent, true, false)
                 && has(all, true, wanted.reporting())
+                && Plans.ofSomeSteps(variant).stream().allMatch(all::has)
                 && plans.stream().map(Plans::partOf).allMatch(part -> part == null || all.has(part));
     }
 
@@ -274,6 +275,7 @@ public final class DevicePipeline implements Pipeline {
         compileParts(kernelsOf(variant.silent()), true, false);
         StageKernels all = kernelsOf(variant);
         compileParts(all, true, wanted.reporting());
+        Plans.ofSomeSteps(variant).forEach(all::compile);
         for (Plan plan : plans) {
             if (Plans.partOf(plan) != null) {
                 all.compile(Plans.partOf(plan));

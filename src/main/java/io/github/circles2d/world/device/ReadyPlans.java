@@ -7,13 +7,12 @@ import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 
 /**
- * The plans whose kernels have been compiled. The last plan makes any step, and its kernels are compiled first; those of the faster plans
- * are compiled on a thread beside the steps, since a driver may take tens of seconds. So the first step does not wait for them. A plan is
- * ready if those behind it are.
+ * The plans whose kernels have been compiled. The last plan makes any step, and the kernels that all its steps need are compiled first; those
+ * of some steps and of the faster plans are compiled on a thread beside the steps, since a driver may take tens of seconds. So the first step does
+ * not wait for them. A plan is ready if those behind it are.
  */
 final class ReadyPlans {
     private static final System.Logger LOG = System.getLogger(ReadyPlans.class.getName());
@@ -36,16 +35,14 @@ final class ReadyPlans {
         return ready;
     }
 
-    /** Lets plans use other kernels. Waits for those of the last plan. */
+    /** Lets plans use other kernels. Waits for those that all steps of the last plan need. */
     void use(Stages newStages, StageKernels newKernels) {
         stages = newStages;
         kernels = newKernels;
         ready.clear();
         newKernels.compile(Plans.STEPS);
         takeReady();
-        if (ready.size() < plans.size()) {
-            compileBeside(newKernels);
-        }
+        compileBeside(newKernels);
     }
 
     /** Whether {@link #takeNews} would find a plan that has become ready. */
@@ -80,27 +77,30 @@ final class ReadyPlans {
         }
     }
 
+    /** First what a step may ask for soon, then the plans from the slowest on. */
     private void compileBeside(StageKernels of) {
-        List<Plan> missing = new ArrayList<>(plans.subList(0, plans.size() - ready.size()));
-        Collections.reverse(missing);
-        Thread thread = new Thread(() -> compile(of, missing), "circles2d compiler");
-        thread.setDaemon(true);
-        thread.start();
+        List<String> missing = new ArrayList<>(stages.ofSomeSteps());
+        for (int p = plans.size() - 1 - ready.size(); p >= 0; p--) {
+            missing.add(Plans.partOf(plans.get(p)));
+        }
+        missing.removeIf(of::has);
+        if (!missing.isEmpty()) {
+            Thread thread = new Thread(() -> compile(of, missing), "circles2d compiler");
+            thread.setDaemon(true);
+            thread.start();
+        }
     }
 
-    private void compile(StageKernels of, List<Plan> missing) {
-        for (Plan plan : missing) {
+    private void compile(StageKernels of, List<String> missing) {
+        for (String part : missing) {
             if (kernels != of || RunningBuilds.isExiting()) {
                 return;
             }
             try {
-                of.compile(Plans.partOf(plan));
+                of.compile(part);
             } catch (RuntimeException | Error e) {
                 if (kernels == of && !RunningBuilds.isExiting()) {
-                    LOG.log(
-                            Level.WARNING,
-                            "World goes on without plan " + Plans.partOf(plan) + ": it could not be compiled",
-                            e);
+                    LOG.log(Level.WARNING, "World goes on without kernels " + part + ": they could not be compiled", e);
                 }
                 return;
             }

@@ -173,6 +173,9 @@ final class StepQueue {
         boolean reports = reader != null && reader.isActive();
         Steps wanted = steps(most, reports, false);
         plan = Plans.first(plans, wanted);
+        if (stages.lackKernels(wanted)) {
+            CompilerNotice.during(() -> stages.compile(wanted), stages.device().name());
+        }
         if (!reports) {
             pending += most;
             plan.enqueue(wanted);

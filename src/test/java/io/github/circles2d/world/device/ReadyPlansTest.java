@@ -10,9 +10,12 @@ import io.github.circles2d.world.device.plan.ByColours;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Features;
 import io.github.circles2d.world.model.Readiness;
+import io.github.circles2d.world.model.Tuning;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
@@ -77,6 +80,36 @@ class ReadyPlansTest {
             twins.step(1 / 60f, 1);
             assertThat(ahead.readyPlans()).hasSize(2);
             twins.assertEqual("by tiles");
+        }
+    }
+
+    /** The first step needs all of them: it waits for none of those beside it. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void whatOnlySomeStepsNeedIsCompiledWhenAStepNeedsIt(Device device) {
+        DevicePipeline some = pipeline(device, false);
+        JvmPipeline jvm = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+        try (Twins twins = Twins.sleeping(new Bounds(0, 0, 1, 1), 4, 10, jvm, some)) {
+            twins.report(ContactEvents.ALL);
+            twins.addCrowd(1 + Tuning.CROWD / 2);
+            twins.add(0.8f, 0.2f, 0.2f, 1, 0, 0, 0); // of a coarser level
+            twins.add(0.1f, 0.9f, 0.01f, 1, 0, 300, 0); // fast
+            twins.giveSensors(1, 5);
+            twins.sense(0, 1);
+            twins.addJoints(1, 40);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("first step");
+            twins.assertSameEvents("first step");
+            twins.assertSameFigures();
+            twins.add(0.8f, 0.6f, 0.1f, 1, 0, 0, 0); // falls on those that sleep
+            int most = 0;
+            for (int step = 0; step < 400; step += 10) {
+                twins.step(1 / 60f, 10);
+                twins.assertEqual("step " + step);
+                twins.assertSameEvents("step " + step);
+                most = Math.max(most, twins.assertSameSleepers("step " + step));
+            }
+            assertThat(most).isPositive();
         }
     }
 

@@ -12,6 +12,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /**
@@ -53,6 +54,10 @@ public final class StageKernels {
     private final Map<String, BitSet> buffers = new HashMap<>();
 
     private final boolean recording;
+
+    /** The arrays that kernels are bound to; null before the first of {@link #bind}. */
+    private DeviceArrays bound;
+
     private int boundVersion = -1;
     private int boundSlots = -1;
     private int boundCircles = -1;
@@ -126,7 +131,13 @@ public final class StageKernels {
 
     /** A kernel of a stage: its first arguments are WORLD_PARAMETERS. */
     public Kernel staged(String name) {
-        return staged.computeIfAbsent(name, this::make);
+        Kernel kernel = staged.get(name);
+        return kernel != null ? kernel : make(name);
+    }
+
+    /** A kernel of a stage that few steps launch: it is made when it is first asked for. */
+    public Supplier<Kernel> later(String name) {
+        return () -> staged(name);
     }
 
     private Kernel make(String name) {
@@ -134,8 +145,12 @@ public final class StageKernels {
         if (workGroupSize != USUAL_GROUPS) {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
-        boundVersion = -1;
         buffers.put(name, new UsedArguments(names).of(name));
+        staged.put(name, kernel);
+        if (bound != null) {
+            bound.bind(kernel, buffers.get(name));
+            kernel.arg(DeviceCount.SLOTS.position(), boundSlots).arg(DeviceCount.CIRCLES.position(), boundCircles);
+        }
         return kernel;
     }
 
@@ -147,6 +162,7 @@ public final class StageKernels {
     /** Brings the shared arguments up to date. */
     public void bind(DeviceArrays arrays, int slots, int circles) {
         boolean replaced = boundVersion != arrays.version();
+        bound = arrays;
         for (Kernel kernel : staged.values()) {
             if (replaced) {
                 arrays.bind(kernel, buffers.get(kernel.name()));

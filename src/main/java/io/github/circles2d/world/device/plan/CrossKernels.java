@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.StageKernels;
+import java.util.function.Supplier;
 
 /**
  * The cross contacts of a pass, behind its like contacts, in two launches: light circles visit theirs, then heavy circles take the sums;
@@ -9,17 +10,17 @@ import io.github.circles2d.world.device.memory.StageKernels;
  */
 final class CrossKernels {
     private final Stages stages;
-    private final Kernel fill;
-    private final Kernel solve;
-    private final Kernel relax;
-    private final Kernel take;
+    private final Supplier<Kernel> fill;
+    private final Supplier<Kernel> solve;
+    private final Supplier<Kernel> relax;
+    private final Supplier<Kernel> take;
 
     CrossKernels(Stages stages) {
         this.stages = stages;
-        fill = stages.kernel("cross_fill");
-        solve = stages.kernel("cross_solve");
-        relax = stages.kernel("cross_relax");
-        take = stages.kernel("cross_take");
+        fill = stages.later("cross_fill");
+        solve = stages.later("cross_solve");
+        relax = stages.later("cross_relax");
+        take = stages.later("cross_take");
     }
 
     /** Fills the contacts, and sums up the impulses that they begin with. */
@@ -47,22 +48,23 @@ final class CrossKernels {
 
     /** The first half of filling: light circles fill theirs. */
     void fillLight(Steps steps) {
-        fill.run(steps.circles());
+        fill.get().run(steps.circles());
     }
 
     /** The first half of the biased pass. */
     void solveLight(Steps steps) {
-        stages.record(solve, 0).run(steps.circles());
+        stages.record(solve.get(), 0).run(steps.circles());
     }
 
     /** The first half of the relaxing pass. */
     void relaxLight(Steps steps, boolean last) {
-        stages.record(relax.arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
+        stages.record(relax.get().arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
     }
 
     /** Gives heavy circles what a pass has summed up for them. */
     void take(Steps steps, boolean velocities, boolean impulses) {
-        take.arg(StageKernels.own(0), velocities ? 1 : 0)
+        take.get()
+                .arg(StageKernels.own(0), velocities ? 1 : 0)
                 .arg(StageKernels.own(1), impulses ? 1 : 0)
                 .run(steps.circles());
     }

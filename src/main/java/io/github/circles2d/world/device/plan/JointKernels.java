@@ -4,6 +4,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.JointUpload;
 import io.github.circles2d.world.device.memory.StageKernels;
+import java.util.function.Supplier;
 
 /**
  * The joints of a pass, between its like and its cross contacts; {@code kernels/world/stages/Joints.cl}. It does nothing in steps without joints.
@@ -25,20 +26,20 @@ final class JointKernels {
     private final JointUpload joints;
     private final Kernel find;
     private final Kernel begin;
-    private final Kernel passBatches;
-    private final Kernel passColour;
-    private final Kernel passSplit;
-    private final Kernel takeSums;
+    private final Supplier<Kernel> passBatches;
+    private final Supplier<Kernel> passColour;
+    private final Supplier<Kernel> passSplit;
+    private final Supplier<Kernel> takeSums;
 
     /** Of a world that has joints. */
     JointKernels(StageKernels kernels, JointUpload joints) {
         this.joints = joints;
         find = kernels.staged("joints_find");
         begin = kernels.staged("joints_begin");
-        passBatches = kernels.staged("joints_passBatches");
-        passColour = kernels.staged("joints_passColour");
-        passSplit = kernels.staged("joints_passSplit");
-        takeSums = kernels.staged("joints_takeSums");
+        passBatches = kernels.later("joints_passBatches");
+        passColour = kernels.later("joints_passColour");
+        passSplit = kernels.later("joints_passSplit");
+        takeSums = kernels.later("joints_takeSums");
     }
 
     /** Adds the numbers that the kernels share with the host. */
@@ -50,6 +51,26 @@ final class JointKernels {
                 .define("JOINT_RELAXES", RELAXES)
                 .define("JOINT_STILL_A", STILL_A)
                 .define("JOINT_STILL_B", STILL_B);
+    }
+
+    /** Whether the joints need a part of the kernels. */
+    boolean need(String part) {
+        return joints.any()
+                && switch (part) {
+                    case Plans.JOINT_BATCHES -> joints.batches() > 0;
+                    case Plans.JOINT_COLOURS -> areInColours();
+                    case Plans.SPLIT_JOINTS -> joints.split() > 0;
+                    default -> false;
+                };
+    }
+
+    private boolean areInColours() {
+        for (int colour = 0; colour < joints.colours(); colour++) {
+            if (joints.ofColour(colour) > 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Finds the circles of joints, once circles are sorted. */
@@ -82,16 +103,19 @@ final class JointKernels {
 
     private void pass(int what, int subStep, boolean speeds, boolean impulses) {
         if (joints.batches() > 0) {
-            set(passBatches, what, subStep).run((long) joints.batches() * GROUP, GROUP);
+            set(passBatches.get(), what, subStep).run((long) joints.batches() * GROUP, GROUP);
         }
         for (int colour = 0; colour < joints.colours(); colour++) {
             if (joints.ofColour(colour) > 0) {
-                set(passColour, what, subStep).arg(StageKernels.own(2), colour).run(joints.ofColour(colour));
+                set(passColour.get(), what, subStep)
+                        .arg(StageKernels.own(2), colour)
+                        .run(joints.ofColour(colour));
             }
         }
         if (joints.split() > 0) {
-            set(passSplit, what, subStep).run(joints.split());
-            takeSums.arg(StageKernels.own(0), speeds ? 1 : 0)
+            set(passSplit.get(), what, subStep).run(joints.split());
+            takeSums.get()
+                    .arg(StageKernels.own(0), speeds ? 1 : 0)
                     .arg(StageKernels.own(1), impulses ? 1 : 0)
                     .run(joints.splitCircles());
         }

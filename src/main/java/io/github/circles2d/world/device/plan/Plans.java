@@ -1,10 +1,15 @@
 package io.github.circles2d.world.device.plan;
 
+import static java.util.Map.entry;
+
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.WorldSource;
+import io.github.circles2d.world.model.Readiness;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -40,8 +45,54 @@ public enum Plans {
     /** The part of the kernels that find static circles that sense each other, and pieces. */
     public static final String STATICS = "statics";
 
-    /** The part of the kernels that the last plan needs, and all others. */
+    /** The part of the kernels that all steps need which are made by the last plan. */
     public static final String STEPS = "steps";
+
+    /** The part of the kernels of continuous collision. */
+    static final String FAST = "fast";
+
+    /** The part of the kernels of steps in which circles have several levels. */
+    static final String LEVELS = "levels";
+
+    /** The part of the kernels of steps in which many circles are at one place. */
+    static final String CROWDS = "crowds";
+
+    /** The part of the kernels of steps in which circles may wake. */
+    static final String WAKING = "waking";
+
+    /** The part of the kernels that visit joints which a work-group visits together. */
+    static final String JOINT_BATCHES = "jointBatches";
+
+    /** The part of the kernels that visit other joints, a colour at a time. */
+    static final String JOINT_COLOURS = "jointColours";
+
+    /** The part of the kernels of joints that are split. */
+    static final String SPLIT_JOINTS = "splitJoints";
+
+    /** The part of the kernels that find pairs which are only sensed. */
+    static final String SENSING = "sensing";
+
+    /** The part of the kernels that work out figures of a step. */
+    private static final String STATISTICS = "statistics";
+
+    private static final Map<String, String> PARTS = Map.ofEntries(
+            entry("contacts_candidates", STATISTICS),
+            entry("contacts_degrees", STATISTICS),
+            entry("contacts_countByLevel", LEVELS),
+            entry("contacts_countBySheet", CROWDS),
+            entry("contacts_countByLevelAndSheet", CROWDS),
+            entry("contacts_crowd", CROWDS),
+            entry("sleeping_press", WAKING),
+            entry("sleeping_hold", WAKING),
+            entry("sleeping_pressByBodies", WAKING),
+            entry("sleeping_wake", WAKING),
+            entry("sleeping_spread", WAKING),
+            entry("sleeping_keep", WAKING),
+            entry("joints_passBatches", JOINT_BATCHES),
+            entry("joints_passColour", JOINT_COLOURS),
+            entry("joints_passSplit", SPLIT_JOINTS),
+            entry("joints_takeSums", SPLIT_JOINTS),
+            entry("sensing_find", SENSING));
 
     private static final System.Logger LOG = System.getLogger(Plans.class.getName());
 
@@ -91,19 +142,41 @@ public enum Plans {
         return plan.ownKernels().isEmpty() ? null : plan.getClass().getSimpleName();
     }
 
-    /** The part that a kernel belongs to: those of a plan, of calls between steps, of reports, of static circles, or of all steps. */
+    /** The part that a kernel belongs to: those of a plan, of calls between steps, of reports, of static circles, of some or of all steps. */
     public static String partOf(List<Plan> plans, String kernel) {
         for (Plan plan : plans) {
             if (plan.ownKernels().contains(kernel)) {
                 return partOf(plan);
             }
         }
+        String part = PARTS.get(kernel);
+        if (part != null) {
+            return part;
+        }
         return switch (kernel.substring(0, kernel.indexOf('_'))) {
             case "commands", "readback" -> CALLS;
             case "events", "sensing" -> REPORTS;
             case "statics" -> STATICS;
+            case "continuousCollision" -> FAST;
+            case "cross" -> LEVELS;
             default -> STEPS;
         };
+    }
+
+    /** The parts that only some steps need, or none, in the order in which they are compiled beside. */
+    public static List<String> ofSomeSteps(Readiness variant) {
+        List<String> parts = new ArrayList<>(List.of(LEVELS, FAST));
+        if (variant.features().joints()) {
+            parts.addAll(List.of(JOINT_BATCHES, JOINT_COLOURS, SPLIT_JOINTS));
+        }
+        if (variant.reporting()) {
+            parts.add(SENSING);
+        }
+        if (variant.features().sleeping()) {
+            parts.add(WAKING);
+        }
+        parts.addAll(List.of(CROWDS, STATISTICS));
+        return List.copyOf(parts);
     }
 
     /** One plan of each kind. */

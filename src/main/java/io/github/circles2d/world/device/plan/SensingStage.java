@@ -6,13 +6,14 @@ import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
+import java.util.function.Supplier;
 
 /** Sensed pairs, around a step of any plan, {@code kernels/world/stages/Sensing.cl} and {@code StaticSensing.cl}; {@code world.jvm.Sensing} does the same. */
 public final class SensingStage {
     private final DeviceArrays arrays;
     private final EventArrays events;
     private final Kernel begin;
-    private final Kernel find;
+    private final Supplier<Kernel> find;
     private final StageKernels kernels;
 
     /** Null if no static circles sense each other. */
@@ -26,7 +27,7 @@ public final class SensingStage {
         this.arrays = arrays;
         this.events = events;
         begin = kernels.plain("sensing_begin");
-        find = kernels.staged("sensing_find");
+        find = kernels.later("sensing_find");
     }
 
     /** Compiles what the steps to come need to find static circles that sense each other, and pieces. */
@@ -47,7 +48,7 @@ public final class SensingStage {
 
     /** Enqueues what comes behind a step, which has bound the arrays: tells of the pairs. */
     public void find(SensingArrays sensing, int circles) {
-        run(find, sensing, circles);
+        run(find.get(), sensing, circles);
         if (findStatics != null) {
             run(findStatics, sensing, circles);
         }

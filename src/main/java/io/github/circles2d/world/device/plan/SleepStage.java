@@ -6,20 +6,21 @@ import io.github.circles2d.world.device.memory.BodyArrays;
 import io.github.circles2d.world.device.memory.JointUpload;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Sleep;
+import java.util.function.Supplier;
 
 /** Circles that wake as a step begins, and those that fall asleep behind it; {@code kernels/world/stages/Sleeping.cl}. */
 final class SleepStage {
     /** Work-items of the work-group that wakes from circle to circle. */
     private static final int GROUP = StageKernels.SMALL_GROUPS ? 16 : 256;
 
-    private final Kernel press;
-    private final Kernel wake;
-    private final Kernel spread;
-    private final Kernel keep;
+    private final Supplier<Kernel> press;
+    private final Supplier<Kernel> wake;
+    private final Supplier<Kernel> spread;
+    private final Supplier<Kernel> keep;
     private final Kernel end;
 
     /** Null in a world without joints, as the next. */
-    private final Kernel hold;
+    private final Supplier<Kernel> hold;
 
     private final Kernel held;
 
@@ -28,7 +29,7 @@ final class SleepStage {
     /** Null, as the next two, in a world without bodies that are pushed. */
     private final BodyArrays bodies;
 
-    private final Kernel pressByBodies;
+    private final Supplier<Kernel> pressByBodies;
 
     /** Null also in a world without joints. */
     private final Kernel holdByBodies;
@@ -36,14 +37,14 @@ final class SleepStage {
     SleepStage(StageKernels kernels, JointUpload joints, boolean haveJoints, BodyArrays bodies) {
         this.joints = joints;
         this.bodies = bodies;
-        pressByBodies = bodies == null ? null : kernels.staged("sleeping_pressByBodies");
+        pressByBodies = bodies == null ? null : kernels.later("sleeping_pressByBodies");
         holdByBodies = bodies == null || !haveJoints ? null : kernels.staged("sleeping_holdByBodies");
-        press = kernels.staged("sleeping_press");
-        wake = kernels.staged("sleeping_wake");
-        spread = kernels.staged("sleeping_spread");
-        keep = kernels.staged("sleeping_keep");
+        press = kernels.later("sleeping_press");
+        wake = kernels.later("sleeping_wake");
+        spread = kernels.later("sleeping_spread");
+        keep = kernels.later("sleeping_keep");
         end = kernels.staged("sleeping_end");
-        hold = haveJoints ? kernels.staged("sleeping_hold") : null;
+        hold = haveJoints ? kernels.later("sleeping_hold") : null;
         held = haveJoints ? kernels.staged("sleeping_held") : null;
     }
 
@@ -61,31 +62,35 @@ final class SleepStage {
 
     /** Finds out who wakes, but for whom others wake. sleepers: how many circles bodies press, which {@link BodyArrays#sleepers} has. */
     void wake(int circles, int sleepers) {
-        press.run(circles);
-        runOverJoints(hold);
+        press.get().run(circles);
+        if (hold != null) {
+            runOverJoints(hold.get());
+        }
         if (sleepers > 0) {
             pressByBodies
+                    .get()
                     .arg(StageKernels.own(0), bodies.sleepers())
                     .arg(StageKernels.own(1), sleepers)
                     .run(sleepers);
         }
-        wake.run(circles);
+        wake.get().run(circles);
     }
 
     /** Makes some rings of those that wake others. sleepers: how many circles bodies may wake. */
     void spread(int from, int to, int sleepers) {
         if (bodies != null) {
-            spread.arg(StageKernels.own(0), from)
+            spread.get()
+                    .arg(StageKernels.own(0), from)
                     .arg(StageKernels.own(1), to)
                     .arg(StageKernels.own(2), bodies.sleepers())
                     .arg(StageKernels.own(3), sleepers);
         }
-        spread.run(GROUP, GROUP);
+        spread.get().run(GROUP, GROUP);
     }
 
     /** Once all have woken: those that rest keep what they have. */
     void keep(int circles) {
-        keep.run(circles);
+        keep.get().run(circles);
     }
 
     /** Behind the step: so many circles, which {@link BodyArrays#held} has, do not fall asleep. */

@@ -13,6 +13,8 @@ import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.jvm.HostBodies;
 import io.github.circles2d.world.model.GridLevels;
+import java.util.List;
+import java.util.function.Supplier;
 
 /** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of a step that has one launch per stage. */
 public final class Stages {
@@ -21,6 +23,7 @@ public final class Stages {
 
     private final Device device;
     private final StageKernels kernels;
+    private final List<String> ofSomeSteps;
     private final DeviceArrays arrays;
     private final StepParameters parameters;
 
@@ -30,17 +33,17 @@ public final class Stages {
     private final Kernel gridGather;
 
     // ContinuousCollision.cl; world.jvm.ContinuousCollision does the same
-    private final Kernel sweepPrepare;
-    private final Kernel sweepLook;
-    private final Kernel sweepCarry;
-    private final Kernel sweepClamp;
+    private final Supplier<Kernel> sweepPrepare;
+    private final Supplier<Kernel> sweepLook;
+    private final Supplier<Kernel> sweepCarry;
+    private final Supplier<Kernel> sweepClamp;
 
     // Neighbours.cl and ContactList.cl: contacts in no order within a group
-    private final Kernel contactsCrowd;
+    private final Supplier<Kernel> contactsCrowd;
     private final Kernel contactsCount;
-    private final Kernel contactsCountByLevel;
-    private final Kernel contactsCountBySheet;
-    private final Kernel contactsCountByLevelAndSheet;
+    private final Supplier<Kernel> contactsCountByLevel;
+    private final Supplier<Kernel> contactsCountBySheet;
+    private final Supplier<Kernel> contactsCountByLevelAndSheet;
     private final Kernel contactsList;
 
     /** Null in a world without terrain. */
@@ -62,7 +65,9 @@ public final class Stages {
     private boolean sleeping;
 
     private final Scan scan;
-    private final Kernel degrees;
+
+    /** Null until it is asked for. */
+    private Kernel degrees;
 
     /** Where steps note what contacts do, decide what they report, and find pairs that are only sensed; null if they report nothing. */
     private TouchArrays touches;
@@ -75,6 +80,7 @@ public final class Stages {
     public Stages(
             Session session,
             StageKernels kernels,
+            List<String> ofSomeSteps,
             DeviceArrays arrays,
             StepParameters parameters,
             HostBodies bodies,
@@ -84,26 +90,26 @@ public final class Stages {
                 ? null
                 : new BodyStage(kernels, session, bodies, bodyArrays, arrays.joints(), arrays.sleeping());
         this.kernels = kernels;
+        this.ofSomeSteps = ofSomeSteps;
         this.arrays = arrays;
         this.parameters = parameters;
         scan = new Scan(kernels);
         gridCount = kernels.staged("grid_count");
         gridScatter = kernels.staged("grid_scatter");
         gridGather = kernels.staged("grid_gather");
-        sweepPrepare = kernels.staged("continuousCollision_prepare");
-        sweepLook = kernels.staged("continuousCollision_look");
-        sweepCarry = kernels.staged("continuousCollision_carry");
-        sweepClamp = kernels.staged("continuousCollision_clamp");
-        contactsCrowd = kernels.staged("contacts_crowd");
+        sweepPrepare = kernels.later("continuousCollision_prepare");
+        sweepLook = kernels.later("continuousCollision_look");
+        sweepCarry = kernels.later("continuousCollision_carry");
+        sweepClamp = kernels.later("continuousCollision_clamp");
+        contactsCrowd = kernels.later("contacts_crowd");
         contactsCount = kernels.staged("contacts_count");
-        contactsCountByLevel = kernels.staged("contacts_countByLevel");
-        contactsCountBySheet = kernels.staged("contacts_countBySheet");
-        contactsCountByLevelAndSheet = kernels.staged("contacts_countByLevelAndSheet");
+        contactsCountByLevel = kernels.later("contacts_countByLevel");
+        contactsCountBySheet = kernels.later("contacts_countBySheet");
+        contactsCountByLevelAndSheet = kernels.later("contacts_countByLevelAndSheet");
         contactsList = kernels.staged("contacts_list");
         pieces = arrays.terrain() ? kernels.staged("pieces_find") : null;
         joints = arrays.joints() ? new JointKernels(kernels, parameters.joints()) : null;
         sleep = arrays.sleeping() ? new SleepStage(kernels, parameters.joints(), arrays.joints(), bodyArrays) : null;
-        degrees = kernels.plain("contacts_degrees");
     }
 
     /** Sets where the steps to come note what contacts do, and decide what they report; null if they report nothing. */
@@ -156,12 +162,52 @@ public final class Stages {
         return parameters.joints().any();
     }
 
-    Device device() {
+    public Device device() {
         return device;
     }
 
     Kernel kernel(String name) {
         return kernels.staged(name);
+    }
+
+    /** A kernel that only some steps launch. */
+    Supplier<Kernel> later(String name) {
+        return kernels.later(name);
+    }
+
+    /** Whether steps need a part of the kernels that has not been compiled. */
+    public boolean lackKernels(Steps steps) {
+        for (String part : ofSomeSteps) {
+            if (need(steps, part) && !kernels.has(part)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Compiles what steps need, before any of them is enqueued: a compiler that refuses has changed nothing. */
+    public void compile(Steps steps) {
+        for (String part : ofSomeSteps) {
+            if (need(steps, part)) {
+                kernels.compile(part);
+            }
+        }
+    }
+
+    private boolean need(Steps steps, String part) {
+        return switch (part) {
+            case Plans.LEVELS -> !steps.haveOneLevel();
+            case Plans.FAST -> steps.sweeping();
+            case Plans.CROWDS -> steps.thinning() || steps.levels().haveSheets();
+            case Plans.WAKING -> steps.waking();
+            case Plans.SENSING -> steps.sensing();
+            default -> joints != null && joints.need(part);
+        };
+    }
+
+    /** The parts of the kernels that only some steps need, or none. */
+    public List<String> ofSomeSteps() {
+        return ofSomeSteps;
     }
 
     /** Whether the kernels record what contacts do. */
@@ -242,23 +288,25 @@ public final class Stages {
     }
 
     private void sweep(GridLevels levels, int circles) {
-        sweepPrepare.run(circles);
-        sweepLook.run((levels.usedCount + 1L) * circles);
+        sweepPrepare.get().run(circles);
+        sweepLook.get().run((levels.usedCount + 1L) * circles);
         for (int note = 0; note < 2; note++) {
-            sweepCarry.arg(StageKernels.own(0), note).run(Math.min(circles, MOST_CARRY_ITEMS));
+            sweepCarry.get().arg(StageKernels.own(0), note).run(Math.min(circles, MOST_CARRY_ITEMS));
         }
-        sweepClamp.run(circles);
+        sweepClamp.get().run(circles);
     }
 
     private void listContacts(GridLevels levels, int circles, boolean thinning) {
         if (thinning) {
-            contactsCrowd.run(circles);
+            contactsCrowd.get().run(circles);
         }
         boolean bySheet = levels.haveSheets();
         if (levels.usedCount == 1) {
-            (bySheet ? contactsCountBySheet : contactsCount).run(circles);
+            (bySheet ? contactsCountBySheet.get() : contactsCount).run(circles);
         } else {
-            (bySheet ? contactsCountByLevelAndSheet : contactsCountByLevel).run((long) levels.usedCount * circles);
+            (bySheet ? contactsCountByLevelAndSheet : contactsCountByLevel)
+                    .get()
+                    .run((long) levels.usedCount * circles);
         }
         scan.run(arrays, levels.groups(circles) + 1, DeviceArray.GROUP_START);
         contactsList.run(2L * circles);
@@ -282,6 +330,9 @@ public final class Stages {
 
     /** Counts the contacts of each circle into ranks, which are all zeros before. */
     void countDegrees(DeviceArray pairs, int contacts) {
+        if (degrees == null) {
+            degrees = kernels.plain("contacts_degrees");
+        }
         degrees.arg(0, arrays.get(pairs))
                 .arg(1, contacts)
                 .arg(2, arrays.get(DeviceArray.RANK))
