@@ -416,10 +416,11 @@ class WorldEventsTest {
         assertSilent(300, 1500, 1000);
     }
 
+    /** It shifts once more between the steps 3,000 and 4,000. */
     @Test
     @Tag("exhaustive")
     void aLargePileAtRestIsSilentForLong() {
-        assertSilent(1500, 3000, 3000);
+        assertSilent(1500, 5000, 10_000);
     }
 
     private void assertSilent(int circles, int settling, int steps) {
