@@ -20,7 +20,8 @@ import io.github.circles2d.world.model.SurfaceSettings;
  * field of a kind with its number, the kind and its value; a pair of kinds with the lesser one, the greater one and 1 for solid, 2 for
  * ignored, 3 for sensed; walls with where they start: min x, min y, max x, max y; edges, if not all are walls, with those of x and y
  * ({@link AxisEdge}) and the bounds; settings with their numbers in order; a circle that turns with its id, angle, angular velocity and the
- * impulses of its walls by {@link ContactRows}; an impulse whose contact has other rows with the lower id, the higher id and theirs; a joint with its id,
+ * impulses of its walls by {@link ContactRows}; an impulse whose contact has other rows with the lower id, the higher id and theirs, of rows behind
+ * rolling only those that are not 0, with their places; a joint with its id,
  * form, colour, circles, body, reference angles, its saved values and its row of {@link JointState}; a rigid body with its id, kind, saved values and
  * the words of its outline; a contact of one with its key and its impulses. All floats enter as their
  * bits.
@@ -45,6 +46,9 @@ public final class StateHash {
     private static final long RIGID = 0x7269676964733264L;
     private static final long RIGID_CONTACT = 0x7269676964746F75L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
+
+    /** Number of the first rows, whose impulses every term of rows has, also if they are 0. */
+    private static final int FIRST_ROWS = ContactRows.ROLLING + 1;
 
     private StateHash() {}
 
@@ -103,22 +107,41 @@ public final class StateHash {
     public static long turn(int id, int angle, float angularVelocity, float[] wallRows, int from) {
         int any = angle | Float.floatToRawIntBits(angularVelocity);
         long h = absorb(absorb(absorb(TURN, id), angle), angularVelocity);
-        for (int k = from; k < from + ContactRows.OF_WALLS; k++) {
-            any |= Float.floatToRawIntBits(wallRows[k]);
-            h = absorb(h, wallRows[k]);
-        }
-        return any == 0 ? 0 : h;
+        any |= bits(wallRows, from, ContactRows.OF_WALLS);
+        return any == 0 ? 0 : absorbRows(h, wallRows, from, ContactRows.OF_WALLS, ContactRows.OF_WALL * FIRST_ROWS);
     }
 
     /** The number of the impulses of a contact's rows, from a place on; 0 if all are. */
     public static long rows(int lower, int higher, float[] impulses, int at) {
-        int any = 0;
         long h = absorb(absorb(ROWS, lower), higher);
-        for (int row = 0; row < ContactRows.COUNT; row++) {
-            any |= Float.floatToRawIntBits(impulses[at + row]);
-            h = absorb(h, impulses[at + row]);
+        return bits(impulses, at, ContactRows.COUNT) == 0
+                ? 0
+                : absorbRows(h, impulses, at, ContactRows.COUNT, FIRST_ROWS);
+    }
+
+    private static int bits(float[] impulses, int from, int count) {
+        int bits = 0;
+        for (int k = from; k < from + count; k++) {
+            bits |= Float.floatToRawIntBits(impulses[k]);
         }
-        return any == 0 ? 0 : h;
+        return bits;
+    }
+
+    /**
+     * Absorbs the impulses of rows. Those behind the first rows are absorbed with their place, and only if they are not 0: so a row that is
+     * added changes the hash of no world that does not use it.
+     */
+    static long absorbRows(long hash, float[] impulses, int from, int count, int ofFirstRows) {
+        long h = hash;
+        for (int k = 0; k < count; k++) {
+            float impulse = impulses[from + k];
+            if (k < ofFirstRows) {
+                h = absorb(h, impulse);
+            } else if (Float.floatToRawIntBits(impulse) != 0) {
+                h = absorb(absorb(h, k), impulse);
+            }
+        }
+        return h;
     }
 
     /** The number of how a circle comes to rest; 0 if it moves. */
@@ -141,10 +164,7 @@ public final class StateHash {
     /** The number of a contact of a circle with a piece of terrain; its rows have the impulses from a place on. */
     public static long pieceContact(int circle, int piece, int side, float impulse, float[] rows, int at) {
         long h = absorb(absorb(absorb(absorb(PIECE_CONTACT, circle), piece), side), impulse);
-        for (int row = 0; row < ContactRows.COUNT; row++) {
-            h = absorb(h, rows[at + row]);
-        }
-        return h;
+        return absorbRows(h, rows, at, ContactRows.COUNT, FIRST_ROWS);
     }
 
     /** What the number of a joint begins with. */

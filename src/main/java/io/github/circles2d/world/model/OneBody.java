@@ -10,6 +10,9 @@ public final class OneBody {
     /** For the relaxing pass of the sub-step. */
     public float bounceSpeed;
 
+    /** Before the visit. */
+    float normalSpeed;
+
     /** To be applied. */
     public float impulse;
 
@@ -32,12 +35,13 @@ public final class OneBody {
             float vn,
             float accumulated,
             StepConstants k) {
+        normalSpeed = vn;
         float threshold = threshold(r, restitution, thresholdRate, k);
         float pushSpeed = k.pushRate * (2f * r);
         bounceSpeed = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
         int meets = Constraints.meets(gap, vn, k.inverseH);
         int visit = Constraints.visitOf(restitution, loaded, 0, accumulated, vn, meets, threshold);
-        leaveOrBounce(visit, restitution, vn, accumulated);
+        leaveOrBounce(visit, restitution, accumulated);
         if (visit == Constraints.SOLVE) {
             normalImpulse = Constraints.solve(accumulated, MASS, vn, gap, bounceSpeed, pushSpeed, k.oneBodySoftness, k);
             impulse = normalImpulse - accumulated;
@@ -55,9 +59,10 @@ public final class OneBody {
             float vn,
             float accumulated,
             StepConstants k) {
+        normalSpeed = vn;
         float threshold = threshold(r, restitution, thresholdRate, k);
         int visit = Constraints.visitOf(restitution, loaded, 0, accumulated, vn, Constraints.ALWAYS, threshold);
-        leaveOrBounce(visit, restitution, vn, accumulated);
+        leaveOrBounce(visit, restitution, accumulated);
         if (visit == Constraints.SOLVE) {
             normalImpulse = Constraints.relax(accumulated, MASS, vn, gap, bounce, k.inverseH);
             impulse = normalImpulse - accumulated;
@@ -74,10 +79,10 @@ public final class OneBody {
         return !(bounced || leaves || bounce > 0f);
     }
 
-    private void leaveOrBounce(int visit, float restitution, float vn, float accumulated) {
+    private void leaveOrBounce(int visit, float restitution, float accumulated) {
         leaves = visit == Constraints.LEAVE;
         bounced = visit == Constraints.BOUNCE;
-        impulse = bounced ? Bounce.freeBounce(restitution, vn, MASS) : 0f;
+        impulse = bounced ? Bounce.freeBounce(restitution, normalSpeed, MASS) : 0f;
         normalImpulse = accumulated;
     }
 

@@ -13,8 +13,8 @@ import java.util.Arrays;
  * <pre>
  * section    of circles: int number of circles that have something; for each, ascending: varint of the id minus the one before (-1 at
  *            first), byte flags; for each flag from bit 0 on: int angle, float angular velocity, floats of walls by {@link ContactRows}
- *            of impulses: int number of impulses that have something; for each, ascending: varint of four times the number of the impulse
- *            minus the one before (-1 at first), plus flags; for each flag: float impulse of the row
+ *            of impulses: int number of impulses that have something; for each, ascending: varint of the number of the impulse minus the
+ *            one before (-1 at first), with a bit behind it for each row that is its flag; for each flag: float impulse of the row
  * </pre>
  */
 final class TurnSections {

@@ -4,7 +4,6 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.ContactRows;
 import io.github.circles2d.world.model.Features;
@@ -228,7 +227,7 @@ public final class DeviceArrays {
             }
             fill(DeviceArray.HOME_TURN, slotCapacity, 0, 0);
             fill(DeviceArray.HOME_WALL_ROWS, slotCapacity, new int[2 * ContactRows.STRIDE]);
-            fill(DeviceArray.HOME_OWN, slotCapacity, CircleField.NONE, CircleField.NONE, 0, 0);
+            fill(DeviceArray.HOME_OWN, slotCapacity, FieldsStruct.initialTurning());
             fill(DeviceArray.ROW_CACHE, contactCapacity, new int[ContactRows.STRIDE]);
         }
     }

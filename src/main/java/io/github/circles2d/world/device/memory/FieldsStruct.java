@@ -66,17 +66,27 @@ public final class FieldsStruct {
     }
 
     private static String initial(List<CircleField> fields) {
-        String[] values = new String[STRIDE];
-        Arrays.fill(values, "0.0f");
-        fields.forEach(f -> values[fields.indexOf(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
-        return "(float4)(" + String.join(", ", values) + ")";
+        return Arrays.stream(initialBits(fields))
+                .mapToObj(bits -> "as_float(0x" + Integer.toHexString(bits) + ")")
+                .collect(Collectors.joining(", ", "(float4)(", ")"));
+    }
+
+    private static int[] initialBits(List<CircleField> fields) {
+        int[] bits = new int[STRIDE];
+        for (int place = 0; place < fields.size(); place++) {
+            bits[place] = (int) fields.get(place).initial();
+        }
+        return bits;
+    }
+
+    /** The bits of an element of {@link DeviceArray#HOME_OWN} of a new circle. */
+    static int[] initialTurning() {
+        return initialBits(TURNING);
     }
 
     /** The bits of an element of {@link DeviceArray#OWN_MOTION} of a new circle. */
     static int[] initialMotion() {
-        int[] values = new int[STRIDE];
-        MOTION.forEach(f -> values[motionPlace(f)] = (int) f.initial());
-        return values;
+        return initialBits(MOTION);
     }
 
     /** Ints of the structs of so many circles. */

@@ -10,6 +10,7 @@ import io.github.circles2d.opencl.KernelBuildException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.circles.CircleField;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -41,6 +42,21 @@ class WorldTablesTest {
             }
         }
         assertThat(sizes(device, probed)).isEqualTo(onHost);
+    }
+
+    @Test
+    void elementsOfNewCirclesBeginWithTheInitialValueOfEachField() {
+        for (CircleField field : CircleField.OF_STEPS) {
+            if (field.isOfTurning()) {
+                assertThat(FieldsStruct.initialTurning()[FieldsStruct.turningPlace(field)])
+                        .as(field.label())
+                        .isEqualTo((int) field.initial());
+            } else if (field.isOfMotion()) {
+                assertThat(FieldsStruct.initialMotion()[FieldsStruct.motionPlace(field)])
+                        .as(field.label())
+                        .isEqualTo((int) field.initial());
+            }
+        }
     }
 
     private static List<Integer> sizes(Device device, List<String> probed) {
