@@ -37,7 +37,6 @@ public final class Joint {
     }
 
     // ---- along a line
-    // ------------------------------------------------------------------------------------------------
 
     /**
      * Keeps two ends as far apart as they are when the joint is added.
@@ -110,7 +109,6 @@ public final class Joint {
     }
 
     // ---- at a place
-    // --------------------------------------------------------------------------------------------------
 
     /**
      * Keeps the centre of a circle, or a point of a body, at an anchor; or a point of a body at a circle or at a point of another body: a hinge. Both may
@@ -149,7 +147,6 @@ public final class Joint {
     }
 
     // ---- how circles and bodies turn
-    // ---------------------------------------------------------------------------------
 
     /**
      * Turns a circle or body at a speed, against the world or against another circle or body. The other one gets the opposite torque. If joints hold that by
@@ -201,7 +198,6 @@ public final class Joint {
     }
 
     // ---- changed a little
-    // --------------------------------------------------------------------------------------------
 
     private Joint with(JointSetting setting, float a, float b) {
         return new Joint(form.copy().set(setting, a, b));
@@ -264,7 +260,6 @@ public final class Joint {
     }
 
     // ---- what it is
-    // --------------------------------------------------------------------------------------------------
 
     /**
      * What the joint is.

@@ -56,7 +56,6 @@ public final class Joints {
     }
 
     // ---- joints come
-    // -------------------------------------------------------------------------------------------------
 
     /**
      * Adds a joint between two circles or bodies, which are held at their centres.
@@ -226,7 +225,6 @@ public final class Joints {
     }
 
     // ---- joints go
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * Removes a joint.
@@ -254,7 +252,6 @@ public final class Joints {
     }
 
     // ---- which there are
-    // ---------------------------------------------------------------------------------------------
 
     /**
      * Whether a handle is that of a joint of this world.
@@ -377,7 +374,6 @@ public final class Joints {
     }
 
     // ---- where they are, and what they do
-    // ----------------------------------------------------------------------------
 
     /**
      * Where the anchor of a joint is in the world now.
@@ -471,7 +467,6 @@ public final class Joints {
     }
 
     // ---- joints that go by themselves
-    // --------------------------------------------------------------------------------
 
     /**
      * Sets whether {@link #events} tells of joints that go by themselves. By default it tells of none, which costs nothing. This changes no step, and
@@ -494,7 +489,6 @@ public final class Joints {
     }
 
     // ---- joints change
-    // -----------------------------------------------------------------------------------------------
 
     private void set(JointSetting setting, long joint, float a, float b) {
         simulation.calls.change(

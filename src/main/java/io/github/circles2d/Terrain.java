@@ -108,7 +108,6 @@ public final class Terrain {
     }
 
     // ---- bodies
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * The body that never moves, and cannot be removed. Its coordinates are the world's.
@@ -177,7 +176,6 @@ public final class Terrain {
     }
 
     // ---- pieces
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Adds a segment of kind 0 to the ground, without thickness. It has two sides.

@@ -58,7 +58,6 @@ public final class TerrainBody {
     }
 
     // ---- pieces
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Adds a segment of kind 0 without thickness. It has two sides.
@@ -163,7 +162,6 @@ public final class TerrainBody {
     }
 
     // ---- motion
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Sets the velocity of the pivot, until the next call.

@@ -150,7 +150,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- circles
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Adds a circle at rest, with the world's restitution.
@@ -821,7 +820,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- the world
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * A kind of circles, to change or to ask. A circle without another kind is of kind 0. {@link #kindOf} tells the kind of a circle.
@@ -1175,7 +1173,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Reads x, y, radius and mass of every circle, in the order of the ids.
@@ -1802,7 +1799,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- events
-    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Sets the types of events that {@link #events} reports of all circles, and of circles and pieces of {@link Terrain}, from the next step on,
@@ -1930,7 +1926,6 @@ public final class World implements AutoCloseable {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /**
      * The number of bytes that {@link #snapshot} would write now.

@@ -74,10 +74,8 @@ public final class Bodies implements Calls.Effects {
     /** Takes down where bodies are. */
     public void keep(BodyPoses poses) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             poses.keep(table);
-        } finally {
-            world.guard.leave();
         }
     }
 

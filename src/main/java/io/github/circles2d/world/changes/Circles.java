@@ -76,12 +76,10 @@ public final class Circles implements Calls.Effects {
     /** Removes a circle. */
     public void remove(long circle) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(1);
             changes.setChecked(Commands.REMOVE, world.circle(circle), 0, 0);
             changes.make(Commands.REMOVE);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -115,10 +113,8 @@ public final class Circles implements Calls.Effects {
     /** Changes a circle by an operation of {@link Commands} of floats. b has no meaning if the operation has one value. */
     public void set(int operation, long circle, float a, float b) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             set(operation, world.circle(circle), a, b);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -168,12 +164,10 @@ public final class Circles implements Calls.Effects {
     /** Puts a circle somewhere else. A static one is to travel there in the next step. */
     public void move(long circle, float x, float y) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(1);
             changes.move(world.circle(circle), x, y);
             changes.make(Commands.POSITION);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -181,58 +175,48 @@ public final class Circles implements Calls.Effects {
     public void setAngle(long circle, float angle) {
         Limits.within("angle", angle, -Limits.ANGLE, Limits.ANGLE);
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(1);
             changes.setAngle(world.circle(circle), Surface.units(angle));
             changes.make(Commands.ANGLE);
-        } finally {
-            world.guard.leave();
         }
     }
 
     public void setAngularVelocity(long circle, float velocity) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(1);
             changes.setAngularVelocity(world.circle(circle), velocity);
             changes.make(Commands.ANGULAR_VELOCITY);
-        } finally {
-            world.guard.leave();
         }
     }
 
     public void applyAngularImpulse(long circle, float impulse) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(1);
             changes.pushAround(world.circle(circle), impulse);
             changes.make(Commands.ANGULAR_IMPULSE);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Gives a circle another kind, and the restitution of the kind if it has one. */
     public void setKind(long circle, int kind) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(2);
             changes.setKind(world.circle(circle), kind);
             changes.make(Commands.FIELD);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Sets the force on a circle. */
     public void setForce(long circle, float x, float y) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             changes.begin(2);
             changes.setForce(world.circle(circle), x, y);
             changes.make(Commands.FIELD);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -57,7 +57,6 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- joints come
-    // -------------------------------------------------------------------------------------------------
 
     /** Adds a joint between two circles or bodies, which are held at their centroids, and returns its handle. */
     public long add(long first, long other, JointForm form) {
@@ -83,7 +82,7 @@ public final class JointCalls implements Calls.Effects {
     public long add(
             int typeA, long first, float ax, float ay, int typeB, long other, float bx, float by, JointForm form) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             words[0] = typeA;
             words[1] = find(typeA, first, ": a body and its point come first, then the circle");
@@ -94,8 +93,6 @@ public final class JointCalls implements Calls.Effects {
             words[6] = floatToRawIntBits(bx);
             words[7] = floatToRawIntBits(by);
             return add(Call.RIGID_JOINT, form);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -138,7 +135,7 @@ public final class JointCalls implements Calls.Effects {
 
     private long add(Call call, long circle, long other, float x, float y, JointForm form) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             words[0] = circle(circle);
             if (call != Call.JOINT_ALONE) {
@@ -147,8 +144,6 @@ public final class JointCalls implements Calls.Effects {
             words[2] = floatToRawIntBits(x);
             words[3] = floatToRawIntBits(y);
             return add(call, form);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -163,7 +158,6 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #wake}. */
     private void expectToWake(int more) {
@@ -313,7 +307,7 @@ public final class JointCalls implements Calls.Effects {
 
     private int addAll(Call call, long[] firsts, long[] others, JointForm form, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             int n = Limits.notNull("circles", firsts).length;
             if (call == Call.JOINT) {
@@ -336,8 +330,6 @@ public final class JointCalls implements Calls.Effects {
             addFound(n, form, to);
             world.guard.changing = false;
             return n;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -403,12 +395,11 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- joints go
-    // ---------------------------------------------------------------------------------------------------
 
     /** Removes joints, all or none. */
     public void removeAll(long[] them) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             int n = Limits.notNull("joints", them).length;
             ensureFound(n);
@@ -428,8 +419,6 @@ public final class JointCalls implements Calls.Effects {
                 table.remove(found[k]);
             }
             world.guard.changing = false;
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -446,7 +435,6 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- calls by their words
-    // ----------------------------------------------------------------------------------------
 
     @Override
     public long make(Call call, int[] w) {
@@ -507,16 +495,13 @@ public final class JointCalls implements Calls.Effects {
     }
 
     // ---- joints that go by themselves
-    // --------------------------------------------------------------------------------
 
     /** Sets whether they are told of. */
     public void report(boolean on) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints(); // what has gone so far is told of as it was to be
             world.joints.departures.report(on);
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -529,11 +514,9 @@ public final class JointCalls implements Calls.Effects {
     /** Gives those that went since the last call. */
     public void take(GoneJoints to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.pending.settleJoints();
             world.joints.departures.gone().moveTo(to);
-        } finally {
-            world.guard.leave();
         }
     }
 }

@@ -84,7 +84,6 @@ public final class ContactEvents {
     }
 
     // ---- what is reported
-    // --------------------------------------------------------------------------------------------
 
     /** Whether anything is reported. */
     public boolean isOn() {
@@ -194,7 +193,6 @@ public final class ContactEvents {
     }
 
     // ---- circles come and go
-    // -----------------------------------------------------------------------------------------
 
     /** Makes room for commands, and for pieces, so that {@link #apply} and {@link #learnPieces} do not run out of memory. All steps have been made. */
     public void makeRoom(Commands commands) {
@@ -255,7 +253,6 @@ public final class ContactEvents {
     }
 
     // ---- pieces of terrain come and go
-    // -------------------------------------------------------------------------------
 
     /** Sets which pieces of terrain circles may touch; there are none yet. */
     public void setPieces(PieceTable table) {
@@ -277,7 +274,6 @@ public final class ContactEvents {
     }
 
     // ---- pairs that only a device knows
-    // ------------------------------------------------------------------------------
 
     /** Sets who decides about pairs: null if this object does, which then has all of them. All pairs are here. */
     public void setRemote(RemotePairs pairsElsewhere) {
@@ -396,7 +392,6 @@ public final class ContactEvents {
     }
 
     // ---- a step in Java
-    // ----------------------------------------------------------------------------------------------
 
     /** The number of a pair that touched in the last step, or {@link #NONE}. */
     public int find(int lower, int higher) {
@@ -474,7 +469,6 @@ public final class ContactEvents {
     }
 
     // ---- for the caller
-    // ----------------------------------------------------------------------------------------------
 
     /** The events that have not been taken. */
     public EventQueue queue() {
@@ -505,7 +499,6 @@ public final class ContactEvents {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /** Saves what the next events depend on; nothing if nothing is reported. */
     public void save(SavedTouches into) {

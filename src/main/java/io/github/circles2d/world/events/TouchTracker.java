@@ -311,7 +311,6 @@ final class TouchTracker {
     }
 
     // ---- lists of pairs
-    // ----------------------------------------------------------------------------------------------
 
     /** See {@link ContactEvents#list}. */
     int list(int kindA, int kindB, long[] handles) {
@@ -359,7 +358,6 @@ final class TouchTracker {
     }
 
     // ---- snapshots
-    // ---------------------------------------------------------------------------------------------------
 
     /** Saves what the next events depend on: pairs, hits that are not complete, and late events. */
     void save(SavedTouches into) {

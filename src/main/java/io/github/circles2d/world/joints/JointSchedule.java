@@ -87,7 +87,6 @@ final class JointSchedule {
     }
 
     // ---- components
-    // --------------------------------------------------------------------------------------------------
 
     private void connect(int circleIds) {
         for (int circle = 0; circle < circleIds; circle++) {
@@ -138,7 +137,6 @@ final class JointSchedule {
     }
 
     // ---- the order
-    // ---------------------------------------------------------------------------------------------------
 
     private void order(JointStep step) {
         int places = JointStep.BATCH_STRIDE * (step.batches + 1);
@@ -173,7 +171,6 @@ final class JointSchedule {
     }
 
     // ---- split joints
-    // ------------------------------------------------------------------------------------------------
 
     private void split(JointStep step, int circleIds) {
         int count = step.splitStart;
@@ -217,7 +214,6 @@ final class JointSchedule {
     }
 
     // ---- partners
-    // ----------------------------------------------------------------------------------------------------
 
     /** Lists all partners, of a circle in the order of the joints. */
     void makePartners(JointStep step) {

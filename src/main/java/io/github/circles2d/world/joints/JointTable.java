@@ -75,7 +75,6 @@ public final class JointTable {
     }
 
     // ---- what there is
-    // -----------------------------------------------------------------------------------------------
 
     /** A trait of {@link JointRow}. */
     int trait(int joint, int which) {
@@ -160,7 +159,6 @@ public final class JointTable {
     }
 
     // ---- the joints of a circle, in any order
-    // -------------------------------------------------------------------------
 
     /** The first place in its list, or a negative number. */
     public int firstOfCircle(int circle) {
@@ -177,7 +175,6 @@ public final class JointTable {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** A joint of circle a with circle b, or with none. Its anchor follows. */
     public int add(JointForm form, int a, int b) {
@@ -343,7 +340,6 @@ public final class JointTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for so many joints, of circles of ids below a limit, with a spring each. If there is none, nothing has changed. */
     void makeRoom(int joints, int circleIds) {

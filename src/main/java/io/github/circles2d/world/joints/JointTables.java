@@ -48,7 +48,6 @@ public final class JointTables {
     }
 
     // ---- changes
-    // -----------------------------------------------------------------------------------------------------
 
     /** Adds a joint of a circle with another one, or with none; returns its id. */
     public int add(JointForm form, int circle, int other) {
@@ -201,7 +200,6 @@ public final class JointTables {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #load}. If there is none, nothing has changed. */
     public void makeRoom(SavedJoints from, int circleIds) {
@@ -216,7 +214,6 @@ public final class JointTables {
     }
 
     // ---- steps
-    // -------------------------------------------------------------------------------------------------------
 
     /** Makes room for {@link #begin}. If there is none, nothing has changed. */
     public void makeRoom(int subSteps) {

@@ -118,7 +118,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- before the grid
-    // -------------------------------------------------------------------------------------------------
 
     /** Lets circles rest that have fallen asleep. */
     void settle(StepConstants constants, TerrainStep terrain, PieceSearch pieces) {
@@ -155,7 +154,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- who wakes
-    // -------------------------------------------------------------------------------------------------------
 
     /** Wakes circles; returns whether there are any. */
     boolean wake(
@@ -519,7 +517,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- one that sleeps
-    // -------------------------------------------------------------------------------------------------
 
     /** Adds what presses a circle besides those that are awake: others that do not move, walls and pieces. */
     private void sumUp(int id) {
@@ -639,7 +636,6 @@ final class Waking implements WakingByBodies.Circles {
     }
 
     // ---- rings
-    // ----------------------------------------------------------------------------------------------------------
 
     private void addWoken(int id) {
         if (wokenCount == woken.length) {

@@ -96,7 +96,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- overlaps
-    // ----------------------------------------------------------------------------------------------------
 
     @Override
     public int all(QueryShape what, float[] query, IdFilter filter) {
@@ -179,7 +178,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- paths
-    // -------------------------------------------------------------------------------------------------------
 
     /** How far a path goes until it is half a period beyond the bounds. */
     private double most() {
@@ -279,7 +277,6 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
     }
 
     // ---- the nearest
-    // -------------------------------------------------------------------------------------------------
 
     @Override
     public int nearest(float x, float y, float within, int most, IdFilter filter) {

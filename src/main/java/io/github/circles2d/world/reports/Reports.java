@@ -23,21 +23,19 @@ public final class Reports {
     /** Sets which events are reported of all circles from the next step on. */
     public void report(int types) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL");
             world.pending.settle();
             world.events.makeRoom(world.handles);
             begin(settings.ofAll(types));
             world.events.report(types, world.handles);
             end();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public void report(int kindA, int kindB, int types) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             KindTable.check(kindA);
             KindTable.check(kindB);
             check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
@@ -46,14 +44,12 @@ public final class Reports {
             begin(settings.ofPair(kindA, kindB, types));
             world.events.reportPair(kindA, kindB, types, world.handles);
             end();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public void reportWalls(int kind, int types) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             KindTable.check(kind);
             check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
             world.pending.settle();
@@ -61,8 +57,6 @@ public final class Reports {
             begin(settings.ofWalls(kind, types));
             world.events.reportWalls(kind, types, world.handles);
             end();
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -100,45 +94,39 @@ public final class Reports {
     /** Lists the pairs of two kinds that touch, two handles a pair, and returns their number. */
     public int touching(int kindA, int kindB, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             KindTable.check(kindA);
             KindTable.check(kindB);
             world.pending.settle();
             return world.events.list(kindA, kindB, Limits.notNull("handles", to));
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** The same of the pairs of a circle of a kind and a piece of terrain of a kind. */
     public int touchingPieces(int kind, int kindOfPieces, long[] to) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             KindTable.check(kind);
             KindTable.check(kindOfPieces);
             world.pending.settle();
             return world.events.listPieces(kind, kindOfPieces, Limits.notNull("handles", to));
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Asks for the events of all steps so far, without waiting for them. */
     public void request() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.guard.changing = true;
             world.pipeline.requestEvents();
             world.guard.changing = false;
             world.events.queue().request();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public EventRows takeRequested() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             if (!world.events.queue().isRequested()) {
                 throw new IllegalStateException("no events have been requested since the last were taken:"
                         + " call requestEvents before each takeEvents");
@@ -151,17 +139,13 @@ public final class Reports {
                 world.clock.end();
             }
             return world.events.queue().takeRequested();
-        } finally {
-            world.guard.leave();
         }
     }
 
     public void setHitSpeed(float speed) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             hitSpeed(Limits.within("the hit speed", speed, 0, Limits.SPEED));
-        } finally {
-            world.guard.leave();
         }
     }
 
@@ -185,10 +169,8 @@ public final class Reports {
         report(before.types);
         before.repeat(this);
         world.guard.enter();
-        try {
+        try (world.guard) {
             hitSpeed(before.hitSpeed);
-        } finally {
-            world.guard.leave();
         }
         settings = before;
     }
@@ -196,15 +178,13 @@ public final class Reports {
     /** The events since the last call. */
     public EventRows take() {
         world.guard.enter();
-        try {
+        try (world.guard) {
             world.clock.begin();
             world.guard.changing = true;
             world.pipeline.finishEvents();
             world.guard.changing = false;
             world.clock.end();
             return world.events.queue().take();
-        } finally {
-            world.guard.leave();
         }
     }
 }

@@ -85,7 +85,6 @@ final class QueryBatch {
     }
 
     // ---- arguments
-    // ---------------------------------------------------------------------------------------------------
 
     /** Takes the arrays of queries that find all. */
     void takeAll(long[] to, float[] hitsTo) {
@@ -123,7 +122,6 @@ final class QueryBatch {
     }
 
     // ---- queries
-    // -----------------------------------------------------------------------------------------------------
 
     /** Where the numbers of a query begin. */
     int at(int q) {

@@ -75,7 +75,7 @@ public final class Calls {
 
     private long make(Call call, long handle, int a, int b, int c, int d, int e, int f, int g, int h) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             words[0] = call.named == Call.Named.NOTHING ? a : id(call.named, handle);
             words[1] = b;
             words[2] = c;
@@ -85,19 +85,15 @@ public final class Calls {
             words[6] = g;
             words[7] = h;
             return execute(call, words);
-        } finally {
-            world.guard.leave();
         }
     }
 
     /** Makes a call of a log, which may come from anywhere. */
     public void repeat(Call call, int[] ofLog) {
         world.guard.enter();
-        try {
+        try (world.guard) {
             requireId(call.named, ofLog[0]);
             execute(call, ofLog);
-        } finally {
-            world.guard.leave();
         }
     }
 

@@ -57,7 +57,6 @@ final class JointSection {
     }
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** The length of the section behind its number. */
     static long bytes(SavedState s) {
@@ -194,7 +193,6 @@ final class JointSection {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Reads the section behind its number, and checks all but the colours and bodies that are pushed; circles and terrain have been read. */
     static void read(ByteBuffer in, SavedState s) {

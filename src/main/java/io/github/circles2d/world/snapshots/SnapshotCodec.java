@@ -73,7 +73,6 @@ public final class SnapshotCodec {
     private SnapshotCodec() {}
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** Throws {@link IllegalStateException} if a buffer cannot hold so many. */
     public static int bytes(SavedState s) {
@@ -221,7 +220,6 @@ public final class SnapshotCodec {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /**
      * Reads a snapshot from the position on, which stays, checks all of it, and returns its length. Another thread may write to the

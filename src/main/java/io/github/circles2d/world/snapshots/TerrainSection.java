@@ -68,7 +68,6 @@ final class TerrainSection {
     }
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** The length of the section of terrain behind its number. */
     static long bytes(SavedTerrain t) {
@@ -242,7 +241,6 @@ final class TerrainSection {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Reads the section of terrain behind its number, and checks all but which piece follows which. */
     static void readTerrain(ByteBuffer in, SavedState s) {

@@ -33,7 +33,6 @@ final class TurnSections {
     private TurnSections() {}
 
     // ---- writing
-    // -----------------------------------------------------------------------------------------------------
 
     /** Circles that have something. */
     static int circles(SavedState s) {
@@ -148,7 +147,6 @@ final class TurnSections {
     }
 
     // ---- reading
-    // -----------------------------------------------------------------------------------------------------
 
     /** Nothing turns, until a section says so. */
     static void clear(SavedState s) {

@@ -162,7 +162,6 @@ public final class PieceTable {
     }
 
     // ---- changes, for which there is room
-    // ----------------------------------------------------------------------------
 
     /** A two-sided segment, or a line of a chain. */
     int addLine(int ofBody, int kind, int shape, float x1, float y1, float x2, float y2, float thickness) {
@@ -292,7 +291,6 @@ public final class PieceTable {
     }
 
     // ---- states
-    // ------------------------------------------------------------------------------------------------------
 
     /** What of a shape is not a joint. */
     private static int withoutJoints(int shape) {
@@ -401,7 +399,6 @@ public final class PieceTable {
     }
 
     // ---- rows
-    // --------------------------------------------------------------------------------------------------------
 
     void changed(int piece) {
         changedFrom = Math.min(changedFrom, piece);

@@ -84,7 +84,6 @@ public final class RestingJoints {
     }
 
     // ---- what a step is told
-    // -------------------------------------------------------------------------------------------------
 
     /** The joints of a step that do not rest. */
     JointStep awake(JointStep step) {
@@ -249,7 +248,6 @@ public final class RestingJoints {
     }
 
     // ---- the joints of a circle
-    // ----------------------------------------------------------------------------------------------
 
     /** The first entry of a circle; of the id behind it: the end. */
     public int first(int id) {
@@ -323,7 +321,6 @@ public final class RestingJoints {
     }
 
     // ---- what a joint did in the last step, as this one goes on from it
-    // ------------------------------------------------------
 
     public float sumX(int joint, StepConstants k) {
         return sum(joint, JointState.SUM_X, k);
@@ -377,7 +374,6 @@ public final class RestingJoints {
     }
 
     // ---- the end of a step
-    // ---------------------------------------------------------------------------------------------------
 
     void tear(int joint) {
         torn[tornCount++] = a(joint);

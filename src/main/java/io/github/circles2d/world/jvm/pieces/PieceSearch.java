@@ -108,7 +108,6 @@ public final class PieceSearch {
     }
 
     // ---- circles that sleep
-    // ----------------------------------------------------------------------------------------------------
 
     /** Keeps the contacts of a circle that has fallen asleep, measured; one worker does it for all. */
     public void keep(int slot, TerrainStep terrain, StepConstants k) {
@@ -166,7 +165,6 @@ public final class PieceSearch {
     }
 
     // ---- the search
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Finds the places of what the workers have found, and returns how many contacts that are. */
     private int found() {

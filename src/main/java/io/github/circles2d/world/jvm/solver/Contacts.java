@@ -170,7 +170,6 @@ public final class Contacts {
     }
 
     // ---- finding
-    // -----------------------------------------------------------------------------------------------------
 
     /** Finds the circles that rest near to others, before all pairs. */
     public void findResting() {
@@ -319,7 +318,6 @@ public final class Contacts {
     }
 
     // ---- filling
-    // -----------------------------------------------------------------------------------------------------
 
     /** Begins to fill contacts. */
     void beginToFill(int worker) {

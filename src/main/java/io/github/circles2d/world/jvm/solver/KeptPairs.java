@@ -210,7 +210,6 @@ final class KeptPairs {
     }
 
     // ---- ways
-    // -------------------------------------------------------------------------------------------------------
 
     private void noteWays(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
@@ -263,7 +262,6 @@ final class KeptPairs {
     }
 
     // ---- pairs
-    // -------------------------------------------------------------------------------------------------------
 
     /** Whether {@link #find} finds the pairs of a level. */
     boolean has(int level) {

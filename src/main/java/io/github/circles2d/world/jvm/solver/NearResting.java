@@ -274,7 +274,6 @@ public final class NearResting {
     }
 
     // ---- impulses
-    // ----------------------------------------------------------------------------------------------------------
 
     /** Before contacts are filled. */
     void beginContacts(int worker) {

@@ -135,7 +135,6 @@ public final class Resting {
     }
 
     // ---- who rests
-    // --------------------------------------------------------------------------------------------------
 
     /** Before a step, of a version of what kinds sense: wakes the circles that it may change, and lets those rest that it does not. */
     public void settle(StepConstants k, int ofKinds) {
@@ -227,7 +226,6 @@ public final class Resting {
     }
 
     // ---- impulses
-    // -------------------------------------------------------------------------------------------------------
 
     /** Takes note that a circle that rests may get impulses in this step, or has some. */
     public void unsettle(int id) {
@@ -260,7 +258,6 @@ public final class Resting {
     }
 
     // ---- cells
-    // -----------------------------------------------------------------------------------------------------
 
     /** Makes room for ids. */
     public void ensure() {
@@ -380,7 +377,6 @@ public final class Resting {
     }
 
     // ---- searches
-    // ---------------------------------------------------------------------------------------------------
 
     /** Slots that a search has found. Each worker has its own. */
     public static final class Found {

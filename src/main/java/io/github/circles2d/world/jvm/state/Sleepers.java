@@ -165,7 +165,6 @@ public final class Sleepers {
     }
 
     // ---- who sleeps
-    // ---------------------------------------------------------------------------------------------------
 
     /** A circle that is awake begins anew to come to rest. */
     public void restart(int slot) {
@@ -201,7 +200,6 @@ public final class Sleepers {
     }
 
     // ---- of a step
-    // ----------------------------------------------------------------------------------------------------
 
     /** Before some slots move. */
     public void noteStarts(int from, int to) {
@@ -266,7 +264,6 @@ public final class Sleepers {
     }
 
     // ---- impulses
-    // -----------------------------------------------------------------------------------------------------
 
     /** The number of impulses. */
     public int impulses() {
@@ -397,7 +394,6 @@ public final class Sleepers {
     }
 
     // ---- pieces
-    // -------------------------------------------------------------------------------------------------------
 
     /** Keeps the contacts of a slot with pieces, so many from one on. */
     public void keepPieces(int id, int from, int many, PieceContacts contacts) {
@@ -436,7 +432,6 @@ public final class Sleepers {
     }
 
     // ---- whom to look at
-    // ---------------------------------------------------------------------------------------------
 
     /** The balance of a circle may be another in the next step. */
     public void suspect(int id) {
@@ -468,7 +463,6 @@ public final class Sleepers {
     }
 
     // ---- state
-    // --------------------------------------------------------------------------------------------------------
 
     /** Saves the circle with an id as circle k. */
     void save(int id, SavedState into, int k) {

@@ -404,7 +404,6 @@ public final class State implements ContactEvents.Sleepers {
     }
 
     // ---- sleep
-    // ----------------------------------------------------------------------------------------------------------
 
     /** A field of a circle has changed. */
     private void changed(CircleField field, int circleId) {
