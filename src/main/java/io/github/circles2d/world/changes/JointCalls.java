@@ -351,10 +351,8 @@ public final class JointCalls implements Calls.Effects {
 
     private void ensureFound(int n) {
         if (foundOthers.length < n) {
-            int[] newFound = new int[n];
-            int[] newFoundOthers = new int[n];
-            found = newFound;
-            foundOthers = newFoundOthers;
+            found = new int[n];
+            foundOthers = new int[n];
         }
     }
 

@@ -35,18 +35,14 @@ public final class EventRows {
         count = 0;
     }
 
-    /** Makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int rows) {
         if (rows > step.length) {
             int c = Math.max(rows, Math.max(LEAST_ROWS, step.length + (step.length >> 1)));
-            int[] newWords = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
-            long[] newA = Arrays.copyOf(a, c);
-            long[] newB = Arrays.copyOf(b, c);
-            long[] newStep = Arrays.copyOf(step, c);
-            words = newWords;
-            a = newA;
-            b = newB;
-            step = newStep;
+            words = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
+            a = Arrays.copyOf(a, c);
+            b = Arrays.copyOf(b, c);
+            step = Arrays.copyOf(step, c);
         }
     }
 

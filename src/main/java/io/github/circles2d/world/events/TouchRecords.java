@@ -89,14 +89,10 @@ public final class TouchRecords {
             float threshold) {
         if (count == higher.length) {
             int longer = Math.max(64, 2 * count);
-            int[] newLower = Arrays.copyOf(lower, longer);
-            float[] newValues = Arrays.copyOf(values, STRIDE * longer);
-            int[] newPair = Arrays.copyOf(pair, longer);
-            int[] newHigher = Arrays.copyOf(higher, longer);
-            lower = newLower;
-            values = newValues;
-            pair = newPair;
-            higher = newHigher;
+            lower = Arrays.copyOf(lower, longer);
+            values = Arrays.copyOf(values, STRIDE * longer);
+            pair = Arrays.copyOf(pair, longer);
+            higher = Arrays.copyOf(higher, longer);
         }
         pair[count] = number;
         lower[count] = lowerId;

@@ -18,10 +18,8 @@ public final class AnchorPlaces {
     AnchorPlaces() {}
 
     void setRoom(int joints) {
-        int[] newBody = Arrays.copyOf(body, joints);
-        float[] newOnBody = Arrays.copyOf(onBody, 2 * joints);
-        body = newBody;
-        onBody = newOnBody;
+        body = Arrays.copyOf(body, joints);
+        onBody = Arrays.copyOf(onBody, 2 * joints);
     }
 
     /** How many anchors are on bodies. */

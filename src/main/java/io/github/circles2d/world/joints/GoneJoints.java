@@ -25,12 +25,9 @@ public final class GoneJoints {
         int needed = count + more;
         if (needed > reasons.length) {
             int c = Math.max(needed, reasons.length + (reasons.length >> 1));
-            long[] newHandles = Arrays.copyOf(handles, HANDLES * c);
-            float[] newLoads = Arrays.copyOf(loads, LOADS * c);
-            byte[] newReasons = Arrays.copyOf(reasons, c);
-            handles = newHandles;
-            loads = newLoads;
-            reasons = newReasons;
+            handles = Arrays.copyOf(handles, HANDLES * c);
+            loads = Arrays.copyOf(loads, LOADS * c);
+            reasons = Arrays.copyOf(reasons, c);
         }
     }
 

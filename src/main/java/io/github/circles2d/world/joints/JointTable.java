@@ -59,10 +59,8 @@ public final class JointTable {
     }
 
     private void setRoom(int c) {
-        float[] newRows = Arrays.copyOf(rows, JointRow.of(c));
-        int[] newTraits = Arrays.copyOf(traits, JointRow.traits(c));
-        rows = newRows;
-        traits = newTraits;
+        rows = Arrays.copyOf(rows, JointRow.of(c));
+        traits = Arrays.copyOf(traits, JointRow.traits(c));
         ofCircles.setRoom(c);
         places.setRoom(c);
         rigid.setRoom(c);

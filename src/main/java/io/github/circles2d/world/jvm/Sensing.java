@@ -128,18 +128,12 @@ final class Sensing {
         }
         learn(reports);
         if (kind.length < state.capacity()) {
-            float[] newStart = new float[CircleRow.vector(state.capacity())];
-            float[] newPath = new float[state.capacity()];
-            float[] newReach = new float[state.capacity()];
-            int[] newKind = new int[state.capacity()];
-            boolean[] newSeen = new boolean[state.capacity()];
-            boolean[] newStrays = new boolean[state.capacity()];
-            start = newStart;
-            path = newPath;
-            reach = newReach;
-            kind = newKind;
-            seen = newSeen;
-            strays = newStrays;
+            start = new float[CircleRow.vector(state.capacity())];
+            path = new float[state.capacity()];
+            reach = new float[state.capacity()];
+            seen = new boolean[state.capacity()];
+            strays = new boolean[state.capacity()];
+            kind = new int[state.capacity()];
         }
     }
 

@@ -223,13 +223,10 @@ final class Waking implements WakingByBodies.Circles {
         if (looked.length < state.slotOf.length) {
             int ids = state.slotOf.length;
             sums.ensure(ids);
-            float[] newSpeed = new float[ids];
-            float[] newNext = new float[ids];
-            int[] newWokenIn = new int[ids];
+            speed = new float[ids];
+            next = new float[ids];
+            wokenIn = new int[ids];
             looked = new int[ids];
-            next = newNext;
-            wokenIn = newWokenIn;
-            speed = newSpeed;
             step = 0;
         }
         if (++step < 0) {

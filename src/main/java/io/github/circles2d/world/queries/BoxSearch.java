@@ -242,10 +242,8 @@ public abstract class BoxSearch<S extends ThingShape> extends PathSearch impleme
 
     private void push(int base, int i, double distance) {
         if (waiting == node.length) {
-            double[] newNodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
-            int[] newNode = Arrays.copyOf(node, newNodeDistance.length);
-            nodeDistance = newNodeDistance;
-            node = newNode;
+            nodeDistance = Arrays.copyOf(nodeDistance, Capacity.atLeast(waiting + 1, waiting));
+            node = Arrays.copyOf(node, nodeDistance.length);
         }
         int k = waiting++;
         while (k > base && nodeDistance[k - 1] < distance) {

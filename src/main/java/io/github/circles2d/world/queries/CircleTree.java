@@ -105,7 +105,7 @@ public final class CircleTree {
         size = n;
     }
 
-    /** Lays the levels out and makes room. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Lays the levels out and makes room. The array that is compared grows last: a growth that fails is tried again. */
     private void makeRoom(int n) {
         int level = 0;
         int count = (n + CIRCLES_A_BOX - 1) / CIRCLES_A_BOX;
@@ -126,14 +126,10 @@ public final class CircleTree {
         }
         if (id.length < n) {
             int c = Capacity.atLeast(n, id.length);
-            float[] newX = new float[c];
-            float[] newY = new float[c];
-            float[] newRadius = new float[c];
-            int[] newId = new int[c];
-            x = newX;
-            y = newY;
-            radius = newRadius;
-            id = newId;
+            x = new float[c];
+            y = new float[c];
+            radius = new float[c];
+            id = new int[c];
         }
     }
 

@@ -21,10 +21,9 @@ public final class Images {
         boolean y = bounds.periodY() < Float.POSITIVE_INFINITY;
         int most = Math.multiplyExact(n, (x ? 2 : 1) * (y ? 2 : 1));
         if (ids.length < most) {
-            int[] newIds = new int[Capacity.atLeast(most, ids.length)];
-            float[] newCircles = new float[Math.multiplyExact(CircleRow.STRIDE, newIds.length)];
-            ids = newIds;
-            circles = newCircles;
+            int c = Capacity.atLeast(most, ids.length);
+            circles = new float[Math.multiplyExact(CircleRow.STRIDE, c)];
+            ids = new int[c];
         }
         System.arraycopy(rows, 0, circles, 0, CircleRow.STRIDE * n);
         System.arraycopy(ofRows, 0, ids, 0, n);

@@ -79,10 +79,8 @@ final class SparseGrid {
         }
         if (last.length < cells) {
             int c = cells + (cells >> 2);
-            int[] newCount = new int[c];
-            int[] newLast = new int[c];
-            count = newCount;
-            last = newLast;
+            count = new int[c];
+            last = new int[c];
         }
         if (cells > 0 && before.length < state.capacity()) {
             before = new int[state.capacity()];

@@ -118,17 +118,12 @@ public final class RestingJoints {
         int count = all.count;
         if (awake.order.length < count) {
             int room = count + (count >> 1) + 16;
-            int[] newOrder = new int[room];
-            int[] newSplitEnds = new int[2 * room];
-            int[] newJoints = new int[2 * room];
-            int[] newDriving = new int[room];
-            int[] newBordering = new int[room];
             torn = new int[2 * room];
-            awake.order = newOrder;
-            awake.splitEnds = newSplitEnds;
-            joints = newJoints;
-            driving = newDriving;
-            bordering = newBordering;
+            awake.splitEnds = new int[2 * room];
+            joints = new int[2 * room];
+            driving = new int[room];
+            bordering = new int[room];
+            awake.order = new int[room];
         }
         if (awake.starts.length < all.starts.length) {
             awake.starts = new int[all.starts.length];

@@ -383,10 +383,8 @@ public final class PieceSearch {
 
         private void ensure(int room) {
             if (PieceContactRow.of(room) > rows.length) {
-                int[] newNumbers = Arrays.copyOf(numbers, PieceContactRow.numbers(room + (room >> 1)));
-                float[] newRows = Arrays.copyOf(rows, PieceContactRow.of(room + (room >> 1)));
-                numbers = newNumbers;
-                rows = newRows;
+                numbers = Arrays.copyOf(numbers, PieceContactRow.numbers(room + (room >> 1)));
+                rows = Arrays.copyOf(rows, PieceContactRow.of(room + (room >> 1)));
             }
         }
     }

@@ -154,10 +154,8 @@ public final class Contacts {
         if (ContactRow.PAIR_STRIDE * contacts > pair.length) {
             int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
             impulseCache.ensure(c);
-            float[] newContact = new float[ContactRow.of(c)];
-            int[] newPair = new int[ContactRow.a(c)];
-            contact = newContact;
-            pair = newPair;
+            contact = new float[ContactRow.of(c)];
+            pair = new int[ContactRow.a(c)];
         }
         int room = contact.length / ContactRow.STRIDE;
         if (state.turning != null && !rows.hasRoom(room)) {

@@ -62,12 +62,9 @@ final class FoundCross {
             return;
         }
         if (count == light.length) {
-            int[] newLight = Arrays.copyOf(light, 2 * count);
-            int[] newRank = Arrays.copyOf(rank, 2 * count);
-            long[] newHeavy = Arrays.copyOf(heavy, 2 * count);
-            light = newLight;
-            rank = newRank;
-            heavy = newHeavy;
+            rank = Arrays.copyOf(rank, 2 * count);
+            heavy = Arrays.copyOf(heavy, 2 * count);
+            light = Arrays.copyOf(light, 2 * count);
         }
         light[count] = lightSlot;
         heavy[count++] = heavyIdAndSlot;

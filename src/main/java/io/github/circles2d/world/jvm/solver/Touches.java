@@ -158,12 +158,9 @@ public final class Touches {
         }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
-            boolean[] newHasUnkept = new boolean[(length / STRIDE >> PART) + 1];
-            float[] newPlaces = new float[length];
-            float[] newRows = new float[length];
-            hasUnkept = newHasUnkept;
-            places = newPlaces;
-            rows = newRows;
+            hasUnkept = new boolean[(length / STRIDE >> PART) + 1];
+            places = new float[length];
+            rows = new float[length];
         }
         if (state.turning != null && (slips == null || slips.length < SLIPS * (long) many)) {
             slips = new float[SLIPS * (rows.length / STRIDE)];

@@ -263,12 +263,9 @@ public final class Resting {
     public void ensure() {
         if (rank.length < state.slotOf.length) {
             int ids = state.slotOf.length;
-            float[] newPlace = Arrays.copyOf(place, CircleRow.vector(ids));
-            int[] newCell = Arrays.copyOf(cell, CELL * ids);
-            int[] newRank = Arrays.copyOf(rank, ids);
-            place = newPlace;
-            cell = newCell;
-            rank = newRank;
+            place = Arrays.copyOf(place, CircleRow.vector(ids));
+            cell = Arrays.copyOf(cell, CELL * ids);
+            rank = Arrays.copyOf(rank, ids);
         }
     }
 

@@ -124,31 +124,21 @@ public final class Sleepers {
         return sum;
     }
 
-    /** Makes room for ids. All arrays are made before one is assigned: a growth that fails changes nothing. */
+    /** Makes room for ids. The array that is compared grows last: a growth that fails is tried again. */
     void ensure(int ids) {
         if (first.length < ids) {
             int old = first.length;
-            boolean[] newBegins = Arrays.copyOf(begins, ids);
-            float[] newStart = Arrays.copyOf(start, CircleRow.vector(ids));
-            float[] newMoved = Arrays.copyOf(moved, CircleRow.vector(ids));
-            boolean[] newMovesOn = Arrays.copyOf(movesOn, ids);
-            int[] newTurnedInStep = Arrays.copyOf(turnedInStep, ids);
-            int[] newRests = Arrays.copyOf(rests, RESTS * ids);
-            int[] newFirst = Arrays.copyOf(first, ids);
-            Arrays.fill(newFirst, old, ids, NONE);
-            float[][] newPieceRows = Arrays.copyOf(pieceRows, ids);
-            int[][] newPieceNumbers = Arrays.copyOf(pieceNumbers, ids);
-            int[] newPieceCount = Arrays.copyOf(pieceCount, ids);
-            begins = newBegins;
-            start = newStart;
-            moved = newMoved;
-            movesOn = newMovesOn;
-            turnedInStep = newTurnedInStep;
-            rests = newRests;
-            pieceRows = newPieceRows;
-            pieceNumbers = newPieceNumbers;
-            pieceCount = newPieceCount;
-            first = newFirst;
+            begins = Arrays.copyOf(begins, ids);
+            start = Arrays.copyOf(start, CircleRow.vector(ids));
+            moved = Arrays.copyOf(moved, CircleRow.vector(ids));
+            movesOn = Arrays.copyOf(movesOn, ids);
+            turnedInStep = Arrays.copyOf(turnedInStep, ids);
+            rests = Arrays.copyOf(rests, RESTS * ids);
+            pieceRows = Arrays.copyOf(pieceRows, ids);
+            pieceNumbers = Arrays.copyOf(pieceNumbers, ids);
+            pieceCount = Arrays.copyOf(pieceCount, ids);
+            first = Arrays.copyOf(first, ids);
+            Arrays.fill(first, old, ids, NONE);
         }
     }
 
@@ -275,10 +265,8 @@ public final class Sleepers {
         int need = used + more;
         if (normal.length < need) {
             int c = need + (need >> 1);
-            int[] newLinks = Arrays.copyOf(links, LINKS * c);
-            float[] newNormal = Arrays.copyOf(normal, c);
-            links = newLinks;
-            normal = newNormal;
+            links = Arrays.copyOf(links, LINKS * c);
+            normal = Arrays.copyOf(normal, c);
         }
         if (state.turning != null) {
             ensureRows();
