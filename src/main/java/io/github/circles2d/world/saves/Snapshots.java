@@ -23,7 +23,7 @@ public final class Snapshots {
     public int bytes() {
         world.guard.enter();
         try (world.guard) {
-            return SnapshotCodec.bytes(world.copies.saved());
+            return world.copies.snapshot().limit();
         }
     }
 
@@ -34,13 +34,13 @@ public final class Snapshots {
             if (Limits.notNull("to", to).isReadOnly()) {
                 throw new IllegalArgumentException("the buffer is read-only");
             }
-            SavedState saved = world.copies.saved();
-            int bytes = SnapshotCodec.bytes(saved);
-            if (to.remaining() < bytes) {
-                throw new IllegalArgumentException(
-                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
+            ByteBuffer snapshot = world.copies.snapshot();
+            if (to.remaining() < snapshot.limit()) {
+                throw new IllegalArgumentException("the buffer has room for " + to.remaining()
+                        + " bytes, but the snapshot has " + snapshot.limit());
             }
-            SnapshotCodec.write(saved, to);
+            SnapshotCodec.addCheck(snapshot);
+            to.put(snapshot.array(), 0, snapshot.limit());
         }
     }
 
@@ -61,7 +61,8 @@ public final class Snapshots {
     public void save(SnapshotRing ring, int frame) {
         world.guard.enterToReplace();
         try (world.guard) {
-            ring.save(frame, world.copies.saved());
+            ByteBuffer snapshot = world.copies.snapshot();
+            ring.save(frame, snapshot, world.copies.saved().parameters());
         }
     }
 
