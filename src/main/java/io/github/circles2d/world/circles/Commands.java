@@ -135,8 +135,6 @@ public final class Commands {
 
     private int areaCount;
 
-    public Commands() {}
-
     public int count() {
         return count;
     }

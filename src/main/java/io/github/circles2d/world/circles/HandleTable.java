@@ -51,9 +51,6 @@ public final class HandleTable {
     private boolean radiiChanged;
     private final int[] population = new int[GridLevels.COUNT];
 
-    /** No circles. */
-    public HandleTable() {}
-
     private static int word(int id) {
         return id >>> WORD_SHIFT;
     }

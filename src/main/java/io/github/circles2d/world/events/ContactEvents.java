@@ -487,7 +487,6 @@ public final class ContactEvents {
         return tracker.listPieces(kind, kindOfPieces, handles);
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return queue.bytes()
                 + step.bytes()

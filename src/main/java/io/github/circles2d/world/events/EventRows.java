@@ -29,8 +29,6 @@ public final class EventRows {
     /** Null until events are sorted. */
     private EventSort sort;
 
-    public EventRows() {}
-
     void clear() {
         count = 0;
     }
@@ -265,7 +263,6 @@ public final class EventRows {
         return event;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return (4L * STRIDE + 24L) * step.length + (sort == null ? 0 : sort.bytes());
     }

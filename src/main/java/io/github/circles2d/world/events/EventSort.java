@@ -93,7 +93,6 @@ final class EventSort {
         return order[place];
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 24L * orderNext.length + 4L * DIGITS;
     }

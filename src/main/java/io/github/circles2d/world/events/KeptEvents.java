@@ -22,7 +22,6 @@ public final class KeptEvents {
         return rows[place];
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         long sum = 0;
         for (EventRows list : rows) {

@@ -143,7 +143,6 @@ final class KnownCircles {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 13L * handleOf.length;
     }

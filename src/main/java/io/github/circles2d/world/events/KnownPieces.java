@@ -107,7 +107,6 @@ final class KnownPieces {
         return version;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 9L * handleOf.length + 4L * population.length;
     }

@@ -50,9 +50,6 @@ public final class SavedTouches {
 
     public float[] lateValues = new float[0];
 
-    /** Nothing. */
-    public SavedTouches() {}
-
     /** Forgets everything. */
     public void clear() {
         pairs = 0;

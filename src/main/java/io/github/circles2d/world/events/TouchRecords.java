@@ -37,8 +37,6 @@ public final class TouchRecords {
     private int[] ended = new int[0];
     private int endedCount;
 
-    public TouchRecords() {}
-
     public void clear() {
         count = 0;
         told = 0;
@@ -192,7 +190,6 @@ public final class TouchRecords {
         to.setValues(row, values, STRIDE * record);
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 4L * (lower.length + higher.length + values.length + pair.length + ended.length);
     }

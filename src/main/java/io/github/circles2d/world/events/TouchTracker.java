@@ -80,7 +80,6 @@ final class TouchTracker {
         return open;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return listed.bytes();
     }

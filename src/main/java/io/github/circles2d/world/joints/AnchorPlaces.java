@@ -15,8 +15,6 @@ public final class AnchorPlaces {
 
     private int count;
 
-    AnchorPlaces() {}
-
     void setRoom(int joints) {
         body = Arrays.copyOf(body, joints);
         onBody = Arrays.copyOf(onBody, 2 * joints);

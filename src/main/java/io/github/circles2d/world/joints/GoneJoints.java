@@ -18,8 +18,6 @@ public final class GoneJoints {
     private float[] loads = new float[0];
     private byte[] reasons = new byte[0];
 
-    public GoneJoints() {}
-
     /** Makes room for more. If there is none, nothing has changed. */
     void ensure(int more) {
         int needed = count + more;
@@ -60,7 +58,6 @@ public final class GoneJoints {
         reasons = ofReasons;
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 8L * handles.length + 4L * loads.length + reasons.length;
     }

@@ -393,7 +393,6 @@ public final class JointTable {
         }
     }
 
-    /** Bytes of the table. */
     long bytes() {
         return 4L * (rows.length + traits.length)
                 + places.bytes()

@@ -239,7 +239,6 @@ public final class JointTables {
         table.publish(step);
     }
 
-    /** Bytes of the tables. */
     public long bytes() {
         return isThere() ? table.bytes() + schedule.bytes() + departures.bytes() + stepBytes() : 0;
     }

@@ -51,8 +51,6 @@ public final class SavedJoints {
     /** By id: {@link #VALUES} floats. */
     public float[] values = new float[0];
 
-    public SavedJoints() {}
-
     /** As it is at first. */
     public void clear() {
         ids = 0;

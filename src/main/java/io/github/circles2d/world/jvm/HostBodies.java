@@ -658,7 +658,6 @@ public final class HostBodies implements AutoCloseable {
         tell();
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return state.bytes()
                 + passes.bytes()

@@ -145,7 +145,6 @@ final class Recorder {
         touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = touches.bytes() + sensing.bytes();
         for (TouchRecords each : records) {

@@ -468,7 +468,6 @@ final class Sensing {
         records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, 0f, vn, Float.MAX_VALUE);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (start.length + path.length + reach.length + kind.length) + seen.length + strays.length;
     }

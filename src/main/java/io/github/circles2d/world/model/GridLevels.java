@@ -128,8 +128,6 @@ public final class GridLevels {
     public float minY;
     public float rmax;
 
-    public GridLevels() {}
-
     /** Counts are by size class. */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts, boolean someStatic) {
         this.bounds = bounds;

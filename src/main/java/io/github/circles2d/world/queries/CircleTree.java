@@ -62,9 +62,6 @@ public final class CircleTree {
     /** The level that has one box. */
     int top;
 
-    /** No circles. */
-    public CircleTree() {}
-
     /** Ids ascend. The arrays are not kept. */
     public void build(float[] circles, int[] ids, int n) {
         halfX = Double.POSITIVE_INFINITY;

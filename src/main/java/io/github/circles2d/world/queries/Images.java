@@ -12,9 +12,6 @@ public final class Images {
     private int[] ids = new int[0];
     private int count;
 
-    /** None. */
-    public Images() {}
-
     /** Takes rows of circles and their ids, and makes their images. */
     public void make(float[] rows, int[] ofRows, int n, Bounds bounds) {
         boolean x = bounds.periodX() < Float.POSITIVE_INFINITY;

@@ -10,9 +10,6 @@ public final class TreeSearch implements Search {
     private final NearestSearch nearest = new NearestSearch(tree);
     private final CastSearch casts = new CastSearch(tree);
 
-    /** No circles. */
-    public TreeSearch() {}
-
     /** As {@link CircleTree#build}; if the arena wraps, circles have images beyond it. */
     public void build(float[] circles, int[] ids, int n, Bounds bounds) {
         if (bounds.wraps()) {

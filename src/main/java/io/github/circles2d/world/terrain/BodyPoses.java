@@ -14,8 +14,6 @@ public final class BodyPoses {
     private double[] y = new double[0];
     private int[] angle = new int[0];
 
-    public BodyPoses() {}
-
     /** Takes down where bodies are. */
     public void keep(BodyTable bodies) {
         int n = bodies.ids.end();

@@ -27,8 +27,6 @@ public class BodyStates {
     public float[] targetY = new float[0];
     public int[] targetAngle = new int[0];
 
-    BodyStates() {}
-
     /** For how many bodies there is room. */
     final int room() {
         return targetAngle.length;

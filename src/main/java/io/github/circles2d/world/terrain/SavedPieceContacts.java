@@ -32,8 +32,6 @@ public final class SavedPieceContacts {
     /** Room for the rows of a contact that somebody is about to add. */
     public final float[] next = new float[ContactRows.COUNT];
 
-    public SavedPieceContacts() {}
-
     public void clear() {
         count = 0;
     }

@@ -350,7 +350,6 @@ public final class TerrainTables {
         }
     }
 
-    /** Bytes of the tables. */
     public long bytes() {
         return (long) Integer.BYTES
                 * (pieces.rows.length

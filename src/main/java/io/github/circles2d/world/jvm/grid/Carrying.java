@@ -47,7 +47,6 @@ final class Carrying {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 8L * carryTime.length;
     }

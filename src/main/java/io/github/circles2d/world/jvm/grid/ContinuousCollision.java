@@ -117,7 +117,6 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 12L * timeOfImpact.length
                 + 4L * range.length

@@ -510,7 +510,6 @@ public final class Grid {
         return 0.5f * levels.top[levels.used[0]];
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return (6 * 4 + 1L) * bucketOf.length + 8L * sheetKey.length + 4L * start.length;
     }

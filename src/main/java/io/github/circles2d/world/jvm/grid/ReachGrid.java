@@ -77,7 +77,6 @@ final class ReachGrid {
         used.set(0);
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (last.length + before.length + reach.length);
         for (int[] each : hits) {

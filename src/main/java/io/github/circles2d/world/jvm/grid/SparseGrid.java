@@ -99,7 +99,6 @@ final class SparseGrid {
         cells += columns[level] * rows[level];
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (last.length + count.length + before.length);
         for (int[] each : hits) {

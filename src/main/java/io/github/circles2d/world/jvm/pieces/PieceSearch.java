@@ -60,7 +60,6 @@ public final class PieceSearch {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         long sum = memory.bytes();
         for (Finder each : finders) {

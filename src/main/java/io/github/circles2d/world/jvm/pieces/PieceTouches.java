@@ -202,7 +202,6 @@ public final class PieceTouches {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 4L * rows.length;
     }

@@ -542,7 +542,6 @@ public final class Contacts {
         return (long) state.id[lowerSlot(c)] << 32 | state.id[higherSlot(c)];
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
                 + rows.bytes()

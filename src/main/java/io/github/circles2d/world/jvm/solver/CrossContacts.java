@@ -100,7 +100,6 @@ final class CrossContacts {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (lightStart.length + load.length + number.length + light.length) + 8L * heavy.length;
         for (FoundCross f : found) {

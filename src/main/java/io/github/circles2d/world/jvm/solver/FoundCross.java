@@ -50,7 +50,6 @@ final class FoundCross {
         near.count = 0;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 16L * heavy.length + 4L * near.slots.length;
     }

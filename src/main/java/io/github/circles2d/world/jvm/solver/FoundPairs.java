@@ -225,7 +225,6 @@ final class FoundPairs {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 16L * (ids.length + gatheredIds.length) + 8L * (kept.length + keptBefore.length);
     }

@@ -122,7 +122,6 @@ final class HeavyCircles {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (slot.length + seen.length + claim.length + seenSurfaceSpeed.length);
         for (int w = 0; w < sums.length; w++) {

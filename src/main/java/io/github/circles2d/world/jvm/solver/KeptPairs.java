@@ -111,7 +111,6 @@ final class KeptPairs {
         this.found = found;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (last.length + lastBucket.length + 3L * way.length + 5L * keptAt.length);
     }

@@ -96,7 +96,6 @@ public final class NearResting {
         }
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (first.length + list.length);
         for (int worker = 0; worker < found.length; worker++) {

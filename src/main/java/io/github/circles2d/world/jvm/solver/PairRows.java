@@ -45,7 +45,6 @@ final class PairRows {
         return STRIDE * contact;
     }
 
-    /** Memory of the array. */
     long bytes() {
         return 4L * values.length;
     }

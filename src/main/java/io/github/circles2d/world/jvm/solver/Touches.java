@@ -504,7 +504,6 @@ public final class Touches {
                 threshold(c, k));
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 8L * rows.length
                 + hasUnkept.length

@@ -73,7 +73,6 @@ public final class ImpulseCache {
         }
     }
 
-    /** Memory of the arrays. */
     public long bytes() {
         return 28L * next.length + 8L * rows.length;
     }

@@ -39,7 +39,6 @@ public final class PieceContacts {
     private float[] rowsSpare = new float[0];
     private int[] numbersSpare = new int[0];
 
-    /** Memory of the arrays. */
     long bytes() {
         return 4L * (2 * first.length + 2 * count.length + measured.length + surfaces.length + pieces.length)
                 + 4L * (rows.length + rowsSpare.length + numbers.length + numbersSpare.length);

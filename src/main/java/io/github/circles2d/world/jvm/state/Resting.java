@@ -125,7 +125,6 @@ public final class Resting {
         proposed = true;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (place.length + cell.length + rank.length + last.length + unsettled.length);
         for (int k = 0; k < usedCount; k++) {

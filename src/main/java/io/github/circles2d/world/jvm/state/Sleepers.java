@@ -112,7 +112,6 @@ public final class Sleepers {
         this.state = state;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (rests.length + start.length + moved.length + turnedInStep.length + first.length + links.length)
                 + 4L * (normal.length + rows.length + pieceCount.length + suspects.length)

@@ -163,7 +163,6 @@ public final class State implements ContactEvents.Sleepers {
     private int[] firstCachedSpare = new int[0];
     private boolean[] freshSpare = new boolean[0];
 
-    /** Memory of the arrays. */
     public long bytes() {
         // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, room, plan,
         // motionClamp

@@ -57,7 +57,6 @@ public final class Turning {
         this.state = state;
     }
 
-    /** Memory of the arrays. */
     long bytes() {
         return (2 * (4 + 4 + 4 * ContactRows.OF_WALLS) + 16 + 4L * KindSurface.STRIDE) * angle.length;
     }
