@@ -242,4 +242,17 @@ public final class Calibration {
         }
         return text.toString();
     }
+
+    /** Takes the times that a calibration is made of. */
+    interface Meter {
+        /**
+         * Times a loop of Circles2D.
+         *
+         * @param device what to run on
+         * @param indexing one of the indexings, not {@link PairIndexing#AUTO}
+         * @param circles number of circles
+         * @return what loops took
+         */
+        FrameTimes loop(Device device, PairIndexing indexing, int circles);
+    }
 }

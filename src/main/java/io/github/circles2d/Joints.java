@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.Handle;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointSetting;
 import io.github.circles2d.world.model.Limits;
@@ -87,7 +87,7 @@ public final class Joints {
      */
     public long add(long body, float x, float y, long other, float otherX, float otherY, Joint joint) {
         return simulation.joints.add(
-                JointEndType.RIGID, body, x, y, JointEndType.RIGID, other, otherX, otherY, form(joint));
+                JointEnds.RIGID, body, x, y, JointEnds.RIGID, other, otherX, otherY, form(joint));
     }
 
     /**
@@ -102,7 +102,7 @@ public final class Joints {
      * @throws IllegalArgumentException as {@link #add(long, float, float, long, float, float, Joint)}
      */
     public long add(long body, float x, float y, long circle, Joint joint) {
-        return simulation.joints.add(JointEndType.RIGID, body, x, y, JointEndType.CIRCLE, circle, 0, 0, form(joint));
+        return simulation.joints.add(JointEnds.RIGID, body, x, y, JointEnds.CIRCLE, circle, 0, 0, form(joint));
     }
 
     /**
@@ -120,11 +120,11 @@ public final class Joints {
      */
     public long add(long body, float x, float y, float worldX, float worldY, Joint joint) {
         return simulation.joints.add(
-                JointEndType.RIGID,
+                JointEnds.RIGID,
                 body,
                 x,
                 y,
-                JointEndType.ANCHOR,
+                JointEnds.ANCHOR,
                 simulation.bodies.ground(),
                 worldX,
                 worldY,
@@ -148,7 +148,7 @@ public final class Joints {
     public long add(long body, float x, float y, TerrainBody terrain, float terrainX, float terrainY, Joint joint) {
         long handle = Limits.notNull("terrain", terrain).handleIn(simulation);
         return simulation.joints.add(
-                JointEndType.RIGID, body, x, y, JointEndType.ANCHOR, handle, terrainX, terrainY, form(joint));
+                JointEnds.RIGID, body, x, y, JointEnds.ANCHOR, handle, terrainX, terrainY, form(joint));
     }
 
     /**

@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.changes.Kinds;
-import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.KindField;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.SurfaceSettings;
 
 /**
  * A kind of circles of a world, such as players, bullets or grains. It decides which other circles they meet, and how they move. A world
@@ -317,7 +317,7 @@ public final class Kind {
      * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setBeltSpeed(float speed) {
-        return set(KindField.BELT_SPEED, BeltSpeed.ofKind(speed));
+        return set(KindField.BELT_SPEED, SurfaceSettings.beltOfKind(speed));
     }
 
     /**
@@ -326,7 +326,7 @@ public final class Kind {
      * @return lengths per second, with the sign of {@link #setBeltSpeed}; 0 at first
      */
     public float beltSpeed() {
-        return BeltSpeed.ofKind(kinds.getFloat(KindField.BELT_SPEED, number));
+        return SurfaceSettings.beltOfKind(kinds.getFloat(KindField.BELT_SPEED, number));
     }
 
     /**

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.events.KeptEvents;
+import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.reports.ReportSettings;
 import java.nio.Buffer;
@@ -172,7 +172,7 @@ public final class Rollback {
     private final Events events = new Events();
 
     // By place: of the frames from the first that is not confirmed to the next one.
-    private final KeptEvents kept;
+    private final EventRows[] kept;
     private final ByteBuffer[] states;
     private final long[] randoms;
     private final ReportSettings[] reported;
@@ -229,7 +229,7 @@ public final class Rollback {
         this.window = Limits.within("the window", window, 1, GREATEST_WINDOW);
         rewind = new Rewind(world, window);
         inputs = new FrameInputs(players, WINDOWS_OF_INPUTS * window);
-        kept = new KeptEvents(window);
+        kept = new EventRows[window];
         states = new ByteBuffer[window];
         for (int place = 0; place < window; place++) {
             states[place] = ByteBuffer.allocate(LEAST_STATE);
@@ -241,6 +241,7 @@ public final class Rollback {
         reportedBodies = new boolean[window];
         keptBodies = new BodyEvents[window];
         for (int place = 0; place < window; place++) {
+            kept[place] = new EventRows();
             keptJoints[place] = new JointEvents();
             keptBodies[place] = new BodyEvents();
         }
@@ -324,7 +325,7 @@ public final class Rollback {
             try {
                 int place = confirmed % window;
                 if (told == 0) {
-                    game.confirmed(confirmed, events.of(kept.at(place)));
+                    game.confirmed(confirmed, events.of(kept[place]));
                     told = 1;
                 }
                 if (told == 1) {
@@ -428,7 +429,7 @@ public final class Rollback {
             game.afterStep(next, gone);
             BodyEvents touches = world.bodies().events();
             game.afterStep(next, touches);
-            kept.keep(next % window, happened.rows());
+            happened.rows().moveTo(kept[next % window]);
             gone.rows().moveTo(keptJoints[next % window].rows());
             touches.rows().moveTo(keptBodies[next % window].rows());
         } finally {
@@ -522,7 +523,10 @@ public final class Rollback {
      * @return bytes
      */
     public long bytes() {
-        long sum = rewind.bytes() + kept.bytes();
+        long sum = rewind.bytes();
+        for (EventRows rows : kept) {
+            sum += rows.bytes();
+        }
         for (JointEvents gone : keptJoints) {
             sum += gone.rows().bytes();
         }

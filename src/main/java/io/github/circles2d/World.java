@@ -8,7 +8,6 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.AxisEdge;
-import io.github.circles2d.world.model.BeltSpeed;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -1053,7 +1052,7 @@ public final class World implements AutoCloseable {
                 number,
                 Float.floatToRawIntBits(friction),
                 Float.floatToRawIntBits(rollingResistance),
-                Float.floatToRawIntBits(BeltSpeed.ofWall(number, beltSpeed)));
+                Float.floatToRawIntBits(SurfaceSettings.beltOfWall(number, beltSpeed)));
     }
 
     /**
@@ -1090,7 +1089,7 @@ public final class World implements AutoCloseable {
      */
     public float wallBeltSpeed(Wall wall) {
         int number = Limits.notNull("wall", wall).ordinal();
-        return BeltSpeed.ofWall(number, simulation.settings().surfaces().wallBelt(number));
+        return SurfaceSettings.beltOfWall(number, simulation.settings().surfaces().wallBelt(number));
     }
 
     /**
@@ -2011,7 +2010,7 @@ public final class World implements AutoCloseable {
                 int at = 3 * wall;
                 settings = Float.isNaN(walls[at])
                         ? settings.withWall(wall, friction, rollingResistance, 0)
-                        : settings.withWall(wall, walls[at], walls[at + 1], BeltSpeed.ofWall(wall, walls[at + 2]));
+                        : settings.withWall(wall, walls[at], walls[at + 1], SurfaceSettings.beltOfWall(wall, walls[at + 2]));
             }
             return settings.any() ? settings : SurfaceSettings.NONE;
         }

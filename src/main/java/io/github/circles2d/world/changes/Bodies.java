@@ -21,14 +21,7 @@ public final class Bodies implements Calls.Effects {
         this.world = world;
         table = world.terrain.bodies;
         places = new BodyAnchors(table);
-        world.calls.define(
-                this,
-                Call.BODY,
-                Call.REMOVE_BODY,
-                Call.BODY_VELOCITY,
-                Call.BODY_ANGULAR_VELOCITY,
-                Call.MOVE_BODY,
-                Call.TELEPORT_BODY);
+        world.calls.defineAll(this, Call.BODY, Call.TELEPORT_BODY);
     }
 
     /** The handle of the ground. */

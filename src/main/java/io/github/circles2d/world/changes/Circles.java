@@ -25,22 +25,8 @@ public final class Circles implements Calls.Effects {
         this.world = world;
         this.nextStep = nextStep;
         this.changes = changes;
-        world.calls.define(
-                this,
-                Call.REMOVE,
-                Call.POSITION,
-                Call.MOVE,
-                Call.VELOCITY,
-                Call.RADIUS,
-                Call.MASS,
-                Call.RESTITUTION,
-                Call.IMPULSE,
-                Call.ANGLE,
-                Call.ANGULAR_VELOCITY,
-                Call.ANGULAR_IMPULSE,
-                Call.CLEAR,
-                Call.WAKE,
-                Call.WAKE_ALL);
+        world.calls.defineAll(this, Call.REMOVE, Call.ANGULAR_IMPULSE);
+        world.calls.define(this, Call.MOVE, Call.CLEAR, Call.WAKE, Call.WAKE_ALL);
     }
 
     @Override

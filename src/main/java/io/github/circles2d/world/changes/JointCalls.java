@@ -6,7 +6,7 @@ import static java.lang.Float.floatToRawIntBits;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.Handle;
 import io.github.circles2d.world.joints.GoneJoints;
-import io.github.circles2d.world.joints.JointEndType;
+import io.github.circles2d.world.joints.JointEnds;
 import io.github.circles2d.world.joints.JointForm;
 import io.github.circles2d.world.joints.JointLimits;
 import io.github.circles2d.world.joints.JointSetting;
@@ -44,16 +44,8 @@ public final class JointCalls implements Calls.Effects {
     public JointCalls(WorldParts world) {
         this.world = world;
         table = world.joints.table;
-        world.calls.define(
-                this,
-                Call.JOINT_FORM,
-                Call.JOINT,
-                Call.ANCHORED_JOINT,
-                Call.JOINT_ALONE,
-                Call.RIGID_JOINT,
-                Call.JOINT_SETTING,
-                Call.REMOVE_JOINT,
-                Call.CLEAR_JOINTS);
+        world.calls.defineAll(this, Call.JOINT_FORM, Call.CLEAR_JOINTS);
+        world.calls.define(this, Call.RIGID_JOINT);
     }
 
     // ---- joints come
@@ -67,18 +59,18 @@ public final class JointCalls implements Calls.Effects {
     }
 
     private static int typeOf(long handle) {
-        return Handle.has(handle, Handle.RIGID) ? JointEndType.RIGID : JointEndType.CIRCLE;
+        return Handle.has(handle, Handle.RIGID) ? JointEnds.RIGID : JointEnds.CIRCLE;
     }
 
     /** Adds a joint that holds a circle or a body to no place, and returns its handle. */
     public long add(long circle, JointForm form) {
         if (Handle.has(circle, Handle.RIGID)) {
-            return add(JointEndType.RIGID, circle, 0, 0, JointEndType.NOTHING, 0, 0, 0, form);
+            return add(JointEnds.RIGID, circle, 0, 0, JointEnds.NOTHING, 0, 0, 0, form);
         }
         return add(Call.JOINT_ALONE, circle, 0, 0, 0, form);
     }
 
-    /** Adds a joint of which an end is a body that is pushed, and returns its handle. Types are those of {@link JointEndType}. */
+    /** Adds a joint of which an end is a body that is pushed, and returns its handle. Types are those of {@link JointEnds}. */
     public long add(
             int typeA, long first, float ax, float ay, int typeB, long other, float bx, float by, JointForm form) {
         world.guard.enter();
@@ -99,9 +91,9 @@ public final class JointCalls implements Calls.Effects {
     /** circle: what to do with a circle where a body should be. */
     private int find(int type, long handle, String circle) {
         return switch (type) {
-            case JointEndType.CIRCLE -> circle(handle);
-            case JointEndType.RIGID -> rigid(handle, circle);
-            case JointEndType.ANCHOR -> world.body(handle);
+            case JointEnds.CIRCLE -> circle(handle);
+            case JointEnds.RIGID -> rigid(handle, circle);
+            case JointEnds.ANCHOR -> world.body(handle);
             default -> 0;
         };
     }
@@ -203,8 +195,8 @@ public final class JointCalls implements Calls.Effects {
     /** Checks a joint of bodies that are pushed. */
     private void prepareOfBodies(int[] w, JointForm of) {
         switch (w[4]) {
-            case JointEndType.ANCHOR -> JointLimits.anchor(of, true, real(w[6]), real(w[7]));
-            case JointEndType.NOTHING -> JointLimits.alone(of, true);
+            case JointEnds.ANCHOR -> JointLimits.anchor(of, true, real(w[6]), real(w[7]));
+            case JointEnds.NOTHING -> JointLimits.alone(of, true);
             default -> JointLimits.things(of);
         }
         if (w[0] == w[4] && w[1] == w[5]) {
@@ -213,16 +205,16 @@ public final class JointCalls implements Calls.Effects {
         }
         boolean moves = false;
         for (int end = 0; end <= 4; end += 4) {
-            if (w[end] == JointEndType.RIGID) {
+            if (w[end] == JointEnds.RIGID) {
                 JointLimits.point(real(w[end + 2]), real(w[end + 3]), world.rigids.step.outline[w[end + 1]]);
                 moves |= world.rigids.moves(w[end + 1]);
-            } else if (w[end] == JointEndType.CIRCLE) {
+            } else if (w[end] == JointEnds.CIRCLE) {
                 moves |= !world.handles.isStatic(w[end + 1]);
             }
         }
         if (!moves) {
             throw new IllegalArgumentException("nothing that the joint holds can move: "
-                    + (w[0] == JointEndType.RIGID
+                    + (w[0] == JointEnds.RIGID
                             ? "the body with the handle " + world.rigids.ids.handle(w[1])
                             : "the circle with the handle " + world.handles.handle(w[1])));
         }
@@ -232,12 +224,12 @@ public final class JointCalls implements Calls.Effects {
     private int addOfBodies(int[] w, JointForm of) {
         int joint = world.joints.add(
                 of,
-                w[0] == JointEndType.CIRCLE ? w[1] : JointRow.NONE,
-                w[4] == JointEndType.CIRCLE ? w[5] : JointRow.NONE,
-                w[0] == JointEndType.RIGID ? w[1] : JointRow.NONE,
-                w[4] == JointEndType.RIGID ? w[5] : JointRow.NONE,
+                w[0] == JointEnds.CIRCLE ? w[1] : JointRow.NONE,
+                w[4] == JointEnds.CIRCLE ? w[5] : JointRow.NONE,
+                w[0] == JointEnds.RIGID ? w[1] : JointRow.NONE,
+                w[4] == JointEnds.RIGID ? w[5] : JointRow.NONE,
                 pointsOf(w));
-        if (w[4] == JointEndType.ANCHOR) {
+        if (w[4] == JointEnds.ANCHOR) {
             world.joints.anchor(joint, w[5], real(w[6]), real(w[7]));
         }
         return joint;
@@ -246,16 +238,16 @@ public final class JointCalls implements Calls.Effects {
     /** The points of a joint on bodies that are pushed. */
     private float[] pointsOf(int[] w) {
         for (int k = 0; k < points.length; k++) {
-            points[k] = w[k < 2 ? 0 : 4] == JointEndType.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
+            points[k] = w[k < 2 ? 0 : 4] == JointEnds.RIGID ? real(w[k < 2 ? 2 + k : 4 + k]) : 0f;
         }
         return points;
     }
 
     /** Refuses types of ends in a log that no joint of bodies has, and ids of nothing. */
     private void requireEnds(int[] w) {
-        boolean fits = (w[0] == JointEndType.RIGID || w[0] == JointEndType.CIRCLE && w[4] == JointEndType.RIGID)
-                && w[4] >= JointEndType.CIRCLE
-                && w[4] <= JointEndType.NOTHING;
+        boolean fits = (w[0] == JointEnds.RIGID || w[0] == JointEnds.CIRCLE && w[4] == JointEnds.RIGID)
+                && w[4] >= JointEnds.CIRCLE
+                && w[4] <= JointEnds.NOTHING;
         if (!fits) {
             throw new IllegalArgumentException("no joint of bodies has ends of the types " + w[0] + " and " + w[4]);
         }
@@ -266,9 +258,9 @@ public final class JointCalls implements Calls.Effects {
     private void requireEnd(int type, int id) {
         Call.Named named =
                 switch (type) {
-                    case JointEndType.CIRCLE -> Call.Named.CIRCLE;
-                    case JointEndType.RIGID -> Call.Named.RIGID;
-                    case JointEndType.ANCHOR -> Call.Named.BODY;
+                    case JointEnds.CIRCLE -> Call.Named.CIRCLE;
+                    case JointEnds.RIGID -> Call.Named.RIGID;
+                    case JointEnds.ANCHOR -> Call.Named.BODY;
                     default -> Call.Named.NOTHING;
                 };
         world.calls.requireId(named, id);

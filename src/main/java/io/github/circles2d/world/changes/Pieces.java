@@ -36,17 +36,7 @@ public final class Pieces implements Calls.Effects {
         this.world = world;
         table = world.terrain.pieces;
         read = new PieceRead(world.terrain);
-        world.calls.define(
-                this,
-                Call.SEGMENT,
-                Call.ARC,
-                Call.CHAIN_START,
-                Call.CHAIN_LINE,
-                Call.CHAIN_ARC,
-                Call.CHAIN,
-                Call.REMOVE_PIECE,
-                Call.PIECE_KIND,
-                Call.CLEAR_TERRAIN);
+        world.calls.defineAll(this, Call.SEGMENT, Call.CLEAR_TERRAIN);
     }
 
     /** Adds a segment to a body, in the frame of the body, and returns its handle. */

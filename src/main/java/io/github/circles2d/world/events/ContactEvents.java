@@ -10,7 +10,7 @@ import java.nio.IntBuffer;
 
 /**
  * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It knows the pairs that touch, or a device
- * does, {@link RemotePairs}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
+ * does, {@link Remote}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
  * the events that it has decided, {@link #publishDecided}.
  *
  * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, and {@link
@@ -52,7 +52,7 @@ public final class ContactEvents {
     private final EventQueue queue = new EventQueue();
     private final TouchTracker tracker;
     /** The pairs on a device that decides itself what a step reports of them; null if there is none. */
-    private RemotePairs remote;
+    private Remote remote;
 
     /** Whether all pairs are here; some are not while only a device knows them. */
     private boolean here = true;
@@ -81,6 +81,21 @@ public final class ContactEvents {
 
         /** Whether two circles do not move: one sleeps, and the other one sleeps or is static. */
         boolean rest(int id, int otherId);
+    }
+
+    /** The pairs that touch, on a device that decides itself what a step reports of them. */
+    public interface Remote {
+        /** Hands all pairs over, by {@link #receive}; they stay there, too. */
+        void fetchAll();
+
+        /** Whether a circle may have pairs there. A device has no room for the ids of circles that have come since its last step. */
+        boolean mayKnow(int id);
+
+        /** Hands the pairs of circles over, which it may know; they stay there, too. */
+        void fetchOf(int[] ids, int count);
+
+        /** Forgets the pairs of circles that {@link #fetchOf} has made room for. */
+        void forgetOf(int[] ids, int count);
     }
 
     // ---- what is reported
@@ -276,13 +291,13 @@ public final class ContactEvents {
     // ---- pairs that only a device knows
 
     /** Sets who decides about pairs: null if this object does, which then has all of them. All pairs are here. */
-    public void setRemote(RemotePairs pairsElsewhere) {
+    public void setRemote(Remote pairsElsewhere) {
         remote = pairsElsewhere;
         there = false;
     }
 
     /** Who decides about pairs; null if this object does. */
-    public RemotePairs remote() {
+    public Remote remote() {
         return remote;
     }
 

@@ -145,6 +145,12 @@ public final class EventRows {
         count = first;
     }
 
+    /** Moves all events into a list, instead of those that it has. */
+    public void moveTo(EventRows to) {
+        to.clear();
+        moveFrom(0, to);
+    }
+
     /** Removes an event; the last one takes its number. */
     void remove(int row) {
         copy(this, --count, row);
@@ -263,7 +269,7 @@ public final class EventRows {
         return event;
     }
 
-    long bytes() {
+    public long bytes() {
         return (4L * STRIDE + 24L) * step.length + (sort == null ? 0 : sort.bytes());
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.queries;
 
 import io.github.circles2d.world.model.Bounds;
+import java.util.function.IntPredicate;
 
 /** The searches in a tree of circles. */
 public final class TreeSearch implements Search {
@@ -21,7 +22,7 @@ public final class TreeSearch implements Search {
     }
 
     @Override
-    public int all(QueryShape shape, float[] query, IdFilter filter) {
+    public int all(QueryShape shape, float[] query, IntPredicate filter) {
         return switch (shape) {
             case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
             case BOX -> overlaps.box(query[0], query[1], query[2], query[3], filter);
@@ -44,14 +45,14 @@ public final class TreeSearch implements Search {
     }
 
     @Override
-    public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
+    public int first(QueryShape shape, float[] query, IntPredicate filter, float[] hits, int to) {
         return shape == QueryShape.POINT
                 ? overlaps.pick(query[0], query[1], filter)
                 : casts.first(shape, query, filter, hits, to);
     }
 
     @Override
-    public int nearest(float x, float y, float within, int most, IdFilter filter) {
+    public int nearest(float x, float y, float within, int most, IntPredicate filter) {
         return nearest.find(x, y, within, most, filter);
     }
 

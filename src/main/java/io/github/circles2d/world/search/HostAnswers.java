@@ -3,8 +3,8 @@ package io.github.circles2d.world.search;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.Search;
 
-/** Answers queries by a tree on the host. */
-final class HostAnswers implements Answers {
+/** QueryBatch.Answers queries by a tree on the host. */
+final class HostAnswers implements QueryBatch.Answers {
     private final View view;
     private Search search;
 

@@ -75,7 +75,7 @@ public final class Searches {
         return QueryFilter.without(world.kinds, view, before, body);
     }
 
-    /** Answers on any device from now on, whether or not it is the faster way: for tests. */
+    /** QueryBatch.Answers on any device from now on, whether or not it is the faster way: for tests. */
     public void alwaysOnDevice() {
         device.always();
     }
@@ -191,7 +191,7 @@ public final class Searches {
         return count == DeviceAnswers.LEFT ? answer(wanted, host) : count;
     }
 
-    private int answer(Wanted wanted, Answers by) {
+    private int answer(Wanted wanted, QueryBatch.Answers by) {
         return switch (wanted) {
             case ALL -> by.all(batch);
             case ONE -> by.one(batch);

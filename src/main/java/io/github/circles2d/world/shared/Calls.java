@@ -1,5 +1,7 @@
 package io.github.circles2d.world.shared;
 
+import java.util.EnumSet;
+
 import static java.lang.Float.floatToRawIntBits;
 
 /**
@@ -33,6 +35,13 @@ public final class Calls {
     /** Says what calls do. */
     public void define(Effects what, Call... calls) {
         for (Call call : calls) {
+            effects[call.ordinal()] = what;
+        }
+    }
+
+    /** Says what the calls from one row of the table to another do. */
+    public void defineAll(Effects what, Call first, Call last) {
+        for (Call call : EnumSet.range(first, last)) {
             effects[call.ordinal()] = what;
         }
     }

@@ -80,7 +80,7 @@ class ContactEventsTest {
     }
 
     /** A device that has made steps with circles whose ids are below a limit. */
-    private static final class Known implements RemotePairs {
+    private static final class Known implements ContactEvents.Remote {
         final List<Integer> asked = new ArrayList<>();
 
         @Override
