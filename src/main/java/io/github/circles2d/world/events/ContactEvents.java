@@ -10,7 +10,7 @@ import java.nio.IntBuffer;
 
 /**
  * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It knows the pairs that touch, or a device
- * does, {@link Remote}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
+ * does, {@link Remote}. A pipeline in Java tells it of the pairs in touch, {@link TouchTracker#concerns} and {@link #endStep}; a device hands over
  * the events that it has decided, {@link #publishDecided}.
  *
  * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, and {@link
@@ -50,7 +50,8 @@ public final class ContactEvents {
     private final EventRows step = new EventRows();
 
     private final EventQueue queue = new EventQueue();
-    private final TouchTracker tracker;
+    /** Follows the pairs that are here. */
+    public final TouchTracker tracker;
     /** The pairs on a device that decides itself what a step reports of them; null if there is none. */
     private Remote remote;
 
@@ -124,11 +125,6 @@ public final class ContactEvents {
         return reported.isUniform() && reported.types(0, 0) != 0;
     }
 
-    /** The types that are reported of two circles. */
-    public int typesOfCircles(int id, int otherId) {
-        return tracker.typesOfCircles(id, otherId);
-    }
-
     public boolean dependsOnKinds() {
         return reported.dependsOnKinds();
     }
@@ -200,11 +196,6 @@ public final class ContactEvents {
 
     public void setHitSpeed(float speed) {
         tracker.setHitSpeed(speed);
-    }
-
-    /** The speed from which on a hit counts, or {@link #OF_PAIR}. */
-    public float hitSpeed() {
-        return tracker.hitSpeed();
     }
 
     // ---- circles come and go
@@ -426,44 +417,6 @@ public final class ContactEvents {
     /** Whether a number that a pair had after a step still is one; if not, {@link #find} tells. */
     public boolean isNumber(int pair) {
         return pair < pairs.count;
-    }
-
-    /**
-     * Tells of a pair, by {@link #find}, that is in touch or near enough to stay so, and returns whether {@link #endStep} needs a
-     * record. Several threads may call this at once, of different pairs. The threshold is the square of the speed that a hit must
-     * exceed, unless the caller has set a speed.
-     */
-    public boolean concerns(
-            int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
-        return tracker.concerns(pair, lower, higher, touches, approach, impulse, threshold);
-    }
-
-    /** Whether a touch is a hit; threshold as in {@link #concerns}. */
-    public boolean isHit(float approach, float impulse, float threshold) {
-        return tracker.isHit(approach, impulse, threshold);
-    }
-
-    /** Whether a pair approaches fast enough for a hit; the threshold as in {@link #isHit}. */
-    public boolean isHitSpeed(float approach, float threshold) {
-        return tracker.isHitSpeed(approach, threshold);
-    }
-
-    /** Before {@link #misses}: pairs that rest go on to touch, though no step finds them. */
-    public void keep(Sleepers sleepers) {
-        tracker.keep(sleepers);
-    }
-
-    /**
-     * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
-     * does, before {@link #endStep}; {@link #concerns} calls it.
-     */
-    public boolean misses(TouchRecords... records) {
-        return tracker.misses(records);
-    }
-
-    /** Tells that a pair still touches. Several threads may call this at once, of different pairs. */
-    public void stamp(int pair) {
-        tracker.stamp(pair);
     }
 
     /** Ends a step by the records of all threads, in any order. */

@@ -70,7 +70,7 @@ public final class TouchRecords {
     }
 
     /**
-     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link ContactEvents#concerns}.
+     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link TouchTracker#concerns}.
      */
     public void add(
             int number,

@@ -448,7 +448,7 @@ final class Sensing {
         int pair = events.find(lower, higher);
         records.stay(pair == ContactEvents.NONE ? 0 : 1);
         boolean touches = TouchRule.touches(TouchRule.NONE, least);
-        if (!events.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
+        if (!events.tracker.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
         float t = touches ? SensorRule.timeSensed(dx, dy, ux, uy, sum) : closest;

@@ -216,7 +216,7 @@ public final class Touches {
         }
         for (int c = from; wanted != ALL && c < to; c++) {
             long ids = contacts.ids(c);
-            wanted[c] = events.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
+            wanted[c] = events.tracker.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
         }
     }
 
@@ -403,8 +403,8 @@ public final class Touches {
                 stay++;
                 // Few pairs reach even the threshold of a bounce, which is at hand and not more than that of a hit.
                 if (numbers[c] < ContactEvents.NONE
-                        || events.isHitSpeed(approach, q[o + RESTITUTION_THRESHOLD])
-                                && events.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
+                        || events.tracker.isHitSpeed(approach, q[o + RESTITUTION_THRESHOLD])
+                                && events.tracker.isHit(approach(c), r[t + IMPULSE], threshold(c, k))) {
                     list(worker, c);
                 }
             } else {
@@ -419,7 +419,7 @@ public final class Touches {
     public void stamp(int from, int to) {
         for (int c = from; c < to; c++) {
             if (number[c] != ContactEvents.NONE) {
-                events.stamp(pair(c));
+                events.tracker.stamp(pair(c));
             }
         }
     }
