@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.reports.ReportSettings;
+import io.github.circles2d.world.reports.Reports;
 import java.nio.Buffer;
 import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;
@@ -175,7 +175,7 @@ public final class Rollback {
     private final EventRows[] kept;
     private final ByteBuffer[] states;
     private final long[] randoms;
-    private final ReportSettings[] reported;
+    private final Reports.Settings[] reported;
 
     /** By place: whether the world told of joints that go. */
     private final boolean[] reportedJoints;
@@ -235,7 +235,7 @@ public final class Rollback {
             states[place] = ByteBuffer.allocate(LEAST_STATE);
         }
         randoms = new long[window];
-        reported = new ReportSettings[window];
+        reported = new Reports.Settings[window];
         reportedJoints = new boolean[window];
         keptJoints = new JointEvents[window];
         reportedBodies = new boolean[window];

@@ -70,7 +70,7 @@ public final class CircleTree {
     }
 
     /** Circles and their images; ids are less than the limit. */
-    public void build(Images images, int limit, Bounds bounds) {
+    void build(TreeSearch.Images images, int limit, Bounds bounds) {
         halfX = 0.5 * bounds.periodX();
         halfY = 0.5 * bounds.periodY();
         build(images.circles(), images.ids(), images.count(), limit);

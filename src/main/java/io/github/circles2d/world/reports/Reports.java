@@ -5,14 +5,15 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.shared.WorldParts;
+import java.util.Arrays;
 
 /** The calls on events. */
 public final class Reports {
     private final WorldParts world;
-    private ReportSettings settings = ReportSettings.NOTHING;
+    private Settings settings = Settings.NOTHING;
 
     // of the change under way
-    private ReportSettings next;
+    private Settings next;
     private boolean wasOn;
     private boolean hadWalls;
 
@@ -61,7 +62,7 @@ public final class Reports {
     }
 
     /** Makes the last room, and begins a change of the settings. */
-    private void begin(ReportSettings then) {
+    private void begin(Settings then) {
         world.moves.beforeReports();
         try {
             world.pipeline.makeRoomToReport(world.events);
@@ -157,12 +158,12 @@ public final class Reports {
     }
 
     /** What is reported, and the hit speed. */
-    public ReportSettings settings() {
+    public Settings settings() {
         return settings;
     }
 
     /** Sets again what {@link #settings} gave. If it fails half-way, it may be called again. */
-    public void restore(ReportSettings before) {
+    public void restore(Settings before) {
         if (before == settings) {
             return;
         }
@@ -185,6 +186,76 @@ public final class Reports {
             world.guard.changing = false;
             world.clock.end();
             return world.events.queue().take();
+        }
+    }
+
+    /** Which events a world reports, and the hit speed. It never changes: a call that says something else makes another. */
+    public static final class Settings {
+        /** Those of a new world. */
+        static final Settings NOTHING = new Settings(0, new long[0], ContactEvents.OF_PAIR);
+
+        /** In the key of a kind and walls, the place of the other kind has this. */
+        private static final int WALLS = 256;
+
+        /** The types of all that has no row. */
+        final int types;
+
+        final float hitSpeed;
+
+        /** What was said of two kinds, or of a kind and walls, since anything was said of all: a key, and types in the lower half. */
+        private final long[] rows;
+
+        private Settings(int types, long[] rows, float hitSpeed) {
+            this.types = types;
+            this.rows = rows;
+            this.hitSpeed = hitSpeed;
+        }
+
+        /** The same with the types of all circles. */
+        Settings ofAll(int all) {
+            return rows.length == 0 && all == types ? this : new Settings(all, new long[0], hitSpeed);
+        }
+
+        /** The same with the types of two kinds. */
+        Settings ofPair(int kindA, int kindB, int ofPair) {
+            return with(Math.min(kindA, kindB), Math.max(kindA, kindB), ofPair);
+        }
+
+        /** The same with the types of a kind and walls. */
+        Settings ofWalls(int kind, int ofWalls) {
+            return with(kind, WALLS, ofWalls);
+        }
+
+        Settings withHitSpeed(float speed) {
+            return speed == hitSpeed ? this : new Settings(types, rows, speed);
+        }
+
+        private Settings with(int first, int second, int wanted) {
+            int key = first << 16 | second;
+            long row = (long) key << 32 | wanted;
+            int k = 0;
+            while (k < rows.length && rows[k] >> 32 != key) {
+                k++;
+            }
+            if (k < rows.length && rows[k] == row) {
+                return this;
+            }
+            long[] more = Arrays.copyOf(rows, Math.max(rows.length, k + 1));
+            more[k] = row;
+            return new Settings(types, more, hitSpeed);
+        }
+
+        /** Says again what was said of single kinds. */
+        void repeat(Reports reports) {
+            for (long row : rows) {
+                int first = (int) (row >> 48);
+                int second = (int) (row >> 32) & 0xffff;
+                if (second == WALLS) {
+                    reports.reportWalls(first, (int) row);
+                } else {
+                    reports.report(first, second, (int) row);
+                }
+            }
         }
     }
 }
