@@ -86,8 +86,7 @@ public final class Joints {
      *     between two, or there are 2^20 joints
      */
     public long add(long body, float x, float y, long other, float otherX, float otherY, Joint joint) {
-        return simulation.joints.add(
-                JointEnds.RIGID, body, x, y, JointEnds.RIGID, other, otherX, otherY, form(joint));
+        return simulation.joints.add(JointEnds.RIGID, body, x, y, JointEnds.RIGID, other, otherX, otherY, form(joint));
     }
 
     /**
@@ -120,15 +119,7 @@ public final class Joints {
      */
     public long add(long body, float x, float y, float worldX, float worldY, Joint joint) {
         return simulation.joints.add(
-                JointEnds.RIGID,
-                body,
-                x,
-                y,
-                JointEnds.ANCHOR,
-                simulation.bodies.ground(),
-                worldX,
-                worldY,
-                form(joint));
+                JointEnds.RIGID, body, x, y, JointEnds.ANCHOR, simulation.bodies.ground(), worldX, worldY, form(joint));
     }
 
     /**

@@ -1089,7 +1089,8 @@ public final class World implements AutoCloseable {
      */
     public float wallBeltSpeed(Wall wall) {
         int number = Limits.notNull("wall", wall).ordinal();
-        return SurfaceSettings.beltOfWall(number, simulation.settings().surfaces().wallBelt(number));
+        return SurfaceSettings.beltOfWall(
+                number, simulation.settings().surfaces().wallBelt(number));
     }
 
     /**
@@ -2010,7 +2011,8 @@ public final class World implements AutoCloseable {
                 int at = 3 * wall;
                 settings = Float.isNaN(walls[at])
                         ? settings.withWall(wall, friction, rollingResistance, 0)
-                        : settings.withWall(wall, walls[at], walls[at + 1], SurfaceSettings.beltOfWall(wall, walls[at + 2]));
+                        : settings.withWall(
+                                wall, walls[at], walls[at + 1], SurfaceSettings.beltOfWall(wall, walls[at + 2]));
             }
             return settings.any() ? settings : SurfaceSettings.NONE;
         }

@@ -161,7 +161,8 @@ public final class TouchTracker {
      * record. Several threads may call this at once, of different pairs. The threshold is the square of the speed that a hit must
      * exceed, unless the caller has set a speed.
      */
-    public boolean concerns(int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
+    public boolean concerns(
+            int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
         if (pair == TouchingPairs.NONE) {
             return touches && typesOf(lower, higher) != 0;
         }

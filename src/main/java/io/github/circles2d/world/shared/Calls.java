@@ -1,8 +1,8 @@
 package io.github.circles2d.world.shared;
 
-import java.util.EnumSet;
-
 import static java.lang.Float.floatToRawIntBits;
+
+import java.util.EnumSet;
 
 /**
  * Makes the calls of {@link Call}. A log has them as words, and so come those of the API that games make seldom. Those on single circles, of

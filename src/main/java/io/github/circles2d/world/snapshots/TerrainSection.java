@@ -34,7 +34,6 @@ final class TerrainSection {
     private static final int TRAVELS = 8;
     private static final int MOVED_OTHERWISE = 16;
 
-
     // flags of a piece, above its form and its side
     private static final int SHAPE = PieceRow.FORM | PieceRow.SOLID_OUTSIDE;
     private static final int PIECE_GENERATION = 8;
@@ -42,7 +41,6 @@ final class TerrainSection {
     private static final int HAS_BODY = 32;
     private static final int HAS_AFTER = 64;
     private static final int HAS_THICKNESS = 128;
-
 
     /** Of the square of the length of a direction. */
     private static final float UNIT_SLACK = 1e-5f;

@@ -104,8 +104,7 @@ final class BodyChanges {
     private void join() {
         JointForm rod = new JointForm(JointRow.AXIAL | JointRow.RIGID);
         JointForm pin = new JointForm(JointRow.POINT | JointRow.RIGID);
-        simulation.joints.add(
-                JointEnds.RIGID, bodies.get(0), 0.1f, 0, JointEnds.RIGID, bodies.get(1), 0, 0.1f, rod);
+        simulation.joints.add(JointEnds.RIGID, bodies.get(0), 0.1f, 0, JointEnds.RIGID, bodies.get(1), 0, 0.1f, rod);
         for (int k = 3; k < 5; k++) { // a cart, and a rope
             JointForm form = k == 3 ? pin : rod;
             simulation.joints.add(

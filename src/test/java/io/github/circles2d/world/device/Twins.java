@@ -597,7 +597,8 @@ final class Twins implements AutoCloseable {
             SavedState state = new SavedState();
             SnapshotCodec.read(snapshot(simulation), state);
             state.setParameters(change.apply(state.parameters()));
-            ByteBuffer changed = SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
+            ByteBuffer changed =
+                    SnapshotCodec.encode(state, ByteBuffer.allocate(0).order(ByteOrder.LITTLE_ENDIAN));
             SnapshotCodec.addCheck(changed);
             simulation.snapshots.restore(changed);
         }
