@@ -216,11 +216,7 @@ public final class Calibration {
         return Timings.NONE;
     }
 
-    /**
-     * Returns the file that keeps these times.
-     *
-     * @return the file; empty if it is turned off, or could not be written: the times hold for this process then
-     */
+    /** {@return the file that keeps these times; empty if it is turned off, or could not be written: the times hold for this process then} */
     public Optional<Path> file() {
         return file;
     }

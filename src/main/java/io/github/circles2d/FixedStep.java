@@ -392,20 +392,12 @@ public final class FixedStep {
         wasReset = true;
     }
 
-    /**
-     * How far the positions are on the way from before the last step to after it.
-     *
-     * @return 0 (before) to 1 (after)
-     */
+    /** {@return how far the positions are on the way from before the last step (0) to after it (1)} */
     public float alpha() {
         return (float) (saved / timeStep);
     }
 
-    /**
-     * The number of steps that were due and have been dropped, since more would have been made in a frame than are allowed.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of steps that were due and have been dropped, since more would have been made in a frame than are allowed; at least 0} */
     public long droppedSteps() {
         return dropped;
     }

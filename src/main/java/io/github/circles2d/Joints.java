@@ -254,11 +254,7 @@ public final class Joints {
         return simulation.jointIds.contains(joint);
     }
 
-    /**
-     * The number of joints.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of joints, at least 0} */
     public int size() {
         return simulation.jointIds.size();
     }
@@ -274,11 +270,7 @@ public final class Joints {
         return Handle.id(joint);
     }
 
-    /**
-     * How long the caller's arrays by id of joints must be: one more than the greatest id that a joint has had.
-     *
-     * @return at least {@link #size}
-     */
+    /** {@return how long the caller's arrays by id of joints must be: one more than the greatest id that a joint has had; at least {@link #size}} */
     public int idLimit() {
         return simulation.jointIds.limit();
     }
@@ -470,9 +462,8 @@ public final class Joints {
     }
 
     /**
-     * The joints that went by themselves since the last call of this method, or since {@link World#restore}.
-     *
-     * @return always the same object, which the next call fills again
+     * {@return the joints that went by themselves since the last call of this method, or since {@link World#restore}: always the same object, which
+     * the next call fills again}
      */
     public JointEvents events() {
         simulation.joints.take(events.rows());

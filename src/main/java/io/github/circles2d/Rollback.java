@@ -231,20 +231,12 @@ public final class Rollback {
         Arrays.setAll(frames, place -> new Frame());
     }
 
-    /**
-     * The next new frame, which {@link #advance} makes.
-     *
-     * @return its number: how many frames have been made
-     */
+    /** {@return the number of the next new frame, which {@link #advance} makes: how many frames have been made} */
     public int frame() {
         return frame;
     }
 
-    /**
-     * The number of confirmed frames that {@link Game#confirmed(int, Events)} has been told of.
-     *
-     * @return at least 0, at most {@link #frame}
-     */
+    /** {@return the number of confirmed frames that {@link Game#confirmed(int, Events)} has been told of: at least 0, at most {@link #frame}} */
     public int confirmedFrames() {
         return confirmed;
     }
@@ -268,11 +260,7 @@ public final class Rollback {
         }
     }
 
-    /**
-     * Whether {@link #advance} may make a frame: whether the window has room for it.
-     *
-     * @return false if inputs of other players must come first
-     */
+    /** {@return whether {@link #advance} may make a frame: whether the window has room for it; false if inputs of other players must come first} */
     public boolean canAdvance() {
         return frame - Math.min(frame, inputs.complete()) < window;
     }
@@ -484,29 +472,17 @@ public final class Rollback {
         }
     }
 
-    /**
-     * How many times a wrong prediction has led back to an earlier frame.
-     *
-     * @return at least 0
-     */
+    /** {@return how many times a wrong prediction has led back to an earlier frame, at least 0} */
     public long rollbacks() {
         return rollbacks;
     }
 
-    /**
-     * How many frames have been made again because of wrong predictions.
-     *
-     * @return at least 0
-     */
+    /** {@return how many frames have been made again because of wrong predictions, at least 0} */
     public long repeatedFrames() {
         return repeated;
     }
 
-    /**
-     * Memory of the frames.
-     *
-     * @return bytes
-     */
+    /** {@return the memory of the frames in bytes} */
     public long bytes() {
         long sum = rewind.bytes();
         for (Frame made : frames) {

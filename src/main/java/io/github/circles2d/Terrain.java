@@ -109,11 +109,7 @@ public final class Terrain {
 
     // ---- bodies
 
-    /**
-     * The body that never moves, and cannot be removed. Its coordinates are the world's.
-     *
-     * @return always the same object
-     */
+    /** {@return the body that never moves, and cannot be removed: always the same object} Its coordinates are the world's. */
     public TerrainBody ground() {
         return object(simulation.bodies.ground());
     }
@@ -314,11 +310,7 @@ public final class Terrain {
         return Handle.id(piece);
     }
 
-    /**
-     * How long the caller's arrays by id of pieces must be: one more than the greatest id that a piece has had.
-     *
-     * @return at least {@link #size}
-     */
+    /** {@return how long the caller's arrays by id of pieces must be: one more than the greatest id that a piece has had; at least {@link #size}} */
     public int idLimit() {
         return simulation.pieceIds.limit();
     }
@@ -334,11 +326,7 @@ public final class Terrain {
         return simulation.pieceIds.handle(id);
     }
 
-    /**
-     * The number of pieces.
-     *
-     * @return at least 0
-     */
+    /** {@return the number of pieces, at least 0} */
     public int size() {
         return simulation.pieceIds.size();
     }
